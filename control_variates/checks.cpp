@@ -10,12 +10,13 @@ namespace fpkcheck::control_variates {
 namespace {
 
 constexpr double kSignificanceLevel = 1e-4;
-constexpr double kNormalQuantile = 3.9;  // quantile of the normal law at the two-sided level 1e-4
-constexpr double kFlightTolerance =
-    1e-5;  // relative to the damping; the truncation error of the flights is smaller
+// Quantile of the standard normal law at the two-sided level 1e-4
+constexpr double kNormalQuantile = 3.9;
+// Limit on the errors of the force balance relative to the damping force, above the truncation
+// error of the flights.
+constexpr double kFlightTolerance = 1e-5;
 constexpr double kRounding = 1e-12;
 
-/// Sums over all streams, from which the checks are computed.
 struct Sums {
   double samples = 0, time = 0, impacts = 0;
   std::array<double, mcs::kPowers.size()> powers{};
@@ -62,7 +63,8 @@ void check_impulses(const problem::ImpulseTrain& train, const Sums& sums,
   checks.rate = (n - expected) / std::sqrt(expected);
   if (n == 0) return;
   checks.mean = (sums.impulses[1] / n - law.mean()) / (law.deviation() / std::sqrt(n));
-  // With atoms at +-Y the square Y^2 has no variance: rounding then replaces the standard error.
+  // For impulses with the two amplitudes Y and -Y the square Y^2 has no variance. A rounding error
+  // then replaces the standard error of the mean of Y^2.
   const double square = law.moment(2), spread = law.moment(4) - square * square;
   const double scale = std::max(std::sqrt(std::max(spread, 0.0) / n), kRounding * square);
   checks.mean_square = (sums.impulses[2] / n - square) / scale;
@@ -89,7 +91,6 @@ Eigen::MatrixXd polynomial_coefficients(const DepositLayout& deposit_layout) {
 HotellingTest hotelling_test(const Eigen::MatrixXd& all) {
   const Eigen::MatrixXd values = all.topRows(std::min(all.rows(), all.cols() / 2));
   const auto n = static_cast<double>(values.cols()), p = static_cast<double>(values.rows());
-  // In units of the standard deviation of each variable, against rounding errors.
   const Eigen::VectorXd mean = values.rowwise().mean();
   Eigen::MatrixXd centred = values.colwise() - mean;
   const Eigen::VectorXd unit =

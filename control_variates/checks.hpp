@@ -10,43 +10,44 @@
 
 namespace fpkcheck::control_variates {
 
-/// Result of Hotelling's test whether a random vector, observed once in each stream, has zero mean.
+/// Result of Hotelling's test of the hypothesis that a random vector has zero mean. Each simulation
+/// stream supplies one sample of the vector.
 struct HotellingTest {
-  double statistic = 0;  ///< T^2 = n m^T S^-1 m: n streams, mean m, covariance S
+  /// Hotelling's T^2 = n m^T S^-1 m for n streams, sample mean m and sample covariance S
+  double statistic = 0;
   int dimensions = 0;
   double p_value = 1;
 };
-/// @param values shape (dimensions, streams); the test uses the first dimensions only, at most half
-/// as many as there are streams
+/// @param values samples, of shape (dimensions, streams). At most half as many dimensions as
+///   streams are used.
 HotellingTest hotelling_test(const Eigen::MatrixXd& values);
 
-/// Results of the checks that compare the simulated motion, impacts and impulses with the problem.
 struct SimulationChecks {
-  /// Test of E[L B] = 0 for the 14 polynomials B = y^p y'^q, 1 <= p + q <= 4: whether flights,
-  /// impacts and impulses together follow the generator L. The means have the sampling error of the
-  /// plain estimate.
+  /// Test of E[L B] = 0 for the generator L and the 14 polynomials B = y^p y'^q, 1 <= p + q <= 4. A
+  /// nonzero mean shows an error in the simulated flights, impacts or impulses.
   HotellingTest generator;
-  /// Means of (y'' + c y' + g(y)) phi along the polynomials of the flights, relative to c (E[y'^2]
-  /// E[phi^2])^1/2, for phi = 1, y, y' (in this order). The means are the error of the flights
-  /// relative to the damping and have no sampling error.
+  /// Errors of the force balance: means of (y'' + c y' + g(y)) phi along the polynomials of the
+  /// flights, divided by c (E[y'^2] E[phi^2])^1/2. The test function phi is 1 for `momentum`, y for
+  /// `virial` and y' for `power`. These means have no sampling error.
   double momentum = 0, virial = 0, power = 0;
-  /// Restitution error: mean of y'(+) divided by mean of -y'(-), less r. Without impacts
-  /// `restitution` and `wall_distance` are 0.
+  /// Error of the restitution coefficient: mean of y'(+) divided by mean of -y'(-), minus r. The
+  /// value is 0 if no impact occurred.
   double restitution = 0;
-  /// Mean distance between the wall and the computed positions of the impacts, relative to
-  /// (E[y^2])^1/2.
+  /// Mean distance between the wall and the computed impact positions, divided by (E[y^2])^1/2. The
+  /// value is 0 if no impact occurred.
   double wall_distance = 0;
-  /// Deviations of the number, the mean of Y and the mean of Y^2 of the drawn impulses from their
+  /// Deviations of the number, the mean and the mean square of the drawn impulses from their
   /// expectations, in standard errors.
   double rate = 0, mean = 0, mean_square = 0;
-  /// Largest difference |plain - controlled| between the two estimates of the six moments, in plain
-  /// standard errors. An error in the law of the drawn impulses affects the plain estimates only.
+  /// Largest difference between the estimates of a moment with and without control variates, in
+  /// standard errors. An error in the law of the drawn impulses changes only the estimates without
+  /// control variates.
   double plain_moments = 0;
 
   /// Names of the failed checks: "flights", "restitution", "wall", "impulses", "generator",
   /// "plain". Each check with a sampling error has a false alarm rate of 1e-4.
   std::vector<std::string> failed_checks() const;
-  /// Names of the failed checks without sampling error: flights, restitution, wall.
+  /// Failed checks among the checks without sampling error: "flights", "restitution", "wall".
   std::vector<std::string> failed_deterministic_checks() const;
 };
 

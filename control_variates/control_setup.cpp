@@ -12,9 +12,11 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-constexpr double kYBinSpacing = 0.15, kVBinSpacing = 0.3, kBinExtent = 7;  // deviations
-constexpr double kLatticePointsPerDeviation = 8;  // lattice points per deviation
-constexpr double kLatticeExtension = 4;  // extension of the lattice, in deviations of the impulses
+// Spacings and extent of the smooth bins, in standard deviations of y and of y'
+constexpr double kYBinSpacing = 0.15, kVBinSpacing = 0.3, kBinExtent = 7;
+constexpr double kLatticePointsPerDeviation = 8;
+// Extension of the velocity lattice beyond the splines, in standard deviations of the impulses.
+constexpr double kLatticeExtension = 4;
 
 std::vector<double> lattice(const mcs::DepositGrid& grid) {
   std::vector<double> v;
@@ -72,7 +74,7 @@ DepositLayout make_deposit_layout(const problem::Problem& problem, const Control
   DepositLayout p{
       .y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
   const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
-  // 2 is the half-width of a smooth bin in spacings: the outermost bins end at the extent.
+  // A smooth bin extends over 2 spacings on either side of its centre.
   constexpr int kBinHalfWidth = 2;
   const int v_half = static_cast<int>(kBinExtent / kVBinSpacing) - kBinHalfWidth;
   p.functionals.y_bins = {.first = -y_bin,
@@ -92,7 +94,8 @@ DepositLayout make_deposit_layout(const problem::Problem& problem, const Control
   for (const auto& [amplitude, probability] : problem.impulses.law().atoms()) {
     p.grid.shifts.push_back({amplitude, probability});
   }
-  if (!p.grid.shifts.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;  // unused
+  // For discrete impulse laws the deposits use `shifts` instead of the lattice.
+  if (!p.grid.shifts.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;
   return p;
 }
 

@@ -21,8 +21,8 @@ mcs::Estimate scale_estimate(const mcs::Estimate& e, double factor) {
   return {e.mean * factor, e.standard_error * factor};
 }
 
-/// Contribution of each stream to the sampling error of each mean. The sum of squares over streams
-/// is the squared standard error.
+/// Returns the contribution of each stream to the sampling error of each mean. The sum of the
+/// squares of these contributions over all streams is the squared standard error.
 Eigen::MatrixXd error_contributions(const Eigen::MatrixXd& values) {
   const auto n = static_cast<double>(values.cols());
   return (values.colwise() - values.rowwise().mean()) / std::sqrt((n - 1) * n);
@@ -34,7 +34,8 @@ mcs::L1SamplingError bins_sampling_l1(const Eigen::MatrixXd& errors) {
   return mcs::l1_sampling_error(bins);
 }
 
-/// @param controlled, plain means of the bins in each stream, both of shape (bins, streams)
+/// @param controlled, plain bin means of each stream with and without control variates, shape
+///   (bins, streams)
 BinEstimates bin_estimates(const transform::SmoothBins& bins, const Eigen::MatrixXd& controlled,
                            const Eigen::MatrixXd& plain) {
   const Eigen::MatrixXd errors = error_contributions(controlled);

@@ -13,10 +13,11 @@ namespace {
 using transform::Solution;
 using transform::Variable;
 
-static_assert(std::size(transform::kMoments) == kMoments.size());  // in the same order
+// Both arrays list the moments in the same order.
+static_assert(std::size(transform::kMoments) == kMoments.size());
 
-/// Adds the plain estimates. Unlike the controlled estimates, the plain estimates depend on the law
-/// of the drawn impulses.
+/// Adds the estimates without control variates, which alone depend on the law of the drawn
+/// impulses.
 void add_plain_metrics(const FunctionalEstimates& estimates, transform::MetricBuilder& builder) {
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
     const auto& plain = estimates.moments[k].plain;

@@ -11,23 +11,23 @@
 
 namespace fpkcheck::control_variates {
 
-/// Results of a simulation with control variates: estimates, checks and the plain simulation.
 struct Result {
   FunctionalEstimates estimates;
   SimulationChecks checks;
-  mcs::Result simulation;  ///< without the deposits
+  mcs::Result simulation;  ///< solution and summary of the simulation, without the deposited sums
   std::vector<double> backward_means;
 };
 
-/// Computes estimates and checks from the deposits of a simulation on setup.deposit_layout.grid.
+/// Computes estimates and checks from the deposited sums of a simulation.
+/// @pre the simulation used setup.deposit_layout.grid
 Result make_result(const ControlSetup& setup, mcs::Result simulation);
 
-/// The solution of a simulation with control variates. The plain solution receives the controlled
-/// moments, the estimates in smooth bins, and the checks as metrics.
+/// Returns the solution with moments and smooth bins estimated by control variates. The estimates
+/// without control variates and the results of the checks become metrics.
 transform::Solution make_solution(Result&& result);
 
-/// The plain solution with a note that no control variates are used.
-/// @param reason reason in one clause, completes the note
+/// Adds a note to the solution of a simulation without control variates.
+/// @param reason clause of the note: why the simulation uses no control variates
 transform::Solution make_plain_solution(transform::Solution&& plain, const std::string& reason);
 
 }  // namespace fpkcheck::control_variates

@@ -12,12 +12,12 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-// Longest flight in radians. At 0.9 the error of the flights is 1e-8 of the damping, that is 6e-9
-// of E[y^2] in case 1, which exceeds the remaining sampling error. At 0.5 the error of the flights
-// is a hundredth of that at 0.9.
+// Longest flight in radians. With 0.9 rad the error of the flights changes E[y^2] in case 1 by the
+// fraction 6e-9, more than the sampling error with control variates. With 0.5 rad the error of the
+// flights is a hundred times smaller.
 constexpr double kStep = 0.5;
 
-constexpr double kMostBytes = 256e6;  // limit of the lattices of all streams
+constexpr double kMostBytes = 256e6;  // limit on the memory of the velocity lattices of all streams
 
 constexpr double kFewSamples = 2e5;
 constexpr ControlCells kCoarse{.y = 40, .v = 88};
@@ -59,20 +59,20 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     return solve_plain(problem, options, "impulses this small need too much memory");
   }
   mcs::Options simulation = options.simulation;
-  simulation.controlled = true;  // require_accuracy() follows below
+  simulation.controlled = true;
   simulation.deposit = layout.grid;
   simulation.step = simulation.step.value_or(kStep);
   const double interval = mcs::make_simulation_plan(problem, simulation).sampling_interval;
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
   auto setup = std::async(policy, [&] { return make_control_setup(problem, layout, interval); });
-  // With one thread the fit precedes the simulation. A stop request during the simulation therefore
-  // need not wait for the fit.
+  // With one thread the fit precedes the simulation: a stop request during the simulation then does
+  // not wait for the fit.
   if (policy == std::launch::deferred) setup.wait();
   if (simulation.progress) {
     simulation.progress = [&](const mcs::Progress& at) {
       const bool fitted = setup.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-      // No sampling errors are reported: those with control variates are available at the end only,
-      // and those without are a thousand times larger.
+      // The sampling errors with control variates are known only at the end. The sampling errors
+      // without control variates are a thousand times larger and are not reported.
       options.simulation.progress({.fraction = fitted ? at.fraction : 0});
     };
   }
@@ -82,7 +82,8 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     solution = std::move(simulated.solution);
   } else {
     try {
-      const ControlSetup fitted = setup.get();  // may throw: must precede any move
+      // get() may throw FitFailure: `simulated` must still be intact
+      const ControlSetup fitted = setup.get();
       solution = make_solution(make_result(fitted, std::move(simulated)));
     } catch (const backward::FitFailure& why) {
       solution = make_plain_solution(std::move(simulated.solution), why.what());

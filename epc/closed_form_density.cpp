@@ -139,7 +139,6 @@ SmoothDensity density_in_form_coordinates(const ClosedForm& form, const problem:
   return {};
 }
 
-// The problem in the coordinates of the form; empty if the caller gave no problem.
 std::optional<problem::Problem> problem_in_coordinates(const problem::Frame& coordinates,
                                                        const problem::Problem* problem) {
   if (problem == nullptr) return std::nullopt;
@@ -153,7 +152,7 @@ std::optional<problem::Problem> problem_in_coordinates(const problem::Frame& coo
                   coordinates.origin));
 }
 
-// Integral of the density of a form without a constant C, including the atom of the density.
+// Returns the integral of the density of a closed form without a constant C, including the atom.
 double mass_of(const ClosedForm& form, const problem::Problem* problem,
                const SmoothDensity& density) {
   if (form.frame.variables != ExponentCoordinates::contact) {

@@ -47,7 +47,6 @@ void require_equation(const Options& options) {
   }
 }
 
-// Part of the id of a solution between "epc-" and "-nN".
 std::string formulation_and_variant(const Options& options) {
   std::string text(name(options.formulation));
   if (options.formulation == Formulation::moment && options.tail == TailTreatment::cut)

@@ -8,20 +8,20 @@
 
 namespace fpkcheck::epc {
 
-/// Solves the equations of the formulation and assesses the root. The status is
-///  - ok if the density of the root has decayed on the whole edge of its support, has mass 1, and
-///    is near the density of order n-2. The limits are in summary.hpp. In the
-///    formulation gaussian, the density must also satisfy the balance of power;
-///  - inadmissible if a root was found, but its density violates one of these conditions. The
-///    result still contains the density and the coefficients;
-///  - not_converged if no root was found. The solver also discards a root that depends on the disc
-///    of gaussian::JumpIntegralRemainder (gaussian with kf), and a root that the quadrature does
-///    not resolve (moment, polar). The result has no density.
-/// @throws InputError from validate
+/// Solves the equations of the formulation and assesses the root. The limits of the assessment are
+/// in summary.hpp.
+/// The status `ok` requires that the density decays on the edge of its support, has mass 1, and is
+/// near the density of order n-2. In the formulation `gaussian` the density must also satisfy the
+/// balance of power.
+/// The status `inadmissible` denotes a root that violates one of these conditions. The result still
+/// contains the density and the coefficients.
+/// The status `not_converged` denotes that no root was found, or that the root depends on the
+/// quadrature or on the disc of gaussian::JumpIntegralRemainder. The result then has no density.
+/// @throws InputError for invalid options
 Result solve(const problem::Problem& problem, const Options& options);
 
-/// Reason why the closure does not support a problem, as one phrase. The reason is empty if the
-/// closure supports the problem.
+/// Returns the reason why the closure does not support a problem, as one phrase, or an empty
+/// string.
 std::string unsupported_reason(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc

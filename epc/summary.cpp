@@ -16,17 +16,16 @@ using transform::value_from_optional;
 
 base::Value word(std::string_view text) { return std::string(text); }
 
-// Whether the last digits of the solution depend on the path of the search. At high orders of the
-// formulation moment the path determines the quadrature points.
+// Whether the last digits of the solution depend on the path of the root search. At high orders of
+// the formulation `moment` this path determines the quadrature points.
 bool is_path_dependent(const Summary& summary) {
   constexpr int kSettledOrder = 8;
   return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
 }
 
-// Scale below which a change of the coefficient of x1^p x2^q is rounding error. The effect of a
-// unit coefficient on the density, relative to the peak, is
-// sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2). The relative tolerance is
-// kRelative.
+// Returns the scale below which a change of a coefficient is rounding error. A unit coefficient of
+// x1^p x2^q changes the density, relative to the peak density, by at most sigma_1^p sigma_2^q max
+// |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2).
 double min_scale(const Term& term, const transform::Moments& moments, double rounding) {
   constexpr double kRelative = 50e-8;
   if (!(moments.y2 > 0) || !(moments.v2 > 0)) return 0;
@@ -38,9 +37,9 @@ double min_scale(const Term& term, const transform::Moments& moments, double rou
   return rounding / (effect * kRelative);
 }
 
-// Adds the parameters that define the density together with the coefficients, for
-// read_closed_form(). The coefficients and the problem determine these parameters: a repeated run
-// need not reproduce the parameters themselves. Files of earlier program versions lack them.
+// Adds the coordinates and the constant of the closed form, for read_closed_form(). The
+// coefficients and the problem determine these parameters: a repeated run need not reproduce them.
+// Files of earlier program versions lack these metrics.
 void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.frame) return;
   builder.add_text("coordinates", word(name(summary.frame->variables)))
@@ -51,7 +50,6 @@ void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
       .add_work("frame.mirrored", coordinates.mirrored);
 }
 
-// Adds the parameters that define the edge of the support.
 void add_edge_metrics(const ClosedFormParameters& frame, MetricBuilder& builder) {
   if (frame.deviations) {
     builder.add_work("support.sigma1", frame.deviations->x1)
@@ -63,7 +61,8 @@ void add_edge_metrics(const ClosedFormParameters& frame, MetricBuilder& builder)
 
 void add_coefficient_metrics(const Summary& summary, const transform::Moments& moments,
                              MetricBuilder& builder) {
-  constexpr double kRounding = 1e-14, kPathRounding = 3e-9;  // relative to the density's peak
+  // Rounding errors of the density, relative to its peak
+  constexpr double kRounding = 1e-14, kPathRounding = 3e-9;
   if (summary.coefficients.empty()) builder.add_empty_list("coefficients");
   const double rounding = is_path_dependent(summary) ? kPathRounding : kRounding;
   for (std::size_t k = 0; k < summary.coefficients.size(); ++k) {
@@ -85,7 +84,7 @@ void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
   }
   const SupportSummary& support = *summary.support;
   const LeadingForm& form = *summary.leading_form;
-  // Adds a density near 0, in units of the peak. Such a density is sensitive to the coefficients.
+  // A density near 0 is sensitive to the coefficients.
   const auto add_small_density_metric = [&](const char* path, double value) {
     builder.add({.path = path,
                  .value = value,
@@ -103,7 +102,7 @@ void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
   add_small_density_metric("support.cut_off", support.cut_off);
   builder
       .add_result("support.rising_share", form.rising_fraction)
-      // the worst direction is arbitrary for an isotropic leading form
+      // The worst direction is arbitrary for an isotropic leading form.
       .add_work("support.worst_direction.x1", form.worst.x1)
       .add_work("support.worst_direction.x2", form.worst.x2)
       .add_result("support.rises_from",
@@ -114,8 +113,8 @@ base::Value text_of(const LeadingForm& form) {
   return word(form.negative ? "negative" : "indefinite");
 }
 
-// Sign of the leading form of the density's exponent. With a confinement the leading form is
-// negative for every Q_n.
+// Returns the sign of the leading form of the whole exponent. With a confinement term the leading
+// form is negative for every Q_n.
 base::Value leading_form(const Summary& summary) {
   if (!summary.leading_form) return {};
   if (summary.half_plane && summary.half_plane->tail == TailTreatment::confined)

@@ -24,13 +24,13 @@ namespace {
 
 // Candidates for the confinement level: depths of Q_n below its peak, in the order of the attempts.
 constexpr std::array kDepths{24.0, 18.0, 32.0};
-// Further candidates for the confinement level, as amplitudes: multiples of the decay extent, if
-// Q_n rises again, and multiples of the standard deviation of v.
+// Further candidates for the confinement level: multiples of the amplitude at which the exponent
+// Q_n begins to rise, and multiples of the standard deviation of v.
 constexpr std::array kBeyondDecayExtent{1.2, 1.0};
 constexpr std::array kLevelDeviations{8.0, 6.5, 11.0};
 constexpr double kFarthestDeviations = 30;
-// Largest accepted density at the confinement level, relative to the peak of the density. With a
-// larger density at this level, the confinement would determine the density.
+// Largest accepted density at the confinement level, relative to the peak density. Above this limit
+// the confinement would determine the density.
 constexpr double kLevelDensityLimit = 1e-4;
 
 double largest_scan_amplitude(double temperature) {
@@ -68,7 +68,6 @@ std::vector<double> ClosureFormulation::confinement_levels(const ClosureDensity&
   return confinement_levels;
 }
 
-// The number of quadrature points grows with the width of the domain.
 QuadratureSize ClosureFormulation::quadrature_size(int order, double level_over_temperature,
                                                    SearchStage stage) const {
   const int least = stage == SearchStage::rough ? 16 : 20;
@@ -91,8 +90,8 @@ double ClosureFormulation::decay_extent(const Polynomial& q, double temperature)
 }
 
 // The weights of the fit are proportional to a power of the density. A power below 1 gives weight
-// to points beyond the decay extent. With weights proportional to the density, the fit would return
-// the Q_n of the guess.
+// to points beyond the decay extent. With the power 1 the fit would return the polynomial Q_n of
+// the initial guess.
 VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double support,
                                          const QuadraturePoints& points, const VectorXd& exponent,
                                          const VectorXd&) const {
@@ -103,7 +102,6 @@ VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double sup
   return mass / mass.sum();
 }
 
-// Largest density between the confinement level and the edge of the support, relative to the peak.
 double ClosureFormulation::decay_ratio(const ClosureDensity& closure, SearchStage) const {
   constexpr int kInside = 50, kOutside = 12;
   const Confinement confinement = half_plane::confinement_of(closure.level, tail_);

@@ -9,24 +9,22 @@
 
 namespace fpkcheck::epc::amplitude {
 
-/// The exponent of the density at an intermediate order: Q_n at amplitudes up to the decay extent,
-/// and the exponent of a Gaussian at larger amplitudes.
-/// @param q Q_n as a function of amplitude and phase
+/// Returns the exponent of the density at an intermediate order: Q_n up to the amplitude at which
+/// Q_n may rise, and the exponent of a Gaussian at larger amplitudes.
 double exponent_with_gaussian_tail(const PolarExponent& q,
                                    const half_plane::ClosureDensity& closure, double rho,
                                    double theta);
 
-/// Tolerance on the change of Q_n on more quadrature points, in standard deviations. The tolerance
-/// is below the error of the closure itself at the default orders.
+/// Tolerance on the change of the exponent Q_n on more quadrature points, in standard deviations.
+/// This tolerance is below the error of the closure at the default orders.
 inline constexpr double kQuadratureTolerance = 1e-3;
 
-/// Formulation whose coordinate s is the amplitude rho. The confinement level is an energy rho^2/2
-/// at which Q_n lies far below its peak. If Q_n rises again before falling to this depth, the
-/// confinement level is an energy beyond the amplitude at which Q_n begins to rise.
+/// Closure formulation whose coordinate s is the amplitude rho. The confinement level is the energy
+/// at which the exponent Q_n lies far below its peak, or else an energy beyond the amplitude at
+/// which Q_n begins to rise.
 class ClosureFormulation : public half_plane::ClosureFormulation {
  public:
-  /// @param temperature approximate E[v^2] of the Gaussian from which the first order starts
-  /// @param rate_of_change_unit unit in which rates of change are measured
+  /// @param temperature approximate E[v^2] of the initial Gaussian density
   ClosureFormulation(double temperature, double rate_of_change_unit, TailTreatment tail)
       : temperature_(temperature), rate_unit_(rate_of_change_unit), tail_(tail) {}
 
@@ -49,9 +47,8 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   double decay_ratio_limit(half_plane::SearchStage stage) const override;
 
  protected:
-  /// Q_n as a function of amplitude and phase. The returned function keeps a reference to q.
+  /// Returns the exponent Q_n as a function of amplitude and phase, with a reference to q.
   virtual PolarExponent polar_exponent(const Polynomial& q) const = 0;
-  /// Phase theta of the point with the coordinates s and t.
   virtual double phase(double s, double t) const = 0;
 
  private:
@@ -59,19 +56,17 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   TailTreatment tail_;
 };
 
-/// Reason why a density is inadmissible: the density decays by the confinement alone. The reason is
-/// empty for an admissible density.
-/// @param quantity name in the reason of the quantity whose decay is checked
+/// Returns the reason why a density that decays only by the confinement is inadmissible, or an
+/// empty string.
+/// @param quantity name of the checked quantity, for the reason
 /// @param at_level largest value of the quantity at or beyond the confinement level, relative to
-///                 the peak
-/// @param edge     largest value of the quantity on the edge of the support, relative to the peak
+///   its peak
+/// @param edge largest value of the quantity on the edge of the support, relative to its peak
 std::string inadmissible_reason(const char* quantity, double at_level, double edge);
 
-/// The formulation in given coordinates.
 template <class Coordinates>
 class FormulationIn final : public ClosureFormulation {
  public:
-  /// @param temperature,unit see ClosureFormulation
   FormulationIn(const problem::Problem& problem, const Coordinates& coordinates, double temperature,
                 double unit, TailTreatment tail)
       : ClosureFormulation(temperature, unit, tail), problem_(problem), coordinates_(coordinates) {}
@@ -102,9 +97,9 @@ class FormulationIn final : public ClosureFormulation {
   const Coordinates& coordinates_;
 };
 
-/// Stores leading form, closed form and edges of a root in a result that already contains the
+/// Stores leading form, closed form and support of a root in a result that already contains the
 /// density, and sets the status.
-/// @param quantity name in the reason of the quantity whose decay is checked
+/// @param quantity name of the quantity whose decay is checked, for the reason
 template <class Coordinates>
 void assess_root(const problem::Problem& problem, const Coordinates& coordinates,
                  const half_plane::RootSearchResult& root, TailTreatment tail,

@@ -15,39 +15,34 @@
 #include "problem/problem.hpp"
 #include "transform/density.hpp"
 
-/// Quadrature points, equations, density and contours of the formulations whose coordinate s is the
-/// amplitude. The template parameter is the coordinate policy, polar::Coordinates or
-/// contact::Coordinates, with these members:
-///  - potential_speed(y), the speed w(y); displacement(w), its inverse function y(w); and
+/// Quadrature points, equations, density and contours of the formulations with the amplitude as
+/// coordinate s. The template parameter `Coordinates` is polar::Coordinates or
+/// contact::Coordinates, with these functions:
+///  - potential_speed(y), the speed w(y); displacement(w), its inverse function;
 ///    displacement_slope(y), the derivative dy/dw;
-///  - second_coordinate(rho, theta), the coordinate t of Q_n, and phase(rho, t), its inverse;
-///  - coordinates_after_impulse(w, v), the coordinates s and t of a velocity v after an impulse;
+///  - second_coordinate(rho, theta), the coordinate t; phase(rho, t), its inverse function;
+///  - coordinates_after_impulse(w, v), the coordinates s and t of the velocity v after an impulse;
 ///  - flow_rates(system, y, rho, t), the rates of change of s and t between impulses;
 ///  - density_prefactor(rho), the factor of the exponential in the density;
-///  - atom_weight(), the probability of the atom at rest, relative to exp(Q_n); 0 without an atom;
+///  - atom_weight(), the probability of the atom at rest divided by C exp(Q_n), 0 without an atom;
 ///  - amplitude_break_points(law, rho_max), amplitudes at which quadrature panels end;
-///  - leading_phases(), the phases along which the sign of the leading form differs.
+///  - leading_phases(), the phases at which the sign of the leading form may differ.
 namespace fpkcheck::epc::amplitude {
 
-/// Rates of change of the coordinates s and t between impulses.
 struct FlowRates {
   double s, t;
 };
 
-/// Function of amplitude and phase that evaluates Q_n. The returned function keeps a reference to
-/// q.
 template <class Coordinates>
 PolarExponent polar_exponent(const Polynomial& q) {
   return
       [&q](double rho, double theta) { return q(rho, Coordinates::second_coordinate(rho, theta)); };
 }
 
-/// Gauss-Legendre points in amplitude rho and phase theta, v = rho sin(theta). The coordinates s
-/// and t of the points are rho and the second coordinate. The weights include the prefactor of the
-/// density. If there is an atom, the atom is the last point.
-/// @param breaks increasing amplitudes between 0 and rho_max at which the integrand may change
-///   abruptly on the wall; a panel in rho ends at each of these amplitudes
-/// @param size numbers of points: s in rho, with additional points near the breaks, t in theta
+/// Returns Gauss-Legendre points in the amplitude rho and the phase theta, v = rho sin(theta). The
+/// weights include the prefactor of the density. If there is an atom, the last point is the atom.
+/// @param breaks increasing amplitudes between 0 and rho_max at which a panel in rho ends
+/// @param size numbers of points: s in rho, with additional points near the breaks, and t in theta
 template <class Coordinates>
 half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
                                                const std::vector<double>& breaks,
@@ -76,11 +71,11 @@ half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, d
   return points;
 }
 
-/// Contour of an amplitude: points on the half-circle of this amplitude. The areas of the points
-/// include the prefactor of the density.
+/// Returns points on the half-circle of an amplitude. The areas of the points include the prefactor
+/// of the density.
 template <class Coordinates>
 half_plane::Contour contour_of_amplitude(const Coordinates& coordinates, double rho) {
-  // The area A inside the contour has dA/dh = integral of (dy/dw) dtheta.
+  // The area A inside the contour of the energy h has dA/dh = integral of (dy/dw) dtheta.
   half_plane::Contour contour;
   for (int k = 0; k < kPhaseCount; ++k) {
     const double theta = scan_phases()[k];
@@ -95,7 +90,6 @@ half_plane::Contour contour_of_amplitude(const Coordinates& coordinates, double 
   return contour;
 }
 
-/// Density C exp(Q_n + confinement) times its prefactor; 0 beyond an energy.
 /// @param support energy beyond which the density is 0
 template <class Coordinates>
 transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordinates& coordinates,
@@ -115,8 +109,8 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordi
           .v_max = largest};
 }
 
-/// Behaviour at infinity of Q_n, by condition (19) of the paper, along the phases on which the
-/// highest power of rho depends. The radii in the result are rho/sigma_2.
+/// Determines the behaviour of the exponent Q_n at infinity by condition (19) of the paper, along
+/// Coordinates::leading_phases(). The radii in the result are rho/sigma_2.
 template <class Coordinates>
 LeadingForm leading_form_in_amplitude(const Polynomial& q, const StandardDeviations& sigma) {
   std::vector<Direction> directions;
@@ -125,15 +119,14 @@ LeadingForm leading_form_in_amplitude(const Polynomial& q, const StandardDeviati
   return leading_form_along(q, directions, sigma.x2);
 }
 
-/// Galerkin equations of the impact process for the functions h_p(rho) g_q(t), 1 <= p + q <= n. Flow
-/// and impulses give
+/// Returns the Galerkin equations of the impact process for the functions h_p(rho) g_q(t), 1 <= p +
+/// q <= n. Flow and impulses give the rate of change of the mean of a basis function phi,
 ///
 ///     L*phi = rho' phi_rho + t' phi_t + lambda ( E[phi(y, v + Y)] - phi ).
 ///
-/// At the atom, where the mass is at rest in contact, an impact follows each impulse towards the
-/// wall. For polar::Coordinates phi has a jump at the origin, where all terms are bounded: the mean
-/// of a basis function has a finite rate of change. (For white noise there are no such equations:
-/// d^2 theta/dv^2 is not integrable.) If rho^2/2 is the energy, the root satisfies the balance of
+/// At the atom, an impact follows each impulse towards the wall. In polar::Coordinates phi has a
+/// jump at the origin, but all terms are bounded there. White noise has no such equations, since
+/// d^2 theta/dv^2 is not integrable. If rho^2/2 is the energy, the root satisfies the balance of
 /// power exactly, since the basis contains rho^2/2.
 /// @param points quadrature points up to the amplitude rho_max
 /// @param wall_points number of quadrature points on the wall

@@ -29,7 +29,7 @@ double maximum_over_phase(const PolarExponent& exponent, double rho) {
 
 DecayScan scan_decay(const PolarExponent& exponent, double depth, double last_amplitude) {
   constexpr int kSteps = 400;
-  // Minima at a depth of less than kInside below the peak are features of the density.
+  // Minima less than kInside below the peak of the exponent are features of the density.
   constexpr double kInside = 5;
   double peak = maximum_over_phase(exponent, 0), before = peak;
   for (int i = 1; i <= kSteps; ++i) {

@@ -8,9 +8,9 @@
 namespace fpkcheck::epc::amplitude {
 namespace {
 
-constexpr double kPanel = 1.2;         // width of the widest panel, in standard deviations of Y
-constexpr double kFirstBreak = 1.5;    // break point nearest to velocity 0, in widths
-constexpr double kGrowth = 3;          // ratio of successive break points
+constexpr double kPanel = 1.2;       // width of the widest panel, in standard deviations of Y
+constexpr double kFirstBreak = 1.5;  // break point nearest to velocity 0, in units of `width`
+constexpr double kGrowth = 3;
 constexpr double kNegligible = 1e-18;  // probability below which a point is omitted
 
 }  // namespace
@@ -50,7 +50,7 @@ const PostImpulseVelocities& GradedImpulseQuadrature::operator()(double v, doubl
 }
 
 void GradedImpulseQuadrature::add_panel(double from, double to, double v) {
-  using Rule = boost::math::quadrature::gauss<double, 8>;  // gives the positive abscissas
+  using Rule = boost::math::quadrature::gauss<double, 8>;
   const double half = (to - from) / 2, centre = (from + to) / 2;
   for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
     for (const double side : {-1, 1}) {

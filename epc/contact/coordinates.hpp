@@ -12,51 +12,49 @@
 
 namespace fpkcheck::epc::contact {
 
-/// Whether the problem has one wall on the left, with which the mass can rest in contact, and the
-/// restoring force acts towards this wall everywhere. Then rho(y, v) increases with y.
+/// Whether the only wall is on the left, the mass can rest in contact with this wall, and the
+/// restoring force acts towards this wall everywhere.
 bool is_pressed_on_one_wall(const problem::Problem& problem);
 
-/// Coordinates amplitude and velocity on the half-plane y >= 0. In the corner (0, 0) the mass rests
-/// in contact with the wall.
+/// Coordinates amplitude and velocity on the half-plane y >= 0, with the potential V(y) = U(y) -
+/// U(0):
 ///
-///     rho = sqrt(v^2 + 2 V(y)),   V(y) = U(y) - U(0),   |v| <= rho.
+///     rho = sqrt(v^2 + 2 V(y)),   |v| <= rho.
 ///
-/// The density is
+/// The density with the energy e = rho^2/2 is
 ///
-///     p(y, v) = C exp(Q_n(rho, v) + confinement) / e,   e = rho^2/2 the energy above the corner,
+///     p(y, v) = C exp(Q_n(rho, v) + confinement) / e,
 ///
-/// with an atom of probability P0 at the corner. At small energies the force is the constant g(0),
-/// and the mass bounces on the wall. The probability flux J towards the corner is independent of
-/// the energy at small energies, and equals the rate lambda P0 at which impulses release the mass.
-/// Therefore u^2 p(0, -u) -> J / ln(1/r), and
+/// with an atom of probability P0 at the corner y = v = 0, where the mass rests in contact. At
+/// small energies the force is the constant g(0), and the mass bounces on the wall. The probability
+/// flux J towards the corner then does not depend on the energy. The flux J equals the rate lambda
+/// P0 at which impulses release the mass. Therefore u^2 p(0, -u) -> J / ln(1/r) for u -> 0, and
 ///
 ///     P0 = 2 C exp(Q_n(0, 0)) ln(1/r) / lambda.
 ///
-/// (The exact limit has a small log-periodic dependence on u, which no polynomial can represent.)
-/// Continuous functions of rho and v have a value at the corner; functions of amplitude and phase
-/// have none. Polynomials of y and v do not contain odd powers of rho, such as the time until the
-/// mass comes to rest.
+/// The exact limit has a small log-periodic dependence on u, which no polynomial can represent.
+/// Continuous functions of rho and v have a value at the corner, unlike functions of amplitude and
+/// phase. Polynomials of y and v lack odd powers of rho, such as the time until the mass comes to
+/// rest.
 class Coordinates {
  public:
   static constexpr ExponentCoordinates kVariables = ExponentCoordinates::contact;
 
-  /// @pre is_pressed_on_one_wall(problem); the wall at 0
+  /// @pre is_pressed_on_one_wall(problem), and the wall is at y = 0
   explicit Coordinates(const problem::Problem& problem);
 
-  /// Speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals the potential energy V(y).
+  /// Returns the speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals V(y).
   double potential_speed(double y) const { return std::sqrt(2 * potential_(y)); }
-  /// Displacement y from w(y): the inverse function of w.
+  /// Returns the displacement y with w(y) = w.
   double displacement(double w) const;
-  /// Derivative dy/dw = w/g at a displacement y.
+  /// Returns the derivative dy/dw = w/g with the restoring force g.
   double displacement_slope(double y) const { return potential_speed(y) / force_(y); }
-  /// Amplitude rho of a state.
   double amplitude_of(double y, double v) const { return std::hypot(potential_speed(y), v); }
-  /// Coordinates rho and v of a state.
   std::pair<double, double> coordinates_of_state(double y, double v) const {
     return {amplitude_of(y, v), v};
   }
-  /// Coordinates rho and v of the velocity v after an impulse, at the speed w(y). If the mass is at
-  /// rest in contact, w = 0, an impact follows each impulse towards the wall.
+  /// Returns the coordinates rho and v of the velocity v after an impulse, at the speed w(y). For a
+  /// mass at rest in contact (w = 0), an impact follows each impulse towards the wall.
   std::pair<double, double> coordinates_after_impulse(double w, double v) const {
     if (w == 0 && v < 0) return {-restitution_ * v, -restitution_ * v};
     return {std::hypot(w, v), v};
@@ -65,17 +63,16 @@ class Coordinates {
   static double phase(double rho, double v) {
     return rho > 0 ? std::asin(std::clamp(v / rho, -1.0, 1.0)) : 0;
   }
-  /// Rates of change between impulses, rho' = -v f / rho and v' = -(f + g), f the damping force.
+  /// Returns rates of change between impulses: rho' = -v f / rho and v' = -(f + g) with damping
+  /// force f.
   amplitude::FlowRates flow_rates(const problem::System& system, double y, double rho,
                                   double v) const;
 
-  /// Factor 1/e of the density at an amplitude rho > 0. In the corner, an atom replaces the
-  /// density.
+  /// Returns the factor 1/e of the density at an amplitude rho > 0.
   static double density_prefactor(double rho) { return 2 / (rho * rho); }
-  /// Probability P0 of the atom divided by the exponential at the corner, C exp(Q_n(0, 0)).
+  /// Returns the probability P0 of the atom divided by C exp(Q_n(0, 0)).
   double atom_weight() const { return atom_weight_; }
-  /// Amplitudes at which quadrature panels end: none, since the mean of a basis function over the
-  /// impulses is continuous.
+  /// No amplitudes are needed: the mean of a basis function over the impulses is continuous.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw&, double) {
     return {};
   }

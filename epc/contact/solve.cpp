@@ -16,7 +16,6 @@ using half_plane::ClosureDensity;
 using half_plane::RootSearchResult;
 using transform::GridDensity;
 
-// Sum of the L1 distances of p(y) and p(v) between two densities on the same cells.
 double marginal_l1_distance(const GridDensity& a, const GridDensity& b) {
   std::vector<double> y_difference(a.ny()), v_difference(a.nv());
   for (std::size_t i = 0; i < a.ny(); ++i) {
@@ -38,8 +37,8 @@ double probability_at_rest(const Coordinates& coordinates, const ClosureDensity&
   return coordinates.atom_weight() * std::exp(closure.q(0, 0) - closure.log_normalisation);
 }
 
-// Distance of a solution to the root of order n - 2: L1 distances on the cells of the solution,
-// plus the difference of the probabilities of the atoms in each marginal distribution.
+// Returns the distance of a solution to the root of order n - 2: L1 distances on the cells, plus
+// the difference between the atoms in each of the two marginal distributions.
 double distance_to_previous_order(const Coordinates& coordinates, const ClosureDensity& previous,
                                   TailTreatment tail, const transform::Solution& solution) {
   const auto& cells = std::get<GridDensity>(*solution.density);

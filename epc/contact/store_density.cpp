@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using half_plane::QuadraturePoints;
 
-// Cell edges from 0 to `end`. The first cell has the width first * end. The next cells have widths
-// proportional to the distance from 0, and the last cells have equal widths.
+// Returns cell edges from 0 to `end`. After a first cell of width first * end, the widths grow in
+// proportion to the distance from 0 up to a largest width.
 std::vector<double> edges_graded_to_zero(double end, double first, double growth) {
   constexpr int kEven = 120;
   std::vector<double> edges{0};
@@ -34,7 +34,8 @@ std::vector<double> with_mirror_image(const std::vector<double>& edges) {
   return all;
 }
 
-// Discrete law for expectations: points and their probabilities. The last point is the atom.
+// Discrete approximation of the stationary law: points with probabilities, the last point being the
+// atom.
 struct DiscreteLaw {
   QuadraturePoints points;
   VectorXd mass;
@@ -80,7 +81,7 @@ transform::Moments moments_of(const problem::Frame& frame, const DiscreteLaw& la
           .v4 = mean(0, 4)};
 }
 
-// Partial moment E[|Y|^power; Y < 0] of the impulses that push a mass at rest against the wall.
+// Returns the partial moment E[|Y|^power; Y < 0] over the impulses towards the wall.
 double moment_into_wall(const problem::ImpulseLaw& law, int power) {
   const auto after = amplitude::GradedImpulseQuadrature(law)(0, 0);
   double sum = 0;
@@ -90,7 +91,7 @@ double moment_into_wall(const problem::ImpulseLaw& law, int power) {
   return sum;
 }
 
-// Integral int u^power p(0, -u) du over the impacts of the moving mass, u the impact speed.
+// Returns int u^power p(0, -u) du over the impacts of the moving mass, where u is the impact speed.
 double wall_flux(const transform::SmoothDensity& density, int points, int power) {
   const auto wall = numerics::gauss_legendre_rule(points, 0, density.v_max);
   double sum = 0;
@@ -126,7 +127,7 @@ transform::BalanceResiduals balances_of(const problem::Problem& problem, const D
 
 transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density) {
   // Near the corner y is of the order of v^2: the first cell in y has the relative width kFirst^2.
-  // The probability in the first cells is of the order of kFirst.
+  // The first cells contain a probability of the order of kFirst.
   constexpr double kFirst = 1e-6, kGrowth = 1.3;
   return transform::average_over_cells(
       density, edges_graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),

@@ -15,8 +15,8 @@ namespace {
 
 using transform::Metrics;
 
-// Largest power that a file may contain: above every power that is usable in double precision. The
-// limit is checked before memory is allocated.
+// Largest power that a file may contain, checked before memory is allocated. No larger power is
+// usable in double precision.
 constexpr int kHighestPower = 40;
 
 double require_number(const Metrics& metrics, const std::string& path) {
@@ -60,8 +60,6 @@ int require_power(const Metrics& metrics, const std::string& path) {
   return static_cast<int>(value);
 }
 
-// Reads all terms of Q_n. Files store the coefficients in the order of k: each search for a key
-// starts at the position of the previous key.
 std::vector<Term> read_terms(const Metrics& metrics) {
   std::vector<Term> terms;
   constexpr std::size_t kMost = 2000;

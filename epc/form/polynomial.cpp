@@ -83,8 +83,8 @@ RayCoefficients restrict_to_ray(const Polynomial& q, const StandardDeviations& s
 
 namespace {
 
-// Removes the terms that are rounding errors and have no reliable sign. In the scaled plane these
-// terms are smaller than kRounding times the largest term.
+// Removes terms without a reliable sign, which are rounding errors. In the scaled plane these terms
+// are smaller than kRounding times the largest term.
 Polynomial without_rounding(const Polynomial& q, const StandardDeviations& sigma) {
   constexpr double kRounding = 1e-10;
   const auto size = [&](const Term& term) {
@@ -97,8 +97,8 @@ Polynomial without_rounding(const Polynomial& q, const StandardDeviations& sigma
   return Polynomial(std::move(terms));
 }
 
-// Radius, in units of sigma, from which a polynomial of the radius rises: the last change of sign of
-// its slope up to the radius `end`.
+// Returns the radius, in units of sigma, from which a polynomial of the radius rises: the largest
+// radius below `end` at which its slope changes sign.
 double last_rise(const RayCoefficients& ray, double sigma, double end, double step) {
   const RayCoefficients slope = derivative_coefficients(ray);
   double radius = end;

@@ -8,7 +8,7 @@
 namespace fpkcheck::epc {
 namespace {
 
-// int_{v>0} v^power p(b, v) dv at the right wall y = b; 0 if there is no right wall.
+// Returns int_{v>0} v^power p(b, v) dv at the right wall y = b, or 0 without a right wall.
 double right_flux(const problem::Problem& problem, const transform::SmoothDensity& density,
                   int power) {
   if (!problem.system.right_wall()) return 0;
@@ -18,7 +18,7 @@ double right_flux(const problem::Problem& problem, const transform::SmoothDensit
   return numerics::integrate_by_composite_gauss(integrand, 0.0, density.v_max, kPanels);
 }
 
-// Mean power E[v f] of the damping force f.
+// Returns the mean power E[v f] of the damping force f.
 double damping_power(const problem::System& system, const transform::SmoothDensity& density) {
   return transform::expectation(density, [&](double y, double v) {
     return (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v * v;
@@ -58,8 +58,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   }
   transform::BalanceResiduals residuals{.virial =
                                             problem::virial_balance(problem, virial).residual()};
-  // Without impacts the two sides of the balance may be 0, and the residual would be a rounding
-  // error.
+  // Without impacts the two sides of the momentum balance may be 0, and the residual would be a
+  // rounding error.
   constexpr double kRounding = 1e-9;
   const double force_unit = marginals.moments.v2 / std::sqrt(marginals.moments.y2);
   const problem::BalanceEquation balance = problem::momentum_balance(problem, momentum);
@@ -67,7 +67,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   return residuals;
 }
 
-// Moments of the physical coordinates y = origin + sign x and y' = sign x'.
+// Returns the moments of the physical coordinates y = origin + sign x and y' = sign x'.
 transform::Moments physical_moments(const problem::Frame& frame,
                                     const transform::PanelMarginals& marginals) {
   transform::Moments moments = marginals.moments;

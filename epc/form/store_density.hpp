@@ -7,11 +7,11 @@
 
 namespace fpkcheck::epc {
 
-/// Stores a density in a result, with the mass, the moments and the residuals of the balances of
-/// power, virial and momentum. The solution contains the moments in physical coordinates. The
-/// summary contains the moments in the coordinates of the problem's frame.
+/// Stores a density in a result, with its mass, its moments and the residuals of the balances of
+/// power, virial and momentum. The moments are in physical coordinates in the solution, and in the
+/// coordinates of the problem's frame in the summary.
 /// @param impact impact condition of the equation, which defines the power lost in impacts
-/// @return marginal densities, for comparison with the marginal densities of another order
+/// @return marginal densities
 transform::PanelMarginals store_density(
     const problem::Problem& problem, problem::Impact impact,
     const transform::SmoothDensity& density, Result& result,

@@ -6,14 +6,14 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Norm sqrt(E[x^2p]) of the power x^p for x ~ N(0, sigma^2).
+// Returns the norm sqrt(E[x^2p]) of the power x^p for x ~ N(0, sigma^2).
 double norm(int p, double sigma) {
   const double moment =
       p == 0 ? 1 : boost::math::double_factorial<double>(static_cast<unsigned>(2 * p - 1));
   return std::pow(sigma, p) * std::sqrt(moment);
 }
 
-// Table of the j-th derivatives of powers: column p has the derivative of x^p at each point.
+// Returns the j-th derivatives of powers: column p has the derivative of x^p at each point.
 Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(x.size(), degree + 1);
   Eigen::VectorXd power = Eigen::VectorXd::Ones(x.size());

@@ -9,14 +9,14 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Values and derivatives of the basis functions at points: point i in row i, basis function s in
-/// column s. d1 is the first derivative in x1, and d22 the second derivative in x2.
+/// Values and derivatives of the basis functions: point i in row i, basis function s in column s.
+/// For example, d1 is the first derivative in x1, and d22 the second derivative in x2.
 struct BasisDerivatives {
   Eigen::MatrixXd value, d1, d2, d22, d222, d2222;
 };
 
-/// Basis of Q_n: monomials x1^p x2^q / N_pq with unit norm under the Gaussian weights,
-/// N_pq^2 = E[x1^2p x2^2q] = sigma_1^2p (2p-1)!! sigma_2^2q (2q-1)!!.
+/// Basis of Q_n: monomials x1^p x2^q / N_pq with unit norm under the Gaussian weights, N_pq^2 =
+/// E[x1^2p x2^2q] = sigma_1^2p (2p-1)!! sigma_2^2q (2q-1)!!.
 class Basis {
  public:
   Basis(int order, MonomialSet set, const StandardDeviations& sigma);
@@ -26,22 +26,19 @@ class Basis {
   const StandardDeviations& sigma() const { return sigma_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()); }
 
-  /// Value of basis function s at a point.
   double basis_value(Eigen::Index s, double x1, double x2) const;
-  /// Values of the basis functions at the points (x1[i], x2[i]): point i in row i, basis function s
-  /// in column s.
   Eigen::MatrixXd basis_values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
-  /// Values and derivatives of the basis functions at the points (x1[i], x2[i]).
   BasisDerivatives basis_derivatives(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
 
-  /// Q_n in unscaled monomials, from the coefficients of Q_n in the basis.
+  /// Returns the exponent Q_n in unscaled monomials, from the coefficients of the polynomial Q_n in
+  /// the basis.
   Polynomial exponent_polynomial(const Eigen::VectorXd& scaled_coefficients) const;
-  /// Coefficients of a polynomial in the basis; terms outside the basis are ignored.
+  /// Returns the coefficients of a polynomial in the basis. Terms outside the basis are ignored.
   Eigen::VectorXd scaled_coefficients(const std::vector<Term>& terms) const;
 
  private:
-  /// Table of the basis functions, or of a derivative, from tables of one variable: column p of
-  /// `of_x1` times column q of `of_x2`, divided by the norm.
+  /// Returns products of columns: column p of `of_x1` times column q of `of_x2`, divided by the
+  /// norm.
   Eigen::MatrixXd column_products(const Eigen::MatrixXd& of_x1, const Eigen::MatrixXd& of_x2) const;
 
   struct BasisFunction {
@@ -54,20 +51,18 @@ class Basis {
   std::vector<BasisFunction> members_;
 };
 
-/// Quadrature rule in the plane: points and weights.
 struct PlaneQuadratureRule {
   std::vector<double> x1, x2, weights;
 
   void add_point(double at_x1, double at_x2, double weight);
 };
 
-/// Quadrature rule for integrands that are even under (x1, x2) -> (-x1, -x2). The rule has one
-/// point of each pair of opposite points, with the sum of the weights of the pair.
+/// Returns a quadrature rule for integrands that are even under (x1, x2) -> (-x1, -x2). The rule
+/// has one point of each pair of opposite points, with the sum of the weights of the pair.
 /// @pre up to rounding, the given rule is symmetric under (x1, x2) -> (-x1, -x2)
 PlaneQuadratureRule fold_symmetric_rule(const PlaneQuadratureRule& rule);
 
-/// Quadrature rule in the plane, with a table of the basis functions at the quadrature points. All
-/// Newton iterates use the same table.
+/// Quadrature rule in the plane, with precomputed values of the basis functions at its points.
 class ProjectionNodes {
  public:
   ProjectionNodes(const PlaneQuadratureRule& rule, const Basis& basis);
@@ -77,25 +72,24 @@ class ProjectionNodes {
   double x2(Eigen::Index i) const { return x2_[i]; }
   const BasisDerivatives& basis() const { return basis_; }
 
-  /// The derivatives of Q_n at each point, for scaled coefficients a.
   std::vector<ExponentDerivatives> exponent_derivatives(const Eigen::VectorXd& a) const;
 
-  /// Projects a function, given by its values at the points, on the basis functions phi_s. Row s of
-  /// the result is sum_i w_i values_i phi_s(x_i).
+  /// Projects a function on the basis functions phi_s, by its values at the points. Row s of the
+  /// result is sum_i w_i values_i phi_s(x_i).
   Eigen::VectorXd project_on_basis(const Eigen::VectorXd& values) const;
-  /// Projects several functions on the basis functions: column k of `values` has the values of
-  /// function k at the points.
   Eigen::MatrixXd project_on_basis(const Eigen::MatrixXd& values) const;
-  /// Jacobian of a projection: column k is the derivative with respect to unknown k.
-  /// @param gradients gradients of the projected function with respect to the derivatives of Q_n,
-  ///        at each point
+  /// Returns the Jacobian of a projection: column k is the derivative with respect to coefficient
+  /// k.
+  /// @param gradients gradients of the projected function with respect to the derivatives of the
+  ///   exponent Q_n, at each point
   Eigen::MatrixXd project_gradients_on_basis(
       const std::vector<ExponentDerivatives>& gradients) const;
 
  private:
   Eigen::VectorXd x1_, x2_;
   BasisDerivatives basis_;
-  Eigen::MatrixXd weighted_tests_;  // shape (points, basis functions)
+  // Weights times basis functions, of shape (points, basis functions)
+  Eigen::MatrixXd weighted_tests_;
 };
 
 }  // namespace fpkcheck::epc::gaussian

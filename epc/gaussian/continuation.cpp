@@ -19,16 +19,15 @@ using numerics::TerminationReason;
 constexpr int kMaxPoints = 120;
 constexpr int kPolishing = 30;  // largest number of Newton steps at the end of a curve
 
-// Absolute moment E|x|^m of x ~ N(0, sigma^2).
+// Returns the absolute moment E|x|^m of x ~ N(0, sigma^2).
 double absolute_moment(double m, double sigma) {
   return std::pow(std::numbers::sqrt2 * sigma, m) * std::tgamma((m + 1) / 2) *
          std::numbers::inv_sqrtpi;
 }
 
-// Exponent of the exact density under white noise with elastic impacts, up to a constant:
-// -(c/D2) (x2^2/2 + U(|x1|)). For an even power a y^m of the force, the potential is not a
-// polynomial on the plane. A linear force with the mean slope of the even power, E[a m |x1|^(m-1)],
-// replaces the even power.
+// Returns the exponent -(c/D2) (x2^2/2 + U(|x1|)) of the exact density under white noise with
+// elastic impacts. For an even power a y^m of the force, U(|x1|) is not a polynomial. A linear
+// force with the mean slope E[a m |x1|^(m-1)] of the even power replaces this power.
 std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
                                                const StandardDeviations& sigma) {
   const double beta = f.damping / (f.rate_times_moment[2] / 2);
@@ -43,8 +42,8 @@ std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
   return terms;
 }
 
-// Homotopy of the branch: the residual R with homotopy_coefficients(), in units of residual_unit().
-// The residual is linear in the fraction.
+// Returns the homotopy of the branch: the residual R with homotopy_coefficients(), in units of
+// residual_unit(). The residual is linear in the fraction.
 Homotopy solution_branch_homotopy(const ProjectedEquations& projection,
                                   const ResidualCoefficients& full, double unit) {
   return {
@@ -96,7 +95,6 @@ SolutionBranch solution_branch_of(const SolutionCurve& curve, const Homotopy& fa
   return branch;
 }
 
-// Root at the end of a curve, or the last iterate if the curve did not reach its end point.
 NewtonResult root_at_curve_end(const SolutionCurve& curve, const CurvePoint& last,
                                const ProjectedEquations& projection,
                                const ResidualCoefficients& there, double tolerance) {

@@ -12,13 +12,11 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Radius of the disc in which the peak of Q_n is searched for, in standard deviations. If Q_n
-// exceeds its peak of the disc at points outside of the disc, condition (19) of the paper is
-// violated.
+// Radius of the disc in which the peak of the exponent Q_n is searched, in standard deviations. If
+// the exponent Q_n exceeds this peak outside the disc, condition (19) of the paper is violated.
 constexpr double kCoreRadius = 2;
 constexpr int kRadialPanels = 6;
 
-// Minimum of Q_n on the ray between two radii, by bisection of the slope.
 double minimum_between(const RayCoefficients& slope, double low, double high) {
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
@@ -27,8 +25,8 @@ double minimum_between(const RayCoefficients& slope, double low, double high) {
   return (low + high) / 2;
 }
 
-// Radius between low and high at which Q_n falls to a given value, by Newton's method with
-// bracketing.
+// Returns the radius between `low` and `high` at which the exponent Q_n equals `level`, by Newton's
+// method with bracketing.
 double crossing_between(const RayCoefficients& q, const RayCoefficients& slope, double level,
                         double low, double high) {
   double at = (low + high) / 2;
@@ -44,10 +42,10 @@ double crossing_between(const RayCoefficients& q, const RayCoefficients& slope, 
 
 struct EdgeOnRay {
   double radius;
-  double peak;  // largest Q_n up to the radius
+  double peak;  // largest exponent Q_n at smaller radii
 };
 
-// The edge of the set along one direction, by rules (a) to (c) of DensitySupport.
+// Applies rules (a) to (c) of DensitySupport along one direction.
 EdgeOnRay edge_on_ray(const RayCoefficients& q, double core_peak) {
   const RayCoefficients slope = derivative_coefficients(q);
   const double negligible = core_peak + std::log(DensitySupport::kNegligible);
@@ -126,7 +124,7 @@ void DensitySupport::compute_integrals(const std::vector<RayCoefficients>& rays)
   const double element =
       sigma_.x1 * sigma_.x2 * 2 * std::numbers::pi / static_cast<double>(rays.size());
   integral_ = sum * element;
-  // cut_off uses int_R^inf exp(-(rho^2 - R^2)/2) rho drho = 1.
+  // The estimate uses int_R^inf exp(-(rho^2 - R^2)/2) rho drho = 1.
   cut_off_ = edge_sum / sum;
 }
 
@@ -153,7 +151,7 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Densit
   };
   const bool even =
       std::ranges::all_of(q.terms(), [](const Term& t) { return (t.x1 + t.x2) % 2 == 0; });
-  if (even) {  // the density has the same value at both points (z, z') of paper (5)
+  if (even) {  // both points (z, z') of paper (5) have the same density
     return {[plane](double y, double v) { return 2 * plane(y, v); }, support.x1_max(),
             support.x2_max()};
   }

@@ -7,16 +7,15 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Star-shaped set in the plane on which C exp(Q_n) is used as a density. Outside of this set the
-/// density is 0.
-///
-/// Along each direction the set ends at the first of these radii:
-///  (a) the radius at which the density has fallen to kNegligible of its peak;
-///  (b) the radius of a minimum of Q_n at which the density is below kEdgeDensityLimit of its peak;
-///  (c) the radius at which Q_n is smallest before Q_n exceeds its peak again, up to kLargestRadius
-///      deviations of the weights (25)-(26).
-/// Therefore a shallow minimum of Q_n in the bulk of the density is not an edge of the set. If
-/// condition (19) is violated, the set ends before Q_n rises.
+/// Star-shaped set in the plane outside of which the density C exp(Q_n) is set to 0. Along each
+/// direction the set ends at the first of these radii:
+///  - (a) the radius at which the density has fallen to kNegligible of its peak;
+///  - (b) the radius of a minimum of the exponent Q_n at which the density is below
+///    kEdgeDensityLimit of its peak;
+///  - (c) the radius at which the exponent Q_n is smallest before the exponent Q_n exceeds its peak
+///    again, up to kLargestRadius deviations of the weights (25)-(26).
+/// A shallow minimum of the exponent Q_n in the bulk of the density is therefore not an edge of the
+/// set. If condition (19) is violated, the set ends before the exponent Q_n rises.
 class DensitySupport {
  public:
   static constexpr double kNegligible = 1e-14;
@@ -24,24 +23,19 @@ class DensitySupport {
   DensitySupport(const Polynomial& q, const StandardDeviations& sigma);
 
   bool contains(double x1, double x2) const;
-  /// Smallest radius of the edge in the scaled plane.
+  /// Smallest radius of the edge in the scaled plane (x1/sigma_1, x2/sigma_2).
   double smallest_support_radius() const { return least_radius_; }
-  /// Largest radius of the edge in the scaled plane.
   double largest_support_radius() const { return greatest_radius_; }
-  /// Half-width in x1 of the bounding box.
   double x1_max() const { return x1_max_; }
-  /// Half-width in x2 of the bounding box.
   double x2_max() const { return x2_max_; }
 
-  /// Largest Q_n on the set.
   double peak_exponent() const { return peak_; }
-  /// Integral of exp(Q_n - peak_exponent()) over the set, by panels in polar coordinates.
+  /// Integral of exp(Q_n - peak_exponent()) over the set.
   double integral_relative_to_peak() const { return integral_; }
-  /// Largest density on the edge of the set, relative to the peak of the density.
   double edge_density_ratio() const { return edge_ratio_; }
-  /// Estimated probability outside the set, relative to the probability inside. The estimate
-  /// assumes that the density decays beyond the edge like the weights (25)-(26):
-  /// sigma_1 sigma_2 oint p(edge) dtheta.
+  /// Estimated probability outside the set, relative to the probability inside: sigma_1 sigma_2
+  /// oint p(edge) dtheta. The estimate assumes that the density decays beyond the edge like the
+  /// weights (25)-(26).
   double cut_off_probability() const { return cut_off_; }
 
  private:
@@ -55,16 +49,14 @@ class DensitySupport {
   double peak_ = 0, integral_ = 0, edge_ratio_ = 0, cut_off_ = 0;
 };
 
-/// ln C of the constant C of paper (17), which normalises C exp(Q_n) on its support in the plane.
+/// Returns ln C of the constant C of paper (17), which normalises C exp(Q_n) on its support.
 double log_normalising_constant(const DensitySupport& support);
 
-/// Density of (y, y') from the density C exp(Q_n) on its support in the (z, z') plane, by paper
-/// (5).
+/// Returns the density of (y, y') from the density C exp(Q_n) in the (z, z') plane, by paper (5).
 transform::SmoothDensity density_from_exponent(const Polynomial& q, const DensitySupport& support,
                                                double log_constant);
 
-/// Density C exp(Q_n) of (y, v) on its support for a problem without a wall, whose plane is not
-/// folded.
+/// Returns the density C exp(Q_n) of (y, v) for a problem without a wall.
 transform::SmoothDensity unfolded_density_from_exponent(const Polynomial& q,
                                                         const DensitySupport& support,
                                                         double log_constant);

@@ -84,14 +84,12 @@ QuadratureRule piecewise_impulse_quadrature_rule(const problem::ImpulseLaw& law)
 
 namespace {
 
-// Number of ten-point panels in each of radius and angle on a half-plane.
+// Number of ten-point panels in the radius and in the angle of a half-disc.
 constexpr int kPanels = 3;
-// Number of points of the quadrature rule of the impulse law.
 constexpr int kJumpPoints = 20;
 
-// Quadrature rule with the weights f1 f2 on both half-discs; x1 has one sign on each half-disc. For
-// a point-symmetric integrand the integrals over the two half-discs are equal, and the rule uses
-// one half-disc.
+// Returns a quadrature rule with the weights f1 f2 on two half-discs, each with one sign of x1. For
+// a point-symmetric integrand the rule uses one half-disc with doubled weights.
 PlaneQuadratureRule disc_rule(const StandardDeviations& sigma, double radius, bool symmetric) {
   const double half_turn = std::numbers::pi / 2;
   PlaneQuadratureRule rule;

@@ -11,8 +11,8 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Degree, in each of x1 and x2, of the product of a part of F and a projection function. The
-// derivative Q_2 has degree n-1, and the force has at most degree 5.
+// Degree in x1 and in x2 of the product of a part of F and a projection function. The derivative
+// Q_2 has degree n-1, and the force has at most degree 5.
 constexpr int kForceDegree = numerics::Polynomial::kDegree - 1;
 int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
 int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
@@ -31,7 +31,8 @@ PlaneQuadratureRule product_rule(const numerics::QuadratureRule& u1,
   return rule;
 }
 
-// Quadrature rule on the wall x1 = 0: int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
+// Returns the quadrature rule on the wall x1 = 0, with int delta(x1) f1(x1) dx1 = f1(0) and |x2| =
+// sigma_2 |u|.
 PlaneQuadratureRule wall_line_rule(const numerics::QuadratureRule& absolute,
                                    const StandardDeviations& sigma) {
   const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
@@ -42,14 +43,13 @@ PlaneQuadratureRule wall_line_rule(const numerics::QuadratureRule& absolute,
   return rule;
 }
 
-// Nodes of a quadrature rule. If Q_n is even under (x1, x2) -> (-x1, -x2), then F is even, and the
-// rule can be folded.
+// Returns the nodes of a quadrature rule. If Q_n is even under (x1, x2) -> (-x1, -x2), the residual
+// F is even, and half of the nodes suffice.
 ProjectionNodes projection_nodes(const PlaneQuadratureRule& rule, const Basis& basis) {
   const bool even = basis.monomial_set() == MonomialSet::point_symmetric;
   return {even ? fold_symmetric_rule(rule) : rule, basis};
 }
 
-// The values of a part of F at all nodes.
 template <class Part>
 Eigen::VectorXd values_at_nodes(const ProjectionNodes& nodes, const Eigen::VectorXd& a,
                                 const Part& part) {
@@ -57,7 +57,6 @@ Eigen::VectorXd values_at_nodes(const ProjectionNodes& nodes, const Eigen::Vecto
   return Eigen::VectorXd::NullaryExpr(nodes.size(), [&](Eigen::Index i) { return part(i, q[i]); });
 }
 
-// The gradients of a part of F at all nodes, with respect to the derivatives of Q_n.
 template <class Gradient>
 std::vector<ExponentDerivatives> gradients_at_nodes(const ProjectionNodes& nodes,
                                                     const Eigen::VectorXd& a,
@@ -154,7 +153,7 @@ using Eigen::VectorXd;
 constexpr double kLeastStepFraction = 1e-4;
 constexpr double kArmijo = 0.1;
 
-// Interface of equations (23) for numerics::newton.
+// Adapter of equations (23) for numerics::solve_by_newton().
 struct NewtonEquations {
   struct Iterate {
     VectorXd a, residual;

@@ -7,8 +7,6 @@ namespace {
 
 using problem::Equation;
 
-// The terms of a polynomial whose powers have the given parity: 1 for odd powers, 0 for even
-// powers.
 numerics::Polynomial part(const numerics::Polynomial& polynomial, std::size_t parity) {
   numerics::Polynomial::Coefficients a = polynomial.coefficients();
   for (std::size_t n = 1 - parity; n < a.size(); n += 2) a[n] = 0;

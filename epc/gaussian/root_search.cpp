@@ -23,12 +23,11 @@ using problem::Equation;
 // roots that are insensitive to the disc, this change is below 0.01.
 constexpr double kDiscSensitivityLimit = 0.05;
 
-// Exponent of the Gaussian density with the standard deviations of the weights.
 std::vector<Term> gaussian_exponent(const StandardDeviations& sigma) {
   return {{2, 0, -1 / (2 * sigma.x1 * sigma.x1)}, {0, 2, -1 / (2 * sigma.x2 * sigma.x2)}};
 }
 
-// Set of monomials for the basis. Without a wall, asymmetric forces or impulses need all monomials.
+// Without a wall, asymmetric forces or impulses need all monomials.
 MonomialSet monomials_of(const problem::Problem& problem, const Options& options) {
   if (problem.system.left_wall()) return options.monomials;
   const numerics::Polynomial& force = problem.system.restoring_force();
@@ -103,10 +102,9 @@ class RootSearch {
                             .damped = damped});
   }
 
-  // Records a result of Newton's method and returns whether the search ends. Up to n = 6 the first
-  // root ends the search, as in the paper. Beyond n = 6 only a root whose density decays on the
-  // edge of its support ends the search. The first root whose density does not decay is kept until
-  // a root with decay is found.
+  // Records a root and returns whether the search ends. Up to n = 6 any root ends the search, as in
+  // the paper. Beyond n = 6 only a root whose density decays on the edge of its support ends the
+  // search.
   bool record_attempt(const NewtonResult& result) {
     search_.iterations += result.iterations;
     if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;
@@ -128,7 +126,6 @@ class RootSearch {
     return record_attempt(root);
   }
 
-  // Discards a root that depends on the radius of the disc of the jump integral.
   void check_disc_sensitivity() {
     const Eigen::VectorXd a = projection_.basis().scaled_coefficients(search_.root->terms());
     const ProjectedEquations smaller(projection_.basis(), problem_.impulses,

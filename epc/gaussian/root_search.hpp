@@ -13,24 +13,22 @@ struct Problem;
 
 namespace fpkcheck::epc::gaussian {
 
-/// Result of the search for a root of (23).
 struct RootSearchResult {
-  std::optional<Polynomial> root;  ///< Q_n of the root; empty if no root was found
-  double residual = 0;    ///< residual of the root, or the smallest residual of all iterates
-  double condition = 0;   ///< condition number of the Jacobian in the scaled unknowns
-  int iterations = 0;     ///< number of Newton steps of all attempts together
-  std::string failure;    ///< reason why no root was found, one sentence; else empty
-  SolutionBranch branch;  ///< branch of solutions, if the search followed a branch
-  /// Whether the first attempt of find_root(), the method of the paper, found a root.
+  std::optional<Polynomial> root;
+  double residual = 0;   ///< residual of the root, or the smallest residual of all iterates
+  double condition = 0;  ///< condition number of the Jacobian in the scaled unknowns
+  int iterations = 0;
+  std::string failure;
+  SolutionBranch branch;
   bool plain_newton_converges = false;
-  /// Relative change of the scaled coefficients if the radius of the disc of JumpIntegralRemainder
-  /// is smaller by one standard deviation. Only `kf` sets this value.
+  /// Relative change of the scaled coefficients if the disc of JumpIntegralRemainder has a radius
+  /// smaller by one standard deviation; only for `kf`.
   std::optional<double> disc_sensitivity;
-  std::optional<Polynomial> previous;  ///< Q_(n-2), root of the equations of order n-2, or empty
+  std::optional<Polynomial> previous;
 };
 
-/// Searches for a root by the following attempts in turn, and returns the first root. Beyond n = 6
-/// the search prefers the first root whose density decays on the edge of its support.
+/// Searches for a root of (23) and returns the first root of these attempts. Beyond n = 6 the first
+/// root whose density decays on the edge of its support is preferred.
 ///  1. plain Newton steps from equivalent linearisation, as in the paper;
 ///  2. damped Newton steps from equivalent linearisation;
 ///  3. damped Newton steps from the root of order n-2;

@@ -16,7 +16,6 @@ namespace {
 
 using transform::Status;
 
-// Density C exp(Q_n), normalised on its support.
 transform::SmoothDensity density_on(const problem::Problem& problem, const Polynomial& q,
                                     const DensitySupport& support) {
   return problem.system.left_wall()
@@ -24,13 +23,12 @@ transform::SmoothDensity density_on(const problem::Problem& problem, const Polyn
              : unfolded_density_from_exponent(q, support, log_normalising_constant(support));
 }
 
-// Smallest order n-2 whose density is compared with the density of order n. Without a wall order 2,
-// a Gaussian, approximates neither several wells nor a ring.
+// Returns the smallest order n-2 whose density is compared with order n. Without a wall a Gaussian,
+// order 2, approximates neither several wells nor a ring.
 int first_comparable_order(const problem::Problem& problem) {
   return problem.system.left_wall() ? 2 : 4;
 }
 
-// Reason why a root is inadmissible; empty for an admissible root.
 std::string inadmissible_reason(const DensitySupport& support, const LeadingForm& form,
                                 const transform::Solution& solution,
                                 const std::optional<double>& distance_to_density_before) {
@@ -60,9 +58,9 @@ std::string inadmissible_reason(const DensitySupport& support, const LeadingForm
   return "";
 }
 
-// Reason why a root for a problem without a wall is inadmissible: a large residual of the virial
-// balance. A Gaussian in the middle of a double well satisfies the projected equations, but has a
-// large residual of the virial balance.
+// Returns the reason why a root without a wall is inadmissible: a large residual of the virial
+// balance. A Gaussian in the middle of a double well satisfies the projected equations, but not the
+// virial balance.
 std::string virial_inadmissible_reason(const problem::Problem& problem,
                                        const transform::BalanceResiduals& balances) {
   const double virial = std::abs(balances.virial.value_or(0));
@@ -73,9 +71,6 @@ std::string virial_inadmissible_reason(const problem::Problem& problem,
       100 * virial, 100 * kEnergyResidualLimit);
 }
 
-// Assesses a root of (23) by the density C exp(Q_n) on its support, by the moments and by the
-// energy balance of this density.
-// @param previous root of order n-2 for comparison
 void assess_root(const problem::Problem& problem, const Polynomial& q,
                  const std::optional<Polynomial>& previous, Result& result) {
   const StandardDeviations sigma = weight_deviations(problem);
@@ -104,7 +99,7 @@ void assess_root(const problem::Problem& problem, const Polynomial& q,
   if (previous) {
     const DensitySupport before(*previous, sigma);
     auto before_density = density_on(problem, *previous, before);
-    before_density.y_min = density.y_min;  // same panels
+    before_density.y_min = density.y_min;  // both densities then have the same panels
     summary.distance_to_previous = distance(
         marginals, transform::panel_marginals(before_density, density.y_max, density.v_max));
     if (before.edge_density_ratio() < kEdgeDensityLimit &&

@@ -7,51 +7,47 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Numbers of quadrature points in the coordinates s and t, and on the wall.
 struct QuadratureSize {
   int s, t, wall;
 };
 
-/// Quadrature rule on the half-plane y >= 0, which approximates an integral of f by
-/// sum_i weight_i f(y_i, v_i). Q_n is a polynomial of the coordinates s and t, which are (y, v) for
-/// the formulation moment, (rho, theta) for polar, and (rho, v) for contact.
+/// Quadrature rule on the half-plane y >= 0. The coordinates s and t are the variables of Q_n: (y,
+/// v) in the formulation moment, (rho, theta) in polar, and (rho, v) in contact.
 struct QuadraturePoints {
   Eigen::VectorXd s, t;
   Eigen::VectorXd y, v;
   Eigen::VectorXd energy;  ///< energy h, the argument of the confinement
-  Eigen::VectorXd weight;  ///< quadrature weights for dy dv
+  Eigen::VectorXd weight;
 
-  /// Quadrature rule of `count` points whose coordinates, energies and weights are all 0.
   static QuadraturePoints zeros(Eigen::Index count);
   Eigen::Index size() const { return weight.size(); }
 };
 
 /// Polynomials h_0 = 1, h_1 .. h_n of one variable that are orthonormal under a discrete measure,
+/// by Stieltjes' procedure,
 ///
-///     b_i h_{i+1}(x) = (x - a_i) h_i(x) - b_{i-1} h_{i-1}(x),
+///     b_i h_{i+1}(x) = (x - a_i) h_i(x) - b_{i-1} h_{i-1}(x).
 ///
-/// by Stieltjes' procedure. The discrete measure approximates a marginal density. Hermite
-/// polynomials, which are orthonormal on the whole line, lose accuracy on y >= 0 as the order
-/// grows.
+/// The discrete measure approximates a marginal density. Hermite polynomials would lose accuracy on
+/// y >= 0 at high orders.
 class OrthonormalPolynomials {
  public:
-  /// @param points,weights points and weights of the measure, shape (number of points). The sum of
-  ///   the weights is 1, and more than `degree` points are distinct
-  /// @param degree largest degree n
+  /// @param points,weights points and weights of the measure. The sum of the weights is 1, and more
+  ///   than `degree` points are distinct.
   OrthonormalPolynomials(const Eigen::VectorXd& points, const Eigen::VectorXd& weights, int degree);
 
   int degree() const { return static_cast<int>(centre_.size()); }
 
-  /// Tables of the polynomials and their derivatives: entry [j](i, k) is the j-th derivative of h_k
-  /// at x_i.
+  /// Returns tables of the polynomials and their derivatives: entry [j](i, k) is the j-th
+  /// derivative of h_k at x_i.
   /// @param order highest derivative j
   std::vector<Eigen::MatrixXd> derivative_tables(const Eigen::VectorXd& x, int order) const;
-  /// Values of the polynomials: entry (i, k) is h_k(x_i).
+  /// Entry (i, k) of the result is h_k(x_i).
   Eigen::MatrixXd polynomial_values(const Eigen::VectorXd& x) const {
     return derivative_tables(x, 0)[0];
   }
 
-  /// Coefficients of the polynomials: entry (k, p) is the coefficient of x^p in h_k.
+  /// Entry (k, p) of the result is the coefficient of x^p in h_k.
   Eigen::MatrixXd monomial_coefficients() const;
 
  private:
@@ -61,11 +57,9 @@ class OrthonormalPolynomials {
 
 /// Basis of products h_p(s) g_q(t), 1 <= p + q <= n, in the coordinates s and t of
 /// QuadraturePoints. The polynomials h and g are orthonormal under the marginal densities of an
-/// approximation of the density. Up to constants, the basis spans the monomials s^p t^q of degree 1
-/// .. n.
+/// approximate density.
 class Basis {
  public:
-  /// Degrees p and q of a basis function h_p(s) g_q(t).
   struct BasisFunction {
     int p, q;
   };
@@ -80,10 +74,9 @@ class Basis {
   const OrthonormalPolynomials& polynomials_in_s() const { return of_s_; }
   const OrthonormalPolynomials& polynomials_in_t() const { return of_t_; }
 
-  /// Values of the basis functions at points, shape (number of points, size()).
   Eigen::MatrixXd basis_values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const;
 
-  /// Q_n in monomials of s and t, from the coefficients a in the basis, without the constant term.
+  /// Returns the exponent Q_n in monomials of s and t, from the coefficients a in the basis.
   Polynomial exponent_polynomial(const Eigen::VectorXd& a) const;
 
  private:
@@ -92,8 +85,7 @@ class Basis {
   OrthonormalPolynomials of_s_, of_t_;
 };
 
-/// Table of products for all basis functions, from two tables of polynomials: column k is
-/// s_table.col(p_k) * t_table.col(q_k).
+/// Returns the products s_table.col(p_k) * t_table.col(q_k) for all basis functions k.
 Eigen::MatrixXd products_of_tables(const std::vector<Basis::BasisFunction>& members,
                                    const Eigen::MatrixXd& s_table, const Eigen::MatrixXd& t_table);
 

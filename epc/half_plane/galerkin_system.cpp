@@ -36,7 +36,7 @@ MatrixXd GalerkinSystem::centred_members(const MatrixXd& members,
 }
 
 MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density) const {
-  // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall
+  // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall.
   const MatrixXd change = density.mass.asDiagonal() * centred_members(tables_.members, density);
   const MatrixXd wall_change =
       density.wall_mass.asDiagonal() * centred_members(tables_.wall_members, density);

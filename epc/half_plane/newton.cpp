@@ -48,7 +48,7 @@ using Eigen::VectorXd;
 constexpr double kLongestStep = 2;
 constexpr double kLeastStepFraction = 1e-6;
 
-// Interface of the Galerkin equations for numerics::newton.
+// Adapter of the Galerkin equations for numerics::solve_by_newton().
 struct NewtonEquations {
   struct Iterate {
     VectorXd a;
@@ -111,8 +111,7 @@ numerics::SolutionCurve follow_homotopy(const GalerkinSystem& equations, const V
   const auto jacobian = [&](const VectorXd& a) -> MatrixXd {
     return equations.jacobian(equations.evaluate_density(a));
   };
-  // The unknowns are coefficients of functions of about unit variance, which sets the scale of the
-  // options. The path is accurate enough for its end to be a start of Newton's method.
+  // These options are in units of coefficients of functions with a variance of about 1.
   return numerics::trace_solution_curve(numerics::newton_homotopy(residual, jacobian, start), start,
                                         {.tolerance = 0,
                                          .correction_tolerance = 1e-6,

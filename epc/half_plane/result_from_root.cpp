@@ -13,8 +13,6 @@ namespace {
 
 using transform::Status;
 
-// Reason why a density that satisfies the equations is inadmissible; empty for an admissible
-// density.
 std::string common_inadmissible_reason(const transform::Solution& solution,
                                        const Summary& summary) {
   constexpr double kBeyondLevelLimit = 1e-3;

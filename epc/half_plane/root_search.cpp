@@ -20,18 +20,16 @@ using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMaxRefinements = 4;
-constexpr double kLongestSeconds = 1e9;  // seconds; the clock can represent this duration
+constexpr double kLongestSeconds = 1e9;  // duration in seconds that the clock can represent
 
-// Refined numbers of quadrature points: more than twice as many points in the plane.
+// Multiplies the number of quadrature points in the plane by more than 2.
 QuadratureSize refined_size(const QuadratureSize& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
 }
 
-// Attempts a solution at each of the confinement levels in turn. Returns the first result with a
-// decay ratio below the limit, else the result with the smallest decay ratio. The return value is
+// Attempts a solution at each confinement level in turn. Returns the first result with a decay
+// ratio below the limit, or else the result with the smallest decay ratio. The return value is
 // empty if every attempt failed.
-// @param attempt function that takes a confinement level and returns an optional pair of a result
-//        and the decay ratio of the result
 template <class Result, class Attempt>
 std::optional<Result> try_confinement_levels(const std::vector<double>& levels,
                                              double decay_ratio_limit, const Attempt& attempt) {
@@ -69,7 +67,6 @@ class RootSearch {
   }
 
  private:
-  // The equations of an order, and the coefficients from which Newton's method starts.
   struct StartingPoint {
     ClosureEquations equations;
     VectorXd a;
@@ -93,8 +90,7 @@ class RootSearch {
     solve_requested_order(guess);
   }
 
-  // Whether the deadline has passed. After the deadline the function stores the reason of failure
-  // once.
+  // The first call after the deadline stores the reason of failure.
   bool is_past_deadline() {
     if (std::chrono::steady_clock::now() < deadline_) return false;
     if (std::exchange(deadline_reported_, true)) return true;
@@ -103,17 +99,14 @@ class RootSearch {
     return true;
   }
 
-  // Candidates for the confinement level: the levels of the formulation, then the level of the
-  // guess. At the level of the guess, Newton's method can start from the Q_n of the guess without a
-  // fit. At another level, the density of a Q_n that rises may have all its probability on the edge
-  // of the domain.
+  // At the level of the initial guess Newton's method starts from the exponent Q_n of the initial
+  // guess without a fit.
   std::vector<double> confinement_levels(const ClosureDensity& guess, SearchStage stage) const {
     std::vector<double> confinement_levels = formulation_.confinement_levels(guess, stage);
     if (guess.level > 0) confinement_levels.push_back(guess.level);
     return confinement_levels;
   }
 
-  // Solves order n from the guess, with an accuracy that suffices to start the next order.
   std::optional<ClosureDensity> solve_order(const ClosureDensity& guess, int n) {
     const auto attempt = [&](double level) -> std::optional<std::pair<ClosureDensity, double>> {
       if (is_past_deadline()) return std::nullopt;
@@ -129,11 +122,10 @@ class RootSearch {
         formulation_.decay_ratio_limit(SearchStage::rough), attempt);
   }
 
-  // Solves the requested order to the tolerance of the options.
   void solve_requested_order(const ClosureDensity& guess) {
     const auto attempt = [&](double level) -> std::optional<std::pair<RootSearchResult, double>> {
       if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
-      // The accurate root may allow a better confinement level than the guess.
+      // The accurate root may allow a better confinement level than the initial guess.
       const RootSearchResult first_root = root_;
       const auto improved_confinement_level =
           formulation_.improved_confinement_level(guess, first_root.closure);
@@ -148,8 +140,7 @@ class RootSearch {
     if (best) root_ = *best;
   }
 
-  // Solves the requested order at a confinement level. The number of quadrature points is increased
-  // until the quadrature error is small.
+  // Increases the number of quadrature points until the quadrature error is small.
   bool solve_at_level(const ClosureDensity& guess, double level) {
     const QuadratureRefinement refinement = formulation_.quadrature_refinement();
     const bool estimated = refinement.rule == QuadratureRefinement::ChangeMeasure::estimated;
@@ -190,8 +181,8 @@ class RootSearch {
                                           formulation_.points_below_energy(support, size), size);
   }
 
-  // The equations of order n in a basis that is orthonormal under the guess, and the coefficients
-  // of the fit of Q_n to the guess.
+  // Returns the equations of order n, and the coefficients of the fit of Q_n to the initial guess.
+  // The basis is orthonormal under the initial guess.
   StartingPoint start_of(const ClosureDensity& guess, int n, double level,
                          const QuadratureSize& size) const {
     const double support = support_energy(level, options_.tail);
@@ -220,8 +211,7 @@ class RootSearch {
             .polish = last};
   }
 
-  // Solves the equations by Newton's method. If Newton's method fails, a homotopy is followed, and
-  // Newton's method starts from the end of the homotopy.
+  // If Newton's method fails, the end of a homotopy is a second starting point.
   NewtonResult solve(const StartingPoint& start, SearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
@@ -271,7 +261,7 @@ class RootSearch {
     return equations.covariance(equations.evaluate_density(a));
   }
 
-  // Norm of the Newton step of the equations on more points, from the root on fewer points.
+  // Returns the norm of the first Newton step on more quadrature points.
   static double change_on_finer_points(const ClosureEquations& fine, const ClosureEquations& coarse,
                                        const VectorXd& a) {
     const GalerkinSystem::DensityAtPoints density = coarse.evaluate_density(a);

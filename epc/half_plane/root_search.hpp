@@ -13,57 +13,52 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Result of the search for a root.
 struct RootSearchResult {
   ClosureDensity closure;
-  /// Density of order n - 2, solved with a larger tolerance; empty for n = 2.
+  /// Density of order n - 2; empty for n = 2.
   std::optional<ClosureDensity> previous;
-  /// Largest density in the region where the density should have decayed, relative to the peak, by
-  /// ClosureFormulation::decay_ratio.
+  /// Value of ClosureFormulation::decay_ratio for the root.
   double decay_ratio = 0;
   QuadratureSize quadrature{};
-  /// Estimated quadrature error: standard deviation of the change of Q_n on more points.
+  /// Standard deviation of the change of the exponent Q_n on more quadrature points.
   double quadrature_change = 0;
-  /// Result of Newton's method at the requested order, or at the order that failed. The number of
-  /// iterations is the sum over all orders.
+  /// Result of Newton's method at the requested order, or at the order that failed, with the number
+  /// of iterations of all orders.
   numerics::NewtonResult newton;
-  double condition = 0;  ///< condition number of the Jacobian at the root, by condition_number()
-  int homotopies = 0;    ///< number of homotopies followed after damped Newton steps failed
-  std::string failure;   ///< reason why no root was found, one sentence; else empty
+  double condition = 0;
+  int homotopies = 0;  ///< number of homotopies followed after damped Newton steps failed
+  std::string failure;
 };
 
-/// Stage of the search, which sets the accuracy of the solution at an order.
+/// Stage of the root search, which sets the accuracy of the solution.
 enum class SearchStage {
-  rough,  ///< an intermediate order, whose root is the start of the next order
-  last    ///< the requested order
+  rough,  ///< intermediate order, whose root starts the search at the next order
+  last    ///< requested order
 };
 
-/// Criterion by which the search increases the number of quadrature points.
 struct QuadratureRefinement {
-  /// How the search determines the change of Q_n on more quadrature points.
+  /// Method to determine the change of the exponent Q_n on more quadrature points.
   enum class ChangeMeasure {
-    solved,    ///< solve the equations again on more points and use the new root
-    estimated  ///< estimate the change by one Newton step on more points and keep the root
+    solved,    ///< solve the equations again on more points, and use the new root
+    estimated  ///< estimate the change by one Newton step on more points, and keep the root
   };
   ChangeMeasure rule;
-  double tolerance;  ///< tolerance on the standard deviation of the change of Q_n
+  double tolerance;  ///< tolerance on the standard deviation of the change of the exponent Q_n
 };
 
-/// Interface between a formulation of the closure and the search for a root: coordinates,
-/// equations, and candidates for the confinement level. The energies are the energies of
-/// QuadraturePoints.
+/// Interface between a formulation of the closure and the root search: coordinates, equations, and
+/// candidates for the confinement level. All energies are defined as in QuadraturePoints::energy.
 class ClosureFormulation {
  public:
   virtual ~ClosureFormulation() = default;
 
-  /// Density from which the first order starts.
+  /// Initial guess of the density at the lowest order n.
   virtual ClosureDensity initial_density() const = 0;
-  /// Lowest order that the search solves before the requested order.
+  /// Lowest order n that the root search solves before the requested order.
   virtual int first_order(int /*order*/) const { return 2; }
-  /// Whether an order may start from initial_density() if the search from the next lower order
+  /// Whether the search at order n may start from initial_density() if the start from order n-2
   /// finds no root.
   virtual bool can_start_at_any_order() const { return false; }
-  /// Unit in which rates of change are measured.
   virtual double rate_of_change_unit() const = 0;
   /// Candidates for the confinement level, as energies, in the order of the attempts.
   virtual std::vector<double> confinement_levels(const ClosureDensity& guess,
@@ -75,32 +70,29 @@ class ClosureFormulation {
     return std::nullopt;
   }
 
-  /// Number of quadrature points for the first attempt.
-  /// @param level_over_temperature confinement level divided by the temperature of the guess
+  /// @param level_over_temperature confinement level divided by the temperature of the initial
+  ///   guess
   virtual QuadratureSize quadrature_size(int order, double level_over_temperature,
                                          SearchStage stage) const = 0;
-  /// Criterion by which the search increases the number of quadrature points.
   virtual QuadratureRefinement quadrature_refinement() const = 0;
-  /// Quadrature points on the part of the half-plane where the energy is below `support`.
   virtual QuadraturePoints points_below_energy(double support,
                                                const QuadratureSize& size) const = 0;
-  /// Galerkin equations for a basis on given quadrature points.
   virtual ClosureEquations closure_equations(double support, const Confinement& confinement,
                                              Basis basis, QuadraturePoints points,
                                              const QuadratureSize& size) const = 0;
 
-  /// Exponent of the density from which an order starts, the guess. Where the Q_n of the guess
-  /// rises again, the exponent may differ from Q_n.
+  /// Exponent of the initial guess. The formulation may replace Q_n where the exponent Q_n of the
+  /// initial guess rises again.
   virtual double exponent_of_guess(const ClosureDensity& guess, double s, double t) const {
     return guess.q(s, t);
   }
-  /// ClosureDensity::decay_extent for a polynomial Q_n: the largest s up to which Q_n falls.
+  /// Largest coordinate s up to which a polynomial Q_n falls (ClosureDensity::decay_extent).
   virtual double decay_extent(const Polynomial& /*q*/, double /*temperature*/) const {
     return std::numeric_limits<double>::infinity();
   }
-  /// Weight of each quadrature point in the fit of Q_n to the exponent of a guess.
-  /// @param exponent exponent of the guess at the points
-  /// @param mass probability of the guess with its confinement at the points
+  /// Weight of each quadrature point in the fit of the exponent Q_n to the initial guess.
+  /// @param exponent exponent of the initial guess at the points
+  /// @param mass probability of the initial guess at the points
   virtual Eigen::VectorXd fit_weights(const ClosureDensity& /*guess*/, double /*support*/,
                                       const QuadraturePoints& /*points*/,
                                       const Eigen::VectorXd& /*exponent*/,
@@ -108,18 +100,19 @@ class ClosureFormulation {
     return mass;
   }
 
-  /// Largest density in the region where the density should have decayed, relative to the peak.
+  /// Largest density in the region where the density should have decayed, relative to the peak
+  /// density.
   virtual double decay_ratio(const ClosureDensity& closure, SearchStage stage) const = 0;
-  /// Limit on the decay ratio: below this limit the search tries no other confinement level.
+  /// Largest decay ratio with which the root search accepts a confinement level.
   virtual double decay_ratio_limit(SearchStage stage) const = 0;
 };
 
-/// Searches for the root of the requested order. The search solves the even orders in turn. Each
-/// order starts from the density of order n - 2, on a domain adapted to that density. If an order
-/// has no root from this start, formulations with can_start_at_any_order() restart from the first
-/// density. Each order uses the first confinement level at which the density has decayed, else the
-/// level with the smallest decay ratio. At the requested order, the number of quadrature points is
-/// increased until the quadrature resolves the root.
+/// Searches for the root of the requested order by solving the even orders in turn. Each order
+/// starts from the density of order n - 2, on a domain adapted to that density. If this start
+/// fails, formulations with can_start_at_any_order() restart from the initial density. Each order
+/// uses the first confinement level at which the density has decayed, or else the level with the
+/// smallest decay ratio. At the requested order the number of quadrature points grows until the
+/// quadrature resolves the root.
 RootSearchResult find_root(const ClosureFormulation& formulation, const Options& options);
 
 }  // namespace fpkcheck::epc::half_plane

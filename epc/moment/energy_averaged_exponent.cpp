@@ -31,8 +31,7 @@ EnergyAveragedExponent::EnergyAveragedExponent(const problem::EnergyAveraging& a
   }
 }
 
-// Band of the nearest energy whose orbit contains the displacement y. If no orbit of this energy
-// contains y, the band of the next higher energy with such an orbit.
+// If no orbit of the nearest energy contains the displacement y, the next higher energy is used.
 const problem::EnergyAveraging::EnergyBand& EnergyAveragedExponent::nearest_band(
     double y, double energy) const {
   const double place = std::round((energy - bands_.front().energy) / step_);

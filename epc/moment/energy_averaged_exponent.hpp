@@ -15,14 +15,12 @@ class EnergyAveragedExponent {
   /// @pre the problem is confined
   explicit EnergyAveragedExponent(const problem::Problem& problem);
 
-  /// Value of the exponent at a state. Between the bands of energy averaging, the exponent is
-  /// interpolated linearly in the energy; beyond the last band, the exponent is extrapolated.
+  /// The exponent is linear in the energy between the bands of energy averaging, and extrapolated
+  /// beyond the last band.
   double operator()(double y, double v) const;
 
-  /// Mean square velocity E[v^2] of the averaged density.
   double temperature() const { return temperature_; }
-  /// Smallest energy above which Phi exceeds a depth. As in EnergyDomain, energies are relative to
-  /// min V.
+  /// Returns the smallest energy, relative to min V, above which Phi exceeds a depth.
   double energy_at_depth(double depth) const;
   /// Energy below which 95 % of the probability lies.
   double bulk_energy() const { return bulk_; }
@@ -36,7 +34,7 @@ class EnergyAveragedExponent {
   double slope_of_phi_above(const Band& band) const;
 
   numerics::Polynomial potential_;
-  double bottom_;  // min V
+  double bottom_;  // minimum of the potential
   std::vector<Band> bands_;
   std::vector<std::size_t> levels_;  // index of the first band of each energy, then the end
   double step_;                      // difference of successive energies

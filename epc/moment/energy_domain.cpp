@@ -46,8 +46,8 @@ double EnergyDomain::v_half_width(double y) const {
 
 double EnergyDomain::v_max() const { return std::sqrt(2 * level_); }
 
-// Turning point that the motion would have behind a wall. The distance from the wall is limited to
-// the width of the part of the domain.
+// Returns the turning point that the motion would have behind a wall, at a distance of at most the
+// width of this part of the domain.
 double EnergyDomain::continued_turning_point(double wall, double far) const {
   constexpr int kSteps = 16;
   const double step = (wall - far) / kSteps;
@@ -60,7 +60,7 @@ double EnergyDomain::continued_turning_point(double wall, double far) const {
 
 EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
   // v_half_width() has a further singularity at the turning point that the motion would have behind
-  // a wall. The map also removes this singularity.
+  // a wall, which this change of variables also removes.
   const double low = part.at_left ? continued_turning_point(part.left, part.right) : part.left;
   const double high = part.at_right ? continued_turning_point(part.right, part.left) : part.right;
   const double centre = (low + high) / 2, half_length = (high - low) / 2;

@@ -16,19 +16,17 @@ namespace fpkcheck::epc::moment {
 /// Set of the states below an energy in the half-plane y >= 0, or in the region between other walls
 /// (problem/walls.hpp),
 ///
-///     h(y, v) = v^2/2 + V(y) - min V <= level,     V(y) = U(y) - lambda E[Y] y,
+///     h(y, v) = v^2/2 + V(y) - min V <= level,     V(y) = U(y) - lambda E[Y] y.
 ///
-/// where V is the potential of the restoring force and of the mean of the impulses. Under weak
-/// damping trajectories follow the energy contours: a stationary density is nearly constant along
-/// the edge of the domain. A rectangle is unsuitable as a domain: in its far corners no equation
-/// controls a polynomial exponent. Below the energy of a potential barrier the domain consists of
-/// several parts.
+/// V is the potential of the restoring force and of the mean of the impulses. Under weak damping a
+/// stationary density is nearly constant along the edge of the domain. A rectangle would be
+/// unsuitable: in its far corners no equation controls a polynomial exponent. Below the energy of a
+/// potential barrier the domain has several parts.
 class EnergyDomain {
  public:
   /// @param level energy of the edge of the domain, > 0
   EnergyDomain(const problem::Problem& problem, double level);
 
-  /// Energy of the edge of the domain.
   double energy_level() const { return level_; }
   /// Energy h(y, v) of a state, relative to min V.
   double energy(double y, double v) const {
@@ -38,43 +36,40 @@ class EnergyDomain {
     return y >= wall_low_ && y <= wall_high_ && energy(y, v) <= level_;
   }
 
-  /// Intervals of y in the parts of the domain, in increasing order.
   const std::vector<problem::HalfCycle>& y_intervals() const { return parts_; }
-  /// Lower end of the domain in y; the position of the left wall if this wall cuts the domain.
+  /// Lower end of the domain in y: the left wall if this wall cuts the domain.
   double y_low() const { return parts_.front().left; }
-  /// Upper end of the domain in y.
   double y_max() const { return parts_.back().right; }
-  /// Upper end of the domain in v.
   double v_max() const;
-  /// Half-width of the domain in v at a displacement y: sqrt(2 (level - V(y) + min V)); 0 for a y
+  /// Half-width of the domain in v at a displacement y: sqrt(2 (level - V(y) + min V)), or 0
   /// outside of the domain.
   double v_half_width(double y) const;
 
-  /// Gauss-Legendre points in phi and tau on each part of the domain, y = a + b sin(phi),
-  /// v = v_half_width(y) tau. The map removes the square root of v_half_width() at the turning
-  /// points of y: the quadrature of smooth integrands converges geometrically. The coordinates s
-  /// and t of the points are y and v.
+  /// Returns Gauss-Legendre points in phi and tau on each part of the domain, where y = a + b
+  /// sin(phi) and v = v_half_width(y) tau. The substitution y = a + b sin(phi)
+  /// removes the square-root singularity at the turning points. The quadrature of smooth integrands
+  /// therefore converges geometrically.
   half_plane::QuadraturePoints quadrature_points(int y_points, int v_points) const;
-  /// Gauss-Legendre rule in v for states on the left wall before an impact, -v_half_width < v < 0.
-  /// The rule is empty if no left wall cuts the domain.
+  /// Gauss-Legendre rule in v on the left wall before an impact, -v_half_width < v < 0. The rule is
+  /// empty if no left wall cuts the domain.
   numerics::QuadratureRule left_wall_quadrature_rule(int point_count) const;
-  /// Gauss-Legendre rule in v for states on the right wall before an impact, 0 < v < v_half_width.
-  /// The rule is empty if no right wall cuts the domain.
+  /// Gauss-Legendre rule in v on the right wall before an impact, 0 < v < v_half_width. The rule is
+  /// empty if no right wall cuts the domain.
   numerics::QuadratureRule right_wall_quadrature_rule(int point_count) const;
 
  private:
   // Map y = centre + half_length sin(phi) of one part of the domain.
   struct SineMap {
     double centre, half_length;
-    double first, last;  // limits of phi
+    double first, last;  // limits of the angle phi
   };
   double turning_point(double from, double towards) const;
   double continued_turning_point(double wall, double far) const;
   SineMap sine_map_of(const problem::HalfCycle& part) const;
 
-  numerics::Polynomial potential_;  // V
+  numerics::Polynomial potential_;  // potential V
   double level_;
-  double lowest_potential_;  // min V
+  double lowest_potential_;  // minimum of the potential V
   double wall_low_, wall_high_;
   std::vector<problem::HalfCycle> parts_;
 };

@@ -13,7 +13,6 @@ using half_plane::products_of_tables;
 
 namespace {
 
-// Total force f + g at states (y, v): damping force plus restoring force.
 VectorXd total_force(const problem::System& system, const VectorXd& y, const VectorXd& v) {
   if (system.has_constant_damping())
     return system.damping() * v + y.unaryExpr(system.restoring_force());
@@ -22,7 +21,6 @@ VectorXd total_force(const problem::System& system, const VectorXd& y, const Vec
   return damping.cwiseProduct(v) + y.unaryExpr(system.restoring_force());
 }
 
-// Quadrature points on all walls: displacement y, and velocities before and after the impact.
 struct IncomingWallPoints {
   VectorXd y, before, after, weight;
 
@@ -60,7 +58,7 @@ half_plane::ClosureEquations closure_equations(
   const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
 
   // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ]. White noise beside
-  // the impulses adds its intensity 2D to lambda E[Y^2]: D = 2D/2!.
+  // the impulses adds its intensity 2D to lambda E[Y^2], since D = 2D/2!.
   MatrixXd impulses = MatrixXd::Zero(v.size(), n + 1);
   for (int j = 1; j <= n; ++j) {
     const double intensity = j == 2 ? problem.noise.intensity : 0;

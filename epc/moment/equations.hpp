@@ -8,20 +8,19 @@
 
 namespace fpkcheck::epc::moment {
 
-/// Exact moment equations of the impact process: Galerkin equations for the polynomials phi of the
-/// basis. The generator is
+/// Returns the exact moment equations of the impact process: Galerkin equations for the polynomials
+/// phi of the basis. The generator is
 ///
 ///     L*phi = v phi_y - (f(y, v) + g(y)) phi_v + D phi_vv
-///             + sum_{j=1}^n lambda E[Y^j]/j! d^j phi/dv^j,
+///             + sum_{j=1}^n lambda E[Y^j]/j! d^j phi/dv^j.
 ///
-/// and each wall adds a term. For a right wall at y = b this term is
+/// The sum over j is finite, since phi is a polynomial. Each wall adds an impact term. For a
+/// right wall at y = b this term is
 ///
 ///     int_{v>0} v p(b,v) [phi(b,-r v) - phi(b,v)] dv.
 ///
-/// The sum over j is finite, since phi is a polynomial. Unlike the formulation gaussian, these
-/// equations contain no delta function and no weight.
 /// @param rate_times_moment products lambda E[Y^j] for j = 0 .. n; entry 0 is unused, and entries
-///   of terms that are absent from the excitation are 0
+///   that the excitation lacks are 0
 /// @param points quadrature points of the domain
 /// @param wall_points number of quadrature points on each wall
 half_plane::ClosureEquations closure_equations(

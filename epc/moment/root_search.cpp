@@ -25,7 +25,7 @@ using half_plane::QuadratureRefinement;
 using half_plane::QuadratureSize;
 using half_plane::SearchStage;
 
-// Products lambda E[Y^j], j = 0 .. n; 0 for terms that are absent from the equation.
+// Products lambda E[Y^j], j = 0 .. n; 0 for terms that the equation lacks.
 std::vector<double> rate_moments(const problem::Problem& problem, const Options& options) {
   std::vector<double> moments(options.order + 1);
   const int last = equation_of(options) == Equation::white ? 2 : options.order;
@@ -33,13 +33,11 @@ std::vector<double> rate_moments(const problem::Problem& problem, const Options&
   return moments;
 }
 
-// Energy h of a Gaussian density exp(-h/T) at d standard deviations, in units of T.
 double depth_of(double deviations) { return deviations * deviations / 2; }
 
-// Common part of the two starts: equations, domains and confinement levels in y and v.
 class MomentFormulation : public half_plane::ClosureFormulation {
  public:
-  // The temperature is an approximation of E[v^2].
+  // @param temperature approximation of E[v^2]
   MomentFormulation(const problem::Problem& problem, const Options& options, double temperature)
       : problem_(problem),
         tail_(options.tail),
@@ -48,8 +46,8 @@ class MomentFormulation : public half_plane::ClosureFormulation {
 
   double rate_of_change_unit() const override { return rate_unit_; }
 
-  // Confinement levels in the order of the attempts: the energy at which exp(Q_n) of the guess is
-  // negligible, if this energy exists, then the candidates of candidate_levels().
+  // Candidates for the confinement level: the energy at which exp(Q_n) of the initial guess is
+  // negligible, if there is such an energy, then candidate_levels().
   std::vector<double> confinement_levels(const ClosureDensity& guess,
                                          SearchStage stage) const override {
     std::vector<double> levels = candidate_levels(guess);
@@ -91,16 +89,15 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   }
 
  protected:
-  // Candidates for the confinement level at which a density like the guess has decayed.
+  // Candidates for the confinement level at which a density like the initial guess has decayed.
   virtual std::vector<double> candidate_levels(const ClosureDensity& guess) const = 0;
-  // Energies between which an energy is searched at which exp(Q_n) is negligible.
   virtual std::pair<double, double> scan_range(double from, const ClosureDensity& guess) const = 0;
 
   const problem::Problem& problem_;
 
  private:
-  // Energy at which the Q_n of a density lies kNegligibleDepth below its peak; empty if there is no
-  // such energy in the range of the scan.
+  // Energy at which the Q_n of a density lies kNegligibleDepth below its peak; empty if the scan
+  // finds no such energy.
   std::optional<double> negligible_level(const ClosureDensity& closure, double from,
                                          const ClosureDensity& guess) const {
     const auto [begin, end] = scan_range(from, guess);
@@ -112,7 +109,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   double rate_unit_;
 };
 
-// Search from the Gaussian density of equivalent linearisation.
+// Root search from the Gaussian density of equivalent linearisation.
 class LinearisedFormulation final : public MomentFormulation {
  public:
   LinearisedFormulation(const problem::Problem& problem, const Options& options)
@@ -129,8 +126,8 @@ class LinearisedFormulation final : public MomentFormulation {
   QuadratureSize quadrature_size(int order, double level_over_temperature,
                                  SearchStage stage) const override {
     if (stage == SearchStage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
-    // The number of points grows more slowly than the width of the domain: in the added part of a
-    // wider domain the density is small.
+    // The number of points grows more slowly than the width of the domain, since the density is
+    // small in the added part of a wider domain.
     const double deviations = std::sqrt(2 * level_over_temperature);
     const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
     const auto widened = [&](int points) {
@@ -142,8 +139,8 @@ class LinearisedFormulation final : public MomentFormulation {
   }
 
  private:
-  // Candidates for the confinement level in deviations of v, for a density exp(-h/T) with
-  // T = E[v^2], in the order of the attempts.
+  // Candidates for the confinement level in deviations of v, for a density exp(-h/T) with T =
+  // E[v^2].
   static constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
   static constexpr double kFarthestDeviations = 16;
 
@@ -165,19 +162,18 @@ class LinearisedFormulation final : public MomentFormulation {
   problem::MotionScales scales_;
 };
 
-// Search from the density of energy averaging: the first order starts from this density, and a
-// higher order starts from this density if the search from the next lower order finds no root.
+// Root search from the density of energy averaging. The first order starts from this density, and a
+// higher order if the search from the next lower order finds no root.
 class EnergyAveragedFormulation final : public MomentFormulation {
  public:
   EnergyAveragedFormulation(const problem::Problem& problem, const Options& options)
       : EnergyAveragedFormulation(problem, options, EnergyAveragedExponent(problem)) {}
 
-  // The initial density has no Q_n: exponent_of_guess() evaluates the averaged density instead.
+  // The initial density has no polynomial Q_n: exponent_of_guess() evaluates the averaged density.
   ClosureDensity initial_density() const override {
     return {.temperature = averaged_.temperature()};
   }
-  // The lowest order is 4: a Gaussian, order 2, approximates no ring-shaped density, and few
-  // densities with several wells.
+  // The lowest order is 4: a Gaussian, order 2, approximates no ring-shaped density.
   int first_order(int order) const override { return std::min(order, 4); }
   bool can_start_at_any_order() const override { return true; }
 
@@ -193,7 +189,7 @@ class EnergyAveragedFormulation final : public MomentFormulation {
     return guess.q.terms().empty() ? averaged_(y, v) : guess.q(y, v);
   }
 
-  // In a fit to the averaged density, the weights are a small power of this density. The fit then
+  // In a fit to the averaged density the weights are a small power of this density. The fit then
   // also covers large energies, where Q_n might rise.
   Eigen::VectorXd fit_weights(const ClosureDensity& guess, double, const QuadraturePoints& points,
                               const Eigen::VectorXd& exponent,
@@ -213,10 +209,11 @@ class EnergyAveragedFormulation final : public MomentFormulation {
   }
 
  private:
-  // Candidates d for the confinement level, in the order of the attempts. The level is the energy
-  // with Phi = d^2/2, which is the exponent of a Gaussian at d standard deviations.
+  // Candidates d for the confinement level, the energy with Phi = d^2/2. A Gaussian density has
+  // the exponent -d^2/2 at d standard deviations.
   static constexpr std::array kDeviations{6.5, 7.2, 5.2, 8.0};
-  static constexpr double kLargestScanRatio = 8;  // largest energy of a scan, in first levels
+  // Largest energy of a scan, relative to the first candidate for the confinement level.
+  static constexpr double kLargestScanRatio = 8;
   // Lower limits of the confinement level, in units of bulk_energy(). With these limits the
   // confinement term (energy / level)^16 is at most 5e-4 and 4e-8 at bulk_energy().
   static constexpr double kAboveBulk = 1.6, kFarAboveBulk = 2.9;

@@ -18,7 +18,7 @@ namespace {
 using half_plane::ClosureDensity;
 using half_plane::RootSearchResult;
 
-// Tolerance on the change of Q_n on more quadrature points, in standard deviations.
+// Tolerance on the change of the exponent Q_n on more quadrature points, in standard deviations.
 constexpr double kQuadratureTolerance = 1e-6;
 
 transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
@@ -28,8 +28,8 @@ transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
                                -closure.log_normalisation);
 }
 
-// Reason why a density is inadmissible: the density has not decayed on the edge of its support, or
-// decays by the confinement alone. The reason is empty for an admissible density.
+// Returns the reason why a density is inadmissible: the density has not decayed on the edge of its
+// support, or decays by the confinement alone.
 std::string inadmissible_reason(double edge_density, double density_at_level,
                                 const LeadingForm& form) {
   const std::string behaviour = leading_form_text(form, "(y, v) / deviations");
@@ -58,7 +58,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const auto marginals = store_density(problem, Impact::map, density, result);
   if (root.previous) {
     auto before = density_from_exponent(problem, *root.previous, options.tail);
-    before.y_min = density.y_min;  // same panels
+    before.y_min = density.y_min;  // both densities then have the same panels
     summary.distance_to_previous =
         distance(marginals, transform::panel_marginals(before, density.y_max, density.v_max));
   }

@@ -13,12 +13,12 @@ namespace {
 
 // Stiffness K of Coordinates.
 double coordinate_stiffness(const problem::Problem& problem) {
-  constexpr double kLeastStiffnessRatio = 0.1;  // lower limit, relative to the linearised stiffness
+  // Lower limit of K, relative to the stiffness of equivalent linearisation
+  constexpr double kLeastStiffnessRatio = 0.1;
   return std::max(problem.system.stiffness(),
                   kLeastStiffnessRatio * problem::equivalent_linearisation(problem).stiffness);
 }
 
-// The polynomial factor * polynomial / y^power, whose constant term is replaced by `constant`.
 numerics::Polynomial divide_by_power(const numerics::Polynomial& polynomial, std::size_t power,
                                      double factor, double constant) {
   numerics::Polynomial::Coefficients a{};
@@ -80,7 +80,7 @@ std::vector<double> Coordinates::amplitude_break_points(const problem::ImpulseLa
     if (at > 0 && at < rho_max) breaks.push_back(at);
   }
   std::ranges::sort(breaks);
-  // The atoms of the law at -a and at a give equal amplitudes, up to rounding.
+  // Atoms of the law at -a and at a give equal amplitudes, up to rounding.
   const auto near = [](double a, double b) { return b - a < 1e-9 * b; };
   breaks.erase(std::unique(breaks.begin(), breaks.end(), near), breaks.end());
   return breaks;

@@ -16,45 +16,39 @@ namespace fpkcheck::epc::polar {
 ///     rho cos(theta) = w(y) = sqrt(2 V(y)),   rho sin(theta) = v,   -pi/2 <= theta <= pi/2,
 ///     V(y) = U(y) + (K - k) y^2/2,            h = rho^2/2 = v^2/2 + V(y).
 ///
-/// Along the motion of the undamped oscillator, rho is constant and theta decreases. An impact
-/// changes theta from -pi/2 to pi/2 and multiplies rho by r. The density has a jump at the origin,
-/// p(0,0+) r^2 = p(0,0-), which extends into the plane as a function of theta. Functions of theta
-/// represent this jump; continuous functions of y and v do not.
+/// Along the undamped motion, rho is constant and theta decreases. An impact changes theta from
+/// -pi/2 to pi/2 and multiplies rho by r. The density has a jump at the origin, p(0,0+) r^2 =
+/// p(0,0-), which functions of theta can represent, unlike continuous functions of y and v.
 ///
-/// K is the stiffness k = g'(0); then h is the energy. For small k, w(y) with K = k would nearly be
-/// a higher power of y; K is then a fraction of the stiffness of equivalent linearisation. The
-/// potential V does not include the mean of the impulses.
+/// The stiffness K equals k = g'(0), and h is the energy, except for small k. For small k, K is a
+/// fraction of the stiffness of equivalent linearisation, since w(y) with K = k would
+/// nearly be a higher power of y. The potential V does not include the mean of the impulses.
 class Coordinates {
  public:
   static constexpr ExponentCoordinates kVariables = ExponentCoordinates::polar;
 
   explicit Coordinates(const problem::Problem& problem);
 
-  /// Speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals the potential energy V(y).
+  /// Returns the speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals V(y).
   double potential_speed(double y) const { return y * potential_speed_over_y(y); }
-  /// Derivative dw/dy > 0.
   double potential_speed_slope(double y) const {
     return potential_slope_ratio_(y) / potential_speed_over_y(y);
   }
-  /// Displacement y from w(y): the inverse function of w.
+  /// Returns the displacement y with w(y) = w.
   double displacement(double w) const;
-  /// Derivative dy/dw at a displacement y.
   double displacement_slope(double y) const { return 1 / potential_speed_slope(y); }
-  /// Amplitude rho of a state.
   double amplitude_of(double y, double v) const { return std::hypot(potential_speed(y), v); }
-  /// Phase theta of a state.
   double phase_of(double y, double v) const { return std::atan2(v, potential_speed(y)); }
-  /// Coordinates rho and theta of a state.
   std::pair<double, double> coordinates_of_state(double y, double v) const {
     return {amplitude_of(y, v), phase_of(y, v)};
   }
-  /// Coordinates rho and theta of the velocity v after an impulse, at the speed w(y).
+  /// Returns the coordinates rho and theta of the velocity v after an impulse, at the speed w(y).
   static std::pair<double, double> coordinates_after_impulse(double w, double v) {
     return {std::sqrt(w * w + v * v), std::atan2(v, w)};
   }
   static double second_coordinate(double, double theta) { return theta; }
   static double phase(double, double theta) { return theta; }
-  /// Ratio g(y) / w(y), which equals dw/dy if K = k.
+  /// Returns g(y) / w(y), which equals dw/dy if K = k.
   double force_over_potential_speed(double y) const {
     return force_ratio_(y) / potential_speed_over_y(y);
   }
@@ -67,18 +61,15 @@ class Coordinates {
                                   double theta) const;
   static double density_prefactor(double) { return 1; }
   static double atom_weight() { return 0; }
-  /// Amplitudes below rho_max from which an impulse, an atom of the law, may stop the mass at the
-  /// wall. At these amplitudes the mean of phi over the impulses has the jump that phi has at the
-  /// origin. The list is empty for a law without atoms.
+  /// Returns amplitudes below rho_max from which an impulse may stop the mass at the wall. At these
+  /// amplitudes the mean of a basis function over the impulses has a jump. Only the atoms of an
+  /// impulse law give such amplitudes.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw& law, double rho_max);
-  /// The coefficient of the highest power of rho does not depend on theta: Q_n falls either at
-  /// every phase or at no phase.
+  /// The coefficient of the highest power of rho does not depend on theta: one phase suffices.
   static std::vector<double> leading_phases() { return {0}; }
 
  private:
-  /// Ratio w(y) / y.
   double potential_speed_over_y(double y) const { return std::sqrt(potential_ratio_(y)); }
-  /// Upper bound, close to y(w), of the displacement y(w).
   double displacement_bound(double w) const;
 
   numerics::Polynomial potential_ratio_;        // 2 V(y) / y^2

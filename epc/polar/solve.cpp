@@ -17,8 +17,7 @@ using half_plane::ClosureDensity;
 using half_plane::RootSearchResult;
 using transform::PanelSpacing;
 
-// Spacing of the panels: the coarser panels, if the error of their total probability is below
-// kMissed, else the finer panels.
+// Selects the coarser panels if the error of their total probability is below kMissed.
 PanelSpacing panels_for(const transform::SmoothDensity& density) {
   constexpr double kMissed = 1e-6;
   const double mass =
@@ -26,7 +25,7 @@ PanelSpacing panels_for(const transform::SmoothDensity& density) {
   return std::abs(mass - 1) < kMissed ? PanelSpacing::graded : PanelSpacing::geometric;
 }
 
-// Marginal densities of C exp(Q_(n-2)) on the box of another density, normalised on this box.
+// Returns the marginal densities of order n-2, normalised on the box of the density of order n.
 transform::PanelMarginals previous_marginals(const Coordinates& coordinates,
                                              const ClosureDensity& previous,
                                              const transform::SmoothDensity& density,
