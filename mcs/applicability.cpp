@@ -6,7 +6,8 @@
 namespace fpkcheck::mcs {
 
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
-  // With these flights solve() itself states an inelastic collapse, as a failed solution.
+  // For a Duffing oscillator at a wall, solve() itself reports an inelastic collapse as a failed
+  // solution.
   if (is_duffing_at_wall(problem)) return "";
   if (options.tails) {
     std::string why = unsupported_splitting_reason(problem, options);
@@ -16,7 +17,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 }
 
 std::string unsupported_splitting_reason(const problem::Problem& problem, const Options& options) {
-  // White noise acts as evenly spaced impulses there; c > 0.
+  // For a Duffing oscillator at a wall, c > 0 and evenly spaced impulses replace the white noise.
   if (is_duffing_at_wall(problem)) return "";
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses || options.equation == Equation::white) {

@@ -21,15 +21,18 @@ namespace fpkcheck::mcs {
 namespace {
 
 constexpr double kRarest = 1e-10;
-constexpr double kFewestVisits = 1000;  // number of visits of branches that define a threshold
+// least number of visits of branches that defines a threshold
+constexpr double kFewestVisits = 1000;
 constexpr int kMostPilots = 30;
-constexpr double kPilotTime = 0.5;                    // least pilot time, in burn-ins
-constexpr double kPilotImpulses = 8 * kFewestVisits;  // least number of impulses in all streams
-constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
+constexpr double kPilotTime = 0.5;  // shortest pilot run, in burn-ins
+// least number of impulses in a pilot run, summed over all streams
+constexpr double kPilotImpulses = 8 * kFewestVisits;
+constexpr double kLargestEnergy = 1e4;  // largest energy of the energy bins, in units of sigma_2^2
 
-// Potential of the energy whose thresholds split branches, with the minimum 0. At the wall of a
-// Duffing oscillator this is the potential of the spring. For other oscillators the mean force of
-// the impulses contributes, since without this force the potential may have no lower bound.
+// Returns the potential energy, with minimum 0, for the energy thresholds of the splitting. For a
+// Duffing oscillator at a wall the potential energy is that of the spring. For other oscillators
+// the potential includes the mean force of the impulses, since without the mean force the potential
+// may have no lower bound.
 numerics::Polynomial splitting_potential(const problem::Problem& problem,
                                          const SimulationPlan& plan) {
   if (plan.oscillator.is_duffing_at_wall()) return problem.system.potential();
@@ -39,10 +42,9 @@ numerics::Polynomial splitting_potential(const problem::Problem& problem,
   return numerics::Polynomial(coefficients);
 }
 
-/// Sampling errors of the estimates from the rounds so far.
 struct SamplingErrors {
-  double y_l1, ydot_l1;  ///< expected L1 sampling errors
-  double target;         ///< the error that Options::target_error limits
+  double y_l1, ydot_l1;
+  double target;  ///< error that Options::target_error limits
 };
 
 SamplingErrors current_sampling_errors(const Simulation& simulation) {
@@ -61,10 +63,10 @@ SamplingErrors current_sampling_errors(const Simulation& simulation) {
   return now;
 }
 
-/// Progress of a simulation towards the requested precision or time.
 struct RunProgress {
-  double fraction;                       ///< fraction of the required work; may exceed 1
-  std::optional<SamplingErrors> errors;  ///< only if an option or the caller needs them
+  double fraction;  ///< fraction of the required work; may exceed 1
+  /// Empty if neither an option nor the caller needs the errors
+  std::optional<SamplingErrors> errors;
   bool goal_reached;  ///< whether Options::samples and Options::target_error are reached
 };
 
@@ -75,8 +77,8 @@ RunProgress run_progress(const Simulation& simulation, const Options& options) {
                   .goal_reached = false};
   if (simulation.rounds() == 0) return now;
   now.goal_reached = options.target_error || options.samples;
-  // Each of several processes has only a part of the streams, from which the errors of the complete
-  // result cannot be computed.
+  // With several processes each process has only a part of the streams, from which the errors of
+  // the complete result cannot be computed.
   if (options.team.parts > 1) return now;
   if (options.target_error || options.progress) now.errors = current_sampling_errors(simulation);
   if (options.target_error) {
@@ -91,7 +93,7 @@ RunProgress run_progress(const Simulation& simulation, const Options& options) {
   return now;
 }
 
-/// The outcome if the simulation has to end now; empty if the simulation has to continue.
+/// Returns the outcome if the simulation must end now; empty if the simulation must continue.
 std::optional<RunOutcome> run_outcome(const Simulation& simulation, const Options& options,
                                       const RunProgress& now) {
   if (now.goal_reached) return RunOutcome{};
@@ -101,8 +103,8 @@ std::optional<RunOutcome> run_outcome(const Simulation& simulation, const Option
                           "simulated time too short: samples or target error not reached; increase "
                           "--time"};
   }
-  // Options::stop is ignored with several processes, since all of them must simulate the same time.
-  // A stop request then ends the process.
+  // With several processes Options::stop is ignored, since all processes must simulate the same
+  // time. A stop request then ends the process.
   if (simulation.rounds() > 0 && options.team.parts == 1 && options.stop && options.stop()) {
     return RunOutcome{
         .unreached_reason = fmt::format("interrupted: only {:.1f} % of the simulation is "
@@ -120,7 +122,8 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
   const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
   const numerics::Polynomial potential = splitting_potential(problem, plan);
   SimulationPlan pilot = plan;
-  pilot.seed = ~plan.seed;  // gives random numbers that a simulation with plan.seed does not use
+  // with this seed the pilot runs use other random numbers than the simulation
+  pilot.seed = ~plan.seed;
   pilot.samples_per_round =
       static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *
                                                                          plan.excitation.interval) /

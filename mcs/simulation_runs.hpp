@@ -11,16 +11,17 @@
 namespace fpkcheck::mcs {
 
 /// Chooses the energy thresholds of the splitting for a problem by pilot runs with independent
-/// random numbers. Each pilot run uses the thresholds of the run before and adds higher thresholds.
-/// The probability that the energy after an impulse exceeds the last threshold is about 1e-10.
+/// random numbers. Each pilot run uses the thresholds of the previous run and adds higher
+/// thresholds. The probability that the energy after an impulse exceeds the last threshold is about
+/// 1e-10.
 ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
                                                 const SimulationPlan& plan);
 
-/// Whether a simulation reached its goal, and if not, why it ended.
+/// Whether a simulation reached its goal, and the reason if the goal was not reached.
 struct RunOutcome {
-  /// Reason why the goal was not reached, in one sentence; empty if the goal was reached.
+  /// Reason why the goal was not reached, in one sentence; empty if the goal was reached
   std::string unreached_reason{};
-  bool interrupted = false;  ///< whether Options::stop ended the simulation
+  bool interrupted = false;
 };
 
 /// Simulates round by round until the requested time, samples or error are reached, or until

@@ -46,7 +46,7 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
   set(&Moments::v4, 0, 4);
 }
 
-/// Mean damping power E[y' f(y, y')].
+/// Returns the mean damping power E[y' f(y, y')] with the damping force f.
 double damping_power(const problem::System& system, const Simulation& simulation,
                      const StreamRecord& r) {
   const auto& c = system.damping_polynomial();
@@ -61,8 +61,8 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   result.summary.impacts_accumulate = simulation.plan().has_contact_atoms;
   result.summary.impact_rate = weights.estimate(value_per_stream(
       simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
-  // The residual is linear in the averages. Its estimate is therefore the weighted mean of the
-  // residuals of the streams.
+  // The weighted mean of the residuals of the streams estimates the residual, since the residual is
+  // linear in the averages.
   const auto residual = weights.estimate(value_per_stream(simulation.streams(), [&](const auto& r) {
     return problem::energy_residual(
         problem, problem::Impact::exact,
@@ -76,9 +76,9 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   result.solution.standard_errors->energy_residual = residual.standard_error;
 }
 
-/// Sets the residuals of the virial and momentum balances. Like the balance of power, both
-/// residuals are linear in the averages and therefore have no sampling bias. Each residual
-/// is divided by the scale of its balance, averaged over all streams.
+/// Sets the residuals of the virial and momentum balances. The residuals are linear in the averages
+/// and therefore have no sampling bias. Each residual is divided by the scale of its balance,
+/// averaged over all streams.
 void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
                        const StreamWeights& weights, Summary& summary) {
   const auto& force = problem.system.restoring_force();
@@ -87,8 +87,8 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   const auto right_momentum = [&](const StreamRecord& r) {
     return r.right_speed / simulation.stream_time();
   };
-  // Mean contact force of the mass at rest, which is 0 without atoms. The momentum of accumulating
-  // impacts is already part of the sums over impacts.
+  // Mean contact force of the mass at rest, 0 without atoms. The sums over impacts already include
+  // the momentum of accumulating impacts.
   const auto contact_force_at_rest = [&](const StreamRecord& r) {
     return (o.left.contact_force * r.rest_left - o.right.contact_force * r.rest_right) /
            simulation.stream_samples();
@@ -131,7 +131,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
       &transform::BalanceResiduals::momentum);
 }
 
-/// Compares the drawn impulses with their law, before the weights remove the difference.
+/// Compares the drawn impulses with the impulse law, without the weights of the streams.
 void estimate_excess_power(const Simulation& simulation, Summary& summary) {
   const auto excess = plain_estimate(excess_powers(simulation));
   const double input = simulation.plan().excitation.power;
@@ -139,8 +139,8 @@ void estimate_excess_power(const Simulation& simulation, Summary& summary) {
   summary.excess_power_error = excess.standard_error / input;
 }
 
-/// Stores in the summary the effective numbers of samples of the plain stream averages, and the
-/// factors by which the weights of the control variate (StreamWeights) reduce the variances.
+/// Sets the effective numbers of samples of the plain stream averages, and the factors by which the
+/// weights (StreamWeights) reduce the variances.
 void estimate_efficiency(const Simulation& simulation, Result& result) {
   const auto reduction = [&](int p, int q, double error) {
     const double ratio = plain_estimate(stream_moments(simulation, p, q)).standard_error / error;
@@ -155,7 +155,6 @@ void estimate_efficiency(const Simulation& simulation, Result& result) {
   summary.variance_reduction_v2 = reduction(0, 2, errors.v2);
 }
 
-/// Fraction of the samples outside the bins.
 double outside_fraction(const Simulation& simulation, const StreamWeights& weights) {
   const SimulationPlan& plan = simulation.plan();
   const auto beyond = value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
@@ -170,7 +169,6 @@ double outside_fraction(const Simulation& simulation, const StreamWeights& weigh
   return std::max(0.0, weights.estimate(beyond).mean);
 }
 
-/// Sets the atoms, like the density in wall coordinates.
 void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                     transform::Solution& solution) {
   if (!simulation.plan().has_contact_atoms) return;
@@ -208,14 +206,14 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   solution.density = std::move(joint.density);
   summary.joint_standard_errors = std::move(joint.standard_errors);
   summary.outside_fraction = outside_fraction(simulation, weights);
-  // With atoms the distribution function has jumps, which its interpolation does not resolve.
+  // With atoms the distribution function has jumps, which the interpolation does not resolve.
   if (solution.atoms.empty()) {
     summary.y_quantiles = estimate_quantiles(simulation, weights, Variable::y);
     summary.v_quantiles = estimate_quantiles(simulation, weights, Variable::ydot);
   }
   summary.crossings = estimate_upcrossing_rates(simulation, weights);
-  // The peaks are not estimated under white noise, which causes infinitely many maxima, or in a
-  // mirrored frame, where the counted maxima are minima of y.
+  // The peaks are not estimated in two cases: white noise causes infinitely many maxima, and in a
+  // mirrored frame the counted maxima are minima of y.
   const SimulationPlan& plan = simulation.plan();
   if (!plan.kicks.is_present() && !plan.frame.mirrored) {
     summary.peaks = estimate_peak_rates(simulation, weights);
@@ -259,7 +257,6 @@ std::vector<StreamDeposit> deposits(const Simulation& simulation) {
   return all;
 }
 
-/// The reason why the burn-in is too short; empty if the burn-in is long enough.
 std::string burn_in_reason(const SimulationPlan& plan, const Options& options) {
   const auto text = [&](const std::string& cause, const char* action) {
     return fmt::format("the burn-in of {:.2g} is below 5 decay times: {}; {}", plan.burn_in, cause,
@@ -284,11 +281,10 @@ std::string burn_in_reason(const SimulationPlan& plan, const Options& options) {
   return "";
 }
 
-/// @param unreached_reason reason why the simulation did not reach its goal; empty if it reached
-/// the goal
+/// @param unreached_reason reason why the simulation did not reach its goal, or empty
 void set_status(const SimulationPlan& plan, const Options& options, const Summary& summary,
                 transform::Solution& solution, const std::string& unreached_reason) {
-  constexpr std::uint64_t kFewestImpulses = 10;  // per stream
+  constexpr std::uint64_t kFewestImpulses = 10;  // least number of impulses per stream
   const transform::Moments& m = solution.moments;
   const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
   solution.status =
@@ -314,7 +310,6 @@ void set_status(const SimulationPlan& plan, const Options& options, const Summar
   }
 }
 
-/// Sets all estimates; set_status() sets the status.
 void estimate(const problem::Problem& problem, const Simulation& simulation, Result& result) {
   const StreamWeights weights(excess_powers(simulation));
   result.solution.standard_errors.emplace();
@@ -385,7 +380,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   // Evenly spaced kicks would lift the mass off the wall after each interval. The result would
   // depend on the interval and would not converge as the interval tends to 0.
   solution.reason = problem::inelastic_collapse_reason(problem, options.equation);
-  if (!solution.reason.empty()) return result;  // status failed
+  if (!solution.reason.empty()) return result;  // status `failed`
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
     summary.warnings.push_back(warning);
     if (options.warn) options.warn(warning);

@@ -12,7 +12,6 @@ using transform::MetricBuilder;
 using transform::MetricKind;
 using transform::value_from_count;
 
-/// Adds a value and its standard error.
 void add_metrics(MetricBuilder& builder, const std::string& path, const Estimate& estimate,
                  const std::string& error_path) {
   builder.add({.path = path, .value = estimate.mean, .standard_error_path = error_path});
@@ -52,7 +51,7 @@ void add_quantile_metrics(MetricBuilder& builder, const std::string& path,
 
 void add_rate_metrics(MetricBuilder& builder, const std::string& path,
                       const std::vector<LevelEventRate>& rates) {
-  // With fewer than about a hundred events the standard error itself is inaccurate.
+  // With fewer than about 100 events the standard error itself is inaccurate.
   constexpr double kRare = 0.1;
   add_metric_list(
       builder, path, rates, MetricKind::result,

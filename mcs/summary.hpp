@@ -13,64 +13,64 @@
 
 namespace fpkcheck::mcs {
 
-/// The deposited sums of one stream and the numbers that normalise them.
+/// Deposited sums of one stream and the numbers that normalise the sums.
 struct StreamDeposit {
   DepositedSums sums;
-  double samples = 0;                           ///< N, the divisor of the sums
-  double time = 0;                              ///< T, simulated time of the stream
-  double impacts = 0;                           ///< number of impacts
+  double samples = 0;  ///< number of samples N, the divisor of the sums
+  double time = 0;     ///< simulated time T of the stream
+  double impacts = 0;
   std::array<double, kPowers.size()> powers{};  ///< sums of y^p y'^q in the order of kPowers
 };
 
-/// Statistics of a simulation that are no members of transform::Solution.
+/// Statistics of a simulation that transform::Solution does not contain.
 struct Summary {
   double time = 0;  ///< simulated time over all streams, without the burn-in
   std::uint64_t samples = 0;
   double sampling_interval = 0;
-  /// Var(y'^2) / SE^2 with the plain standard error, that is without weights: the number of
-  /// independent draws of the stationary density with the same standard error of E[y'^2].
+  /// Effective number of samples Var(y'^2) / SE^2 for E[y'^2]: the number of independent draws with
+  /// the same standard error SE, without weights of the streams
   double effective_samples = 0;
-  double effective_samples_y2 = 0;  ///< number of effective samples for E[y^2]
+  double effective_samples_y2 = 0;  ///< effective number of samples for E[y^2]
   /// Variance reduction by the weights of the streams: variance of the plain mean divided by the
-  /// variance of the weighted mean.
+  /// variance of the weighted mean
   double variance_reduction_y2 = 1;
   double variance_reduction_v2 = 1;
-  /// Power of the drawn impulses less its expectation, relative to lambda E[Y^2]/2, and its
-  /// standard error. The weights remove this excess from the estimates. An excess of many standard
-  /// errors indicates impulses that do not follow their law.
+  /// Power of the drawn impulses minus the expected power, relative to lambda E[Y^2]/2, and its
+  /// standard error. The stream weights remove the excess power from the estimates. An excess power
+  /// of many standard errors indicates that the impulses do not follow their law.
   double excess_power = 0;
   double excess_power_error = 0;
-  double outside_fraction = 0;  ///< fraction of the samples outside the histogram
+  double outside_fraction = 0;
   std::uint64_t seed = 0;
   int threads = 0;
   int streams = 0;
-  double step = 0;                        ///< limit of the Taylor step in radians, Options::step
-  std::optional<double> kick_interval{};  ///< white noise: time between kicks
-  double burn_in = 0;                     ///< duration of the burn-in of each stream
-  Estimate impact_rate{};                 ///< impacts per unit time, int |v| p(0, v) dv over v < 0
-  /// Impacts end in rest in contact: their rate is infinite and not stated
+  double step = 0;  ///< limit of the Taylor step in radians, Options::step
+  std::optional<double> kick_interval{};
+  double burn_in = 0;
+  Estimate impact_rate{};  ///< impacts per unit time, int |v| p(0, v) dv over v < 0
+  /// Whether impacts end in rest in contact; the rate of impacts is then infinite and not stated
   bool impacts_accumulate = false;
-  transform::BalanceResiduals balances{};        ///< residuals of the weighted averages
-  transform::BalanceResiduals balance_errors{};  ///< standard errors of the residuals
+  transform::BalanceResiduals balances{};  ///< residuals of the balances of the weighted averages
+  transform::BalanceResiduals balance_errors{};  ///< standard errors of the residuals in `balances`
   std::uint64_t impulses = 0;
-  std::uint64_t flights = 0;  ///< number of Taylor polynomials
+  std::uint64_t flights = 0;  ///< number of Taylor polynomials of all flights
   std::uint64_t rounds = 0;
-  bool interrupted = false;  ///< whether Options::stop ended the simulation
-  /// E[y^p y'^q], p + q <= 4, in the order of kPowers.
+  bool interrupted = false;
+  /// moments E[y^p y'^q], p + q <= 4, in the order of kPowers
   std::vector<Estimate> joint_moments{};
   std::vector<Quantile> y_quantiles{}, v_quantiles{};
   std::vector<LevelEventRate> crossings{}, peaks{};
-  std::vector<double> thresholds{};  ///< threshold energies of the splitting
-  /// Standard errors of the averages of the joint histogram, row-major.
+  std::vector<double> thresholds{};
+  /// Standard errors of the averages of the joint histogram, row-major
   std::vector<double> joint_standard_errors{};
-  /// Deposited sums of each stream on the grid Options::deposit; empty without such a grid.
+  /// Deposited sums of each stream on the grid Options::deposit; empty without a deposit grid
   std::vector<StreamDeposit> deposits{};
-  /// Warnings about difficulties that do not affect the result, one line each (Options::warn).
+  /// Warnings about difficulties that do not affect the result, one line each (Options::warn)
   std::vector<std::string> warnings{};
 };
 
-/// The metrics of a summary, for files and pages: everything except the standard errors of the
-/// joint histogram, the deposits and the warnings.
+/// Returns the metrics of a summary for files and pages: everything except the standard errors of
+/// the joint histogram, the deposits and the warnings.
 transform::Metrics metrics(const Summary& summary);
 
 }  // namespace fpkcheck::mcs

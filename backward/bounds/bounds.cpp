@@ -22,7 +22,6 @@ namespace {
 
 constexpr int kWeightPower = 12;
 
-// Number of threads: the requested number, or one per processor.
 int threads_of(const Options& options) {
   return options.threads.value_or(base::available_processors());
 }
@@ -36,18 +35,18 @@ bool is_narrow_enough(const FunctionalBounds& bound, const Options& options) {
 // Reason why the refinement of the grids stopped for a functional.
 struct StopReason {
   enum class Cause { none, time, grids, fit } cause = Cause::none;
-  double seconds = 0;           ///< expected total time after the next grid
-  std::string error_message{};  ///< error message of the fit
+  double seconds = 0;  ///< expected total time after the next grid
+  std::string error_message{};
 };
 
 struct Refinement {
   GuaranteedBounds bounds;
-  std::vector<StopReason> ends;  ///< reason for each functional
+  std::vector<StopReason> ends;  ///< reason why the refinement stopped, for each functional
 };
 
 using FunctionalIndices = std::vector<std::size_t>;
 
-// A grid, and the functionals whose sequences of grids continue with this grid.
+// A grid and the functionals whose bounds are computed next on this grid.
 struct GridGroup {
   SplineGrid grid;
   FunctionalIndices indices;
@@ -77,14 +76,13 @@ std::vector<GridGroup> next_grid_groups(std::size_t level, const Options& option
   return groups;
 }
 
-// Rounds up to two significant digits.
 double round_up_to_two_digits(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return std::ceil(value / unit) * unit;
 }
 
-// The functional of the mirrored problem whose expectation equals, up to the sign, the expectation
-// of a given functional.
+// Returns the functional of the mirrored problem whose expectation equals, up to the sign, the
+// expectation of the given functional.
 Functional mirrored(const Functional& functional) {
   if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
     SmoothBin other = *bin;
@@ -101,7 +99,7 @@ bool is_odd(const Functional& functional) {
   return mean != nullptr && mean->power % 2 == 1;
 }
 
-// The functionals that the system supports: the impact momentum needs exactly one wall.
+// Removes the impact momentum unless the system has exactly one wall.
 std::vector<Functional> supported_functionals(const problem::System& system,
                                               std::vector<Functional> functionals) {
   if (system.left_wall().has_value() == system.right_wall().has_value()) {
@@ -147,7 +145,7 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
         record.values =
             bounds_from_grid(problem, tau, grid, functionals, threads_of(options), &report);
       } catch (const FitFailure& broken) {
-        end_all({StopReason::Cause::fit, 0, broken.what()});  // finer grids would fail too
+        end_all({StopReason::Cause::fit, 0, broken.what()});  // finer grids would also fail
         continue;
       }
       record.unknowns = report.unknowns;
@@ -157,7 +155,7 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
         numerics::Enclosure& value = result.bounds.each[indices[n]].value;
         value = value.intersection(record.values[n]);
         // The enclosures from two grids contain the same expectation. An empty intersection of the
-        // enclosures means an error in the program or in the rounding of the processor.
+        // enclosures shows an error of the program or of the rounding of the processor.
         if (value.lower > value.upper) {
           throw std::logic_error("bounds of " + name(functionals[n]) +
                                  " from two grids are disjoint");
@@ -168,7 +166,8 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
   }
 }
 
-// A single right wall becomes a left wall of the mirrored problem.
+// Computes the bounds of a problem with only a right wall from the mirrored problem, in which this
+// wall is on the left.
 Refinement mirrored_refinement(const problem::Problem& problem, const Options& options) {
   Options there = options;
   for (Functional& f : there.functionals) f = mirrored(f);
@@ -189,7 +188,7 @@ Refinement mirrored_refinement(const problem::Problem& problem, const Options& o
   return result;
 }
 
-// Names of the functionals for which the refinement of the grids stopped by a given cause.
+// Returns the names of the functionals whose refinement stopped by the given cause.
 std::vector<std::string> functionals_stopped_by(StopReason::Cause cause,
                                                 const Refinement& refinement) {
   std::vector<std::string> names;
@@ -200,8 +199,8 @@ std::vector<std::string> functionals_stopped_by(StopReason::Cause cause,
   return names;
 }
 
-// Message about bounds that are wider than requested: the cause, and an option that the caller can
-// change.
+// Returns a message about bounds that are wider than requested, with the cause and an option that
+// the caller can change.
 std::string width_reason(const Refinement& refinement, const Options& options) {
   const auto& ends = refinement.ends;
   if (const auto names = functionals_stopped_by(StopReason::Cause::time, refinement);

@@ -12,10 +12,10 @@
 namespace fpkcheck::backward {
 
 enum class BoundsStatus {
-  ok,             ///< bounds as narrow as requested
-  width_not_met,  ///< guaranteed bounds, wider than requested
-  failed,         ///< no finite bounds: see the reason
-  not_offered     ///< the problem is not supported: see the reason
+  ok,
+  width_not_met,
+  failed,      ///< the bounds are infinite; `reason` states the cause
+  not_offered  ///< the problem is not supported; `reason` states the cause
 };
 inline constexpr base::EnumEntry<BoundsStatus> kBoundsStatusNames[] = {
     {BoundsStatus::ok, "ok", "guaranteed"},
@@ -25,17 +25,17 @@ inline constexpr base::EnumEntry<BoundsStatus> kBoundsStatusNames[] = {
 constexpr const auto& enumerator_names(BoundsStatus) { return kBoundsStatusNames; }
 constexpr std::string_view name(BoundsStatus status) { return base::name_of(status); }
 
-/// Guaranteed bounds: value.lower <= E[functional] <= value.upper.
+/// Guaranteed bounds value.lower <= E[functional] <= value.upper.
 struct FunctionalBounds {
   Functional functional;
   numerics::Enclosure value;
 };
 
-/// Computing time of a grid of splines and bounds from this grid alone.
+/// Computing time of a spline grid, and the bounds from this grid alone.
 struct SplineGridBounds {
   SplineGrid grid;
   int unknowns;
-  double seconds;                 ///< wall-clock time
+  double seconds;                 ///< wall-clock time of the computation
   std::vector<std::size_t> each;  ///< indices of the functionals bounded on this grid
   /// Bounds of the functionals in `each`, from this grid alone
   std::vector<numerics::Enclosure> values;
@@ -48,11 +48,11 @@ struct GuaranteedBounds {
   std::vector<SplineGridBounds> grids;
 };
 
-/// Guaranteed bounds of stationary expectations of the oscillator with the exact impact and
-/// impulses (equation `kf`, impact `map`), by the backward equation (docs/bounds.md: theorem and
-/// proof). The bounds hold for the problem whose parameters are exactly the stored floating-point
-/// numbers. The functional w1 is the impact momentum at the only wall; without a wall or with two
-/// walls w1 is omitted.
+/// Returns guaranteed bounds of stationary expectations of the oscillator with the exact impact and
+/// impulses (equation `kf`, impact `map`), from the backward equation (docs/bounds.md has theorem
+/// and proof). The bounds hold for the problem whose parameters are exactly the stored
+/// floating-point numbers. The functional w1 is the impact momentum at the only wall; w1 is omitted
+/// without a wall or with two walls.
 /// @param problem in physical coordinates
 /// @throws InputError when an option is invalid; std::runtime_error when the rounding mode of the
 /// processor cannot be set; std::logic_error when bounds from two grids are disjoint

@@ -33,12 +33,12 @@ std::vector<double> integrand_breaks(Axis axis, const std::vector<Functional>& f
   return points;
 }
 
-// Bounds of the mean E[f] of an integrand f from the approximate mean U and the range of the
-// residual: U + least E[tau] <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
+// Returns bounds of the mean E[f] of an integrand f from the approximate mean U and the range of
+// the residual: U + least E[tau] <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
 numerics::Enclosure mean_enclosure(double mean, const ResidualRange& range, double outside,
                                    const ResidualWeight& weight) {
   const numerics::Interval tau = weight.mean_bound;
-  // If the range of the residual contains NaN or infinity, there is no bound.
+  // If the range of the residual contains NaN or infinity, no bound exists.
   if (!std::isfinite(range.least) || !std::isfinite(range.largest) || !std::isfinite(outside)) {
     return {-HUGE_VAL, HUGE_VAL};
   }

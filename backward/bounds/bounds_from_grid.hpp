@@ -14,7 +14,7 @@ struct SplineGridReport {
   int unknowns = 0;
   double table_seconds = 0, fit_seconds = 0, check_seconds = 0;
   struct FunctionalResidual {
-    double mean;            ///< U, the approximate mean of f
+    double mean;            ///< approximate mean U of the integrand f
     double least, largest;  ///< range of (f + L V - U)/tau inside the box
     double outside;         ///< upper bound of |f + L V - U|/tau outside the box
     long boxes;             ///< number of sub-boxes in the bisection
@@ -22,7 +22,6 @@ struct SplineGridReport {
   std::vector<FunctionalResidual> each;
 };
 
-/// Guaranteed bounds of all functionals from a single grid of splines.
 std::vector<numerics::Enclosure> bounds_from_grid(const problem::Problem& problem,
                                                   const ResidualWeight& weight,
                                                   const SplineGrid& grid,

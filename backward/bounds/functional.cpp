@@ -25,7 +25,7 @@ double bin_value(const SmoothBin& bin, double x) {
   const numerics::SplineBasis basis({bin.knots.begin(), bin.knots.end()}, 3);
   const int span = basis.span_containing(x);
   return basis.basis_derivatives(x, span, 0)(
-      0, 3 - span);  // the function on all five knots has index 3
+      0, 3 - span);  // the B-spline on all five knots has the index 3
 }
 
 }  // namespace
@@ -124,7 +124,8 @@ numerics::BernsteinCoefficients bin_enclosure(const SmoothBin& bin, const numeri
       slope = std::max(slope, magnitude(d));
     slope = (slope / numerics::Interval((to - from).lower())).upper();
   }
-  if (overhang > 0) {  // bound of basis_functions_on_piece(): |f'| <= 3 / shortest knot interval
+  // bound as in basis_functions_on_piece(), with |f'| <= 3 / shortest knot interval
+  if (overhang > 0) {
     const double error = (overhang * (slope + 3.1 / numerics::Interval(shortest))).upper();
     for (numerics::Interval& c : b) c += numerics::symmetric_interval(error);
   }

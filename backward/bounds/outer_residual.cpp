@@ -9,8 +9,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// A region outside the box of the splines: the least energy G in the region, bounds of the slopes
-// of the certificate V, and a bound of the oscillation of V in v.
+// A region outside the box of the splines, with the least energy G, bounds of the slopes of the
+// certificate V, and a bound of the oscillation of V in v.
 struct Region {
   numerics::Interval energy;
   double y_slope, v_slope, oscillation;
@@ -45,11 +45,12 @@ class OuterResidual {
   numerics::Interval c() const { return s_.weight.damping; }
   numerics::Interval k() const { return s_.weight.stiffness; }
   numerics::Interval cubic() const { return s_.weight.cubic; }
-  numerics::Interval stiffness() const { return k() - square(c()) / 4.0; }  // > 0
+  // positive reduced stiffness k - c^2/4
+  numerics::Interval stiffness() const { return k() - square(c()) / 4.0; }
   numerics::Interval r() const { return s_.velocity.restitution(); }
   numerics::Interval u_end() const { return s_.velocity.speeds().end(); }
 
-  // (k - c^2/4) y^2/2 + mu y^4/4
+  // potential energy (k - c^2/4) y^2/2 + mu y^4/4
   numerics::Interval potential(const numerics::Interval& y) const {
     return stiffness() * square(y) / 2.0 + cubic() * power(y, 4) / 4.0;
   }
@@ -58,9 +59,9 @@ class OuterResidual {
     return (numerics::Interval(coefficients.maxCoeff()) - coefficients.minCoeff()).upper();
   }
 
-  // Largest absolute slope of a spline on a span. The slope is a convex combination of the
-  // coefficients of the derivative, p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}), with
-  // i = span .. span + p - 1.
+  // Returns the largest absolute slope of a spline on a span. The slope is a convex combination of
+  // the coefficients of the derivative, p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}), with i = span ..
+  // span + p - 1.
   template <class Coefficient>
   static double max_slope(const numerics::SplineBasis& basis, int span,
                           const Coefficient& coefficient) {
@@ -76,16 +77,16 @@ class OuterResidual {
     return slope;
   }
 
-  // The least energy G for |v| >= u and |y| >= `y`. Since |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k
-  // y^2)/2, G = (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu
-  // y^4/4.
+  // Returns the least energy G for |v| >= u and |y| >= `y`. The bound |c v y|/2 <= (c/(2 sqrt k))
+  // (v^2 + k y^2)/2 gives G = (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k
+  // y^2)/2 + mu y^4/4.
   numerics::Interval least_incoming_energy(const numerics::Interval& u,
                                            const numerics::Interval& y) const {
     return (1.0 - c() / (2.0 * sqrt(k()))) * (square(u) + k() * square(y)) / 2.0 +
            cubic() * power(y, 4) / 4.0;
   }
-  // The least energy G for v >= `v` >= 0 and y >= `y` >= 0, or for v <= `v` <= 0 and y <= `y` <= 0:
-  // |w| = |v| + c |y|/2 increases with |v| and with |y|.
+  // Returns the least energy G for v >= `v` >= 0 and y >= `y` >= 0, or for v <= `v` <= 0 and y <=
+  // `y` <= 0. In these regions |w| = |v| + c |y|/2 increases with |v| and with |y|.
   numerics::Interval least_outgoing_energy(const numerics::Interval& v,
                                            const numerics::Interval& y) const {
     return square(v + c() * y / 2.0) / 2.0 + potential(y);
@@ -100,32 +101,30 @@ class OuterResidual {
     }
     return region;
   }
-  // The region outside the box with velocities v > r u_end and with y in a knot span.
+  // Returns the region outside the box with velocities v > r u_end and with y in a knot span.
   Region region_above(int span) const {
     const double y = s_.displacement.breaks()[span];
     return region_beside(span, last_column(),
                          y >= 0 ? least_outgoing_energy(r() * u_end(), y)
                                 : least_incoming_energy(r() * u_end(), least_displacement(span)));
   }
-  // The region outside the box with velocities v < -u_end and with y in a knot span.
+  // Returns the region outside the box with velocities v < -u_end and with y in a knot span.
   Region region_below(int span) const {
     return region_beside(span, 0, least_incoming_energy(u_end(), least_displacement(span)));
   }
-  // The least distance |y| from the origin in a knot span.
   double least_displacement(int span) const {
     const auto breaks = s_.displacement.breaks();
     return std::max({0.0, breaks[span], -breaks[span + 1]});
   }
-  // The distance |y| of an open end from the origin: y > 0 at the right end, y < 0 at the left end.
   numerics::Interval end(bool at_right) const {
     return at_right ? s_.displacement.end() : -s_.displacement.breaks().front();
   }
-  // The region beyond an open end of the box in y, with v in a knot span.
+  // Returns the region beyond an open end of the box in y, with v in a knot span.
   Region region_past_end(bool at_right, int span, bool outgoing) const {
     const ImpactBasis& velocity = s_.velocity;
     const numerics::Interval u = velocity.speeds().breaks()[span];
     const numerics::Interval speed = outgoing ? r() * u : u, y = end(at_right);
-    // Outgoing velocities point away from y = 0: v >= 0 at the right end.
+    // Outgoing velocities point away from y = 0: at the right end v >= 0.
     const numerics::Interval energy =
         outgoing == at_right ? least_outgoing_energy(speed, y) : least_incoming_energy(speed, y);
     const int row = at_right ? last_row() : 0;
@@ -136,14 +135,15 @@ class OuterResidual {
     const double slope = outgoing ? (numerics::Interval(in_speed) / r()).upper() : in_speed;
     return {energy, 0, slope, oscillation(row)};
   }
-  // The region beyond the ends of the box in y and in v, where the certificate V is constant.
+  // Returns the region beyond the ends of the box in y and in v, where the certificate V is
+  // constant.
   Region corner_region(bool at_right) const {
     return {potential(end(at_right)), 0, 0, oscillation(at_right ? last_row() : 0)};
   }
 
-  // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the residual
-  // |f + L V - U| is bounded by a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0.
-  // The ratio of this polynomial to G^m is largest at the least G.
+  // The residual |f + L V - U| is at most a polynomial in sqrt(G) of degree <= 4 < 2m with
+  // coefficients >= 0, since |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2
+  // sqrt(stiffness))). The ratio of this polynomial to G^m is largest at the least G.
   double region_bound(const Region& region) const {
     const double least = region.energy.lower();
     if (!(least > 0)) return HUGE_VAL;
@@ -157,7 +157,7 @@ class OuterResidual {
         numerics::Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
     const double bound =
         (numerator / power(numerics::Interval(least) / s_.weight.scale, s_.weight.power)).upper();
-    return std::isnan(bound) ? HUGE_VAL : bound;  // std::max would ignore NaN
+    return std::isnan(bound) ? HUGE_VAL : bound;  // the maximum of std::max would ignore NaN
   }
 
   const CertificateCheckInputs& s_;

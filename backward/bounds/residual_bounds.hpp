@@ -10,15 +10,15 @@
 
 namespace fpkcheck::backward {
 
-/// The certificate V of a bound (docs/bounds.md): an approximate solution of L V = U - f. The
+/// Certificate V of a bound (docs/bounds.md): an approximate solution of L V = U - f. The
 /// coefficients c_{ab} define V = sum c_{ab} A_a(y) B_b(v); the member `mean` is the constant U.
 struct Certificate {
   const Eigen::MatrixXd& coefficients;
   double mean;
 };
 
-/// Inputs of the checks of a certificate, besides the certificate: the problem, the spline bases,
-/// the enclosed factors of the generator, the weight tau and the kinds of the ends of the box.
+/// Inputs of the checks of a certificate: problem, spline bases, enclosed factors of the generator,
+/// weight tau, and kinds of the ends of the box.
 struct CertificateCheckInputs {
   const problem::Problem& problem;
   const numerics::SplineBasis& displacement;
@@ -37,10 +37,10 @@ double outer_residual_bound(const CertificateCheckInputs& context, const Functio
                             const Certificate& certificate);
 
 struct ResidualRange {
-  double least = 0, largest = 0;  ///< least <= 0 <= largest
-  /// Whether the bisection reached its tolerance. Otherwise the range is wider, but still valid.
+  double least = 0, largest = 0;  ///< the residual range satisfies least <= 0 <= largest
+  /// Whether the bisection reached its tolerance; without convergence the range is wider, but valid
   bool is_converged = true;
-  long boxes = 0;  ///< number of sub-boxes processed by the bisection
+  long boxes = 0;
 };
 
 /// Encloses the range of the weighted residual (f + L V - U) / tau over the box of the splines. On
@@ -48,7 +48,7 @@ struct ResidualRange {
 /// the residual, divided by the least tau. The bisection stops when the bounds of the range differ
 /// from attained values by less than the relative tolerance.
 /// @param expected_range (least, largest) values that are probably attained. Good values reduce the
-/// number of bisections; wrong values do not make the range invalid
+/// number of bisections; the range is valid for any values
 /// @pre inside call_with_upward_rounding
 ResidualRange residual_range(const CertificateCheckInputs& context, const Functional& functional,
                              const Certificate& certificate,

@@ -8,19 +8,19 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kMaxBisections = 40;  // largest number of successive bisections of a box
+constexpr int kMaxBisections = 40;
 
-// A sub-box of the product of two pieces, with the Bernstein coefficients of the residual.
+// Sub-box of the product of two pieces, with the Bernstein coefficients of the residual.
 struct Box {
   numerics::Interval y_from, y_to, v_from, v_to;
   int depth;
-  std::vector<numerics::Interval> residual;  // shape (rows, columns): degrees in y and v, plus 1
+  std::vector<numerics::Interval> residual;  // shape (degree in y + 1, degree in v + 1)
 };
 
-// Sums over the splines of v of the generator's three velocity factors times spline coefficients,
-// on every piece of v, for each spline a of y. The factor of A is multiplied by the coefficients
-// c_a, the factor of S' by the differences c_a - c_{a-1}, and the factor of the force by differences
-// of c_a between neighbouring splines of v.
+// Products of the three velocity factors of the generator and spline coefficients, summed over the
+// splines of v, on every piece of v and for each spline a of y. The factor of A is multiplied by
+// the coefficients c_a, and the factor of S' by the differences c_a - c_{a-1}. The factor of the
+// force is multiplied by differences of c_a between neighbouring splines of v.
 struct ContractedFactors {
   std::array<std::vector<numerics::Interval>, 3> factors;  // shape (pieces, functions of y, order)
 };
@@ -78,8 +78,8 @@ class RangeSearch {
 
   void process(Box box) {
     ++range_.boxes;
-    // The range of the Bernstein coefficients encloses the residual on the box. The residual
-    // attains the corner coefficients at the corners of the box.
+    // The range of the Bernstein coefficients encloses the residual on the box. The coefficients at
+    // the corners are values of the residual at the corners of the box.
     double least = box.residual[0].lower(), largest = box.residual[0].upper();
     double noise = 0;  // bound of the rounding errors, which bisection does not reduce
     bool is_finite = true;
@@ -115,7 +115,8 @@ class RangeSearch {
  private:
   static constexpr double kNegligible = 1e-13;
 
-  // Lower bound of the weight tau on the box: the value of tau at a lower bound of the energy G.
+  // Returns a lower bound of the weight tau on the box: the value of tau at a lower bound of the
+  // energy G.
   numerics::Interval min_weight(const Box& box) const {
     const numerics::Interval y = hull(box.y_from, box.y_to), v = hull(box.v_from, box.v_to);
     const numerics::Interval w = v + numerics::Interval(s_.weight.damping) * y / 2.0;
@@ -157,7 +158,7 @@ class RangeSearch {
     Box first = box, second = box;
     ++first.depth;
     ++second.depth;
-    // de Casteljau at 1/2: halving is exact except for underflow
+    // de Casteljau's algorithm at 1/2, where halving is exact except for underflow
     const int lines = in_y ? columns_ : rows_, n = in_y ? rows_ : columns_;
     const int line_step = in_y ? 1 : columns_, step = in_y ? columns_ : 1;
     for (int line = 0; line < lines; ++line) {
@@ -182,7 +183,7 @@ class RangeSearch {
   int rows_, columns_;
   double tolerance_;
   std::pair<double, double> attained_;
-  numerics::Interval stiffness_;  // k - c^2/4
+  numerics::Interval stiffness_;  // reduced stiffness k - c^2/4
   ResidualRange range_;
 };
 
@@ -193,8 +194,8 @@ ResidualRange residual_range(const CertificateCheckInputs& s, const Functional& 
                              std::pair<double, double> expected_range, double tolerance) {
   assert(std::fegetround() == FE_UPWARD);
   const Eigen::MatrixXd& c = certificate.coefficients;
-  // The impact condition (1) of docs/bounds.md must be checked, since the fit does not guarantee
-  // the impact condition.
+  // The fit does not guarantee the impact condition (1) of docs/bounds.md, therefore the impact
+  // condition is checked.
   const auto satisfies_impact_condition = [&](Eigen::Index row) {
     for (int b = 0; b < s.velocity.size(); ++b) {
       if (c(row, b) != c(row, s.velocity.mirrored_index(b))) return false;

@@ -10,14 +10,13 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Bound of the moment E[G^(n/2)] of the energy G from the bounds of its moments of integer power:
-// E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
+// Returns a bound of the moment E[G^(n/2)] of the energy G from the bounds of its moments of
+// integer power, by E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
 numerics::Interval half_power_bound(const std::vector<numerics::Interval>& bounds, int n) {
   if (n % 2 == 0) return bounds[n / 2];
   return sqrt(bounds[n / 2] * bounds[n / 2 + 1]);
 }
 
-// 2^(n/2)
 numerics::Interval power_of_root_two(int n) {
   const numerics::Interval whole = std::ldexp(1.0, n >= 0 ? n / 2 : -((1 - n) / 2));
   return n % 2 == 0 ? whole : whole * sqrt(numerics::Interval(2));
@@ -26,7 +25,7 @@ numerics::Interval power_of_root_two(int n) {
 std::vector<numerics::Interval> moment_bounds(const problem::Problem& problem, int power) {
   const numerics::Interval rate = problem.impulses.arrival_rate(),
                            damping = problem.system.damping();
-  std::vector<numerics::Interval> impulse(2 * power + 1);  // |E[Y^n]|
+  std::vector<numerics::Interval> impulse(2 * power + 1);  // bounds of |E[Y^n]|
   for (int n = 0; n <= 2 * power; ++n) {
     impulse[n] = magnitude(moment_enclosure(problem.impulses.law(), n));
   }

@@ -15,7 +15,7 @@ constexpr double kLeastCellFraction = 3e-2;
 
 numerics::SplineBasis displacement_basis(const SplineGrid& grid, const ResidualWeight& weight,
                                          const problem::System& system) {
-  // (k - c^2/4) y^2/2 + mu y^4/4 = edge h0
+  // the equation of y is (k - c^2/4) y^2/2 + mu y^4/4 = edge h0
   const double a = weight.cubic / 4,
                b = (weight.stiffness - weight.damping * weight.damping / 4) / 2;
   const double energy = grid.edge * weight.scale;
@@ -26,13 +26,13 @@ numerics::SplineBasis displacement_basis(const SplineGrid& grid, const ResidualW
     return numerics::SplineBasis(
         numerics::graded_breaks(y, grid.y_cells, grid.finest * y, grid.even * y));
   }
-  // The certificate V is not smooth across the orbits that graze a wall. The grazing orbits cross
-  // the whole phase plane, so the widths of the cells vary little.
+  // The certificate V is not smooth across the orbits that graze a wall. The widths of the cells
+  // vary little, since the grazing orbits cross the whole phase plane.
   const double width = end - begin;
   const int cells = static_cast<int>(std::ceil(grid.y_cells * std::max(0.5, width / y)));
   std::vector<double> breaks =
       numerics::graded_breaks(width, cells, kLeastCellFraction * width, grid.even * width);
-  if (begin == -y) {  // no left wall: uniform cells
+  if (begin == -y) {  // without a left wall the cells are uniform
     for (std::size_t n = 0; n < breaks.size(); ++n) {
       breaks[n] = width * static_cast<double>(n) / cells;
     }
@@ -71,14 +71,14 @@ WidthLimitingFeature width_limiting_feature(const Functional& functional) {
 
 std::span<const SplineGrid> grid_sequence(WidthLimitingFeature limit) {
   // The certificate V has a conical point at the origin. Smaller cells at the origin reduce the
-  // error as long as these cells dominate the error. On grids finer than the last grid, rounding in
-  // the normal equations costs more accuracy than smaller cells gain.
+  // error as long as the error from the cells at the origin dominates. On finer grids than the last
+  // grid of kOrigin, rounding in the normal equations loses more accuracy than smaller cells gain.
   static constexpr SplineGrid kOrigin[] = {{16, 16, 3e-3, 0.3, 7},      {22, 22, 1e-3, 0.2, 7.5},
                                            {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
                                            {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
                                            {72, 72, 2.5e-6, 0.15, 8}};
   // For moments of higher powers the normal equations lose digits already on coarser grids. The
-  // last grids of the sequence kTails therefore have wider cells at the origin and a larger box.
+  // last grids of kTails therefore have wider cells at the origin and a larger box.
   static constexpr SplineGrid kTails[] = {kOrigin[0],
                                           kOrigin[1],
                                           kOrigin[2],
@@ -86,8 +86,8 @@ std::span<const SplineGrid> grid_sequence(WidthLimitingFeature limit) {
                                           kOrigin[4],
                                           {56, 56, 6e-5, 0.1, 9.5},
                                           {64, 64, 3e-5, 0.12, 9.5}};
-  // The flow transports the knots of a smooth bin through the whole phase plane, so the widths of
-  // the cells vary little.
+  // The flow transports the knots of a smooth bin through the whole phase plane, therefore the
+  // widths of the cells vary little.
   static constexpr SplineGrid kKnots[] = {{20, 28, 3e-2, 0.1, 6},
                                           {28, 40, 3e-2, 0.1, 6},
                                           {36, 50, 3e-2, 0.1, 6},

@@ -8,31 +8,31 @@
 
 namespace fpkcheck::backward {
 
-/// Numbers and grading of the cells of the splines in the fit of the backward equation.
+/// Numbers and grading of the spline cells in the fit of the backward equation.
 struct SplineGrid {
   int y_cells, speed_cells;
   double finest, even;  ///< arguments of numerics::graded_breaks, relative to the extents
-  double edge;          ///< value of G (ResidualWeight) at the edges of the box, in units of h0
+  double edge;          ///< energy G (ResidualWeight) at the edges of the box, in units of h0
 
   bool operator==(const SplineGrid&) const = default;
 };
 
 /// Kinds of the two ends of the box in y. The motion can leave the box at an open end. Beyond an
-/// open end the certificate V is constant in y, up to the wall if there is a wall.
+/// open end the certificate V is constant in y, up to a wall if present.
 struct BoxEnds {
   bool left_wall = true, right_wall = false;
   bool left_open = false, right_open = true;
 };
 
-/// Splines of y from wall to wall. On a side without a wall the splines end where the energy G of
-/// ResidualWeight, at y' = -c y/2, equals SplineGrid::edge times the energy scale h0.
+/// Returns the splines of y from wall to wall. On a side without a wall the splines end where the
+/// energy G of ResidualWeight, at y' = -c y/2, equals SplineGrid::edge times the energy scale h0.
 numerics::SplineBasis displacement_basis(const SplineGrid& grid, const ResidualWeight& weight,
                                          const problem::System& system);
 BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::System& system);
 ImpactBasis velocity_basis(const SplineGrid& grid, const ResidualWeight& weight,
                            double restitution);
 
-/// The feature of the certificate V that determines how narrow the bounds on a grid can be.
+/// Feature of the certificate V that limits how narrow the bounds on a grid can be.
 enum class WidthLimitingFeature {
   origin,  ///< for powers up to 2 and w1: the conical point of V at the origin
   tails,   ///< for higher powers: the edges of the box, and rounding where V is large
@@ -40,10 +40,10 @@ enum class WidthLimitingFeature {
 };
 WidthLimitingFeature width_limiting_feature(const Functional& functional);
 
-/// The sequence of grids, from coarse to fine, for functionals whose bounds are limited by the
-/// feature `limit`. The first grids of `origin` and `tails` are equal.
+/// Returns the sequence of grids, from coarse to fine, for functionals whose bounds are limited by
+/// the feature `limit`.
 std::span<const SplineGrid> grid_sequence(WidthLimitingFeature limit);
-/// Upper limit of the ratio of the computing times of consecutive grids of a sequence.
+/// Upper limit of the ratio of the computing times of consecutive grids of a sequence
 inline constexpr double kGridCostRatio = 2.5;
 
 }  // namespace fpkcheck::backward

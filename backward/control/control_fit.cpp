@@ -17,39 +17,40 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr double kBoxFactorY = 9.0 / 7,
-                 kBoxFactorV = 1.5;        // box in units of the extents of MotionScales
+                 kBoxFactorV = 1.5;  // size of the box in units of the extents of MotionScales
 constexpr double kUniformFraction = 0.55;  // fraction of the extent that has uniform cells
 constexpr double kMinCellRatio = 0.05;     // width of the narrowest cell relative to a uniform cell
-// This ratio for y if white noise and losses cause a spike at the wall, which is as narrow as v^3 /
-// D.
+// Width ratio of the narrowest cell of y if white noise and impact losses cause a spike at the
+// wall, which is as narrow as v^3 / D
 constexpr double kMinSpikeCellRatio = 0.002;
 constexpr double kCellGrowth =
     0.25;                        // slope of the cell width with distance from the narrowest cell
 constexpr int kCornerKnots = 3;  // multiplicity of the knot at v = 0 with a wall
-constexpr double kWeightTemperature = 2;  // temperature of the weight, in variances of y'
-// Temperature of the weight with several wells. The slowest solution of the backward equation is
-// nearly constant in each well and varies on the barrier. The magnitude of this solution is the
-// exchange time between the wells, exp(barrier / T). If the weight is wider than the density, the
-// residual on the barrier adds more to the weighted sum than a wrong mean in each well does, and
-// the fit omits this solution. Of 30 random problems the fit contains the slowest solution in 14 at
+constexpr double kWeightTemperature = 2;  // temperature T of the weight, in variances of y'
+// Temperature T of the weight with several wells. The slowest solution of the backward equation is
+// nearly constant in each well and varies on the barrier. The magnitude of the slowest solution is
+// the exchange time between the wells, exp(barrier / T). With a weight wider than the density, the
+// residual on the barrier adds more to the weighted sum than wrong means in the wells, and the fit
+// omits the slowest solution. Of 30 random problems the fit contains the slowest solution in 14 at
 // temperature 2 and in 18 at 0.7 (RandomWells in tests/backward/residual). In ten of these problems
 // the unresolved residual is about the same at temperatures 0.5 to 0.7, and larger at 1 and 2.
 constexpr double kWellWeightTemperature = 0.7;
 constexpr double kNegligibleRatio = 1e-9;
 
-// Cells of a nearly Gaussian density, on fractions of the extents of MotionScales, which are seven
-// deviations: of equal width up to five deviations in y and six in v, and geometrically wider at
-// larger distances. Control functions on cells from cell_widths() gave larger standard errors of
-// E[y^2], E[y'] and p(y) (`ctest -R baselines.case2`).
+// Cells for a nearly Gaussian density, as fractions of the extents of MotionScales, which are seven
+// deviations. Cells have equal width up to five deviations in y and six in v, and geometrically
+// increasing widths beyond. With cells from cell_widths() the control functions gave larger
+// standard errors of E[y^2], E[y'] and p(y) (`ctest -R baselines.case2`).
 constexpr double kGaussianCoreY = 5.0 / 7, kGaussianCoreV = 6.0 / 7;
-constexpr int kGradedCells = 12;          // cells that become narrower towards the wall and v = 0
+// number of cells that become narrower towards the wall and towards v = 0
+constexpr int kGradedCells = 12;
 constexpr double kOffWallDeflection = 4;  // static deflection off the wall, in deviations of y
 
-/// Break points from `begin` to `end`; the width of a cell is proportional to `width`.
+/// Returns break points from `begin` to `end` such that the cell width is proportional to `width`.
 std::vector<double> breaks_by_width(double begin, double end, int cells,
                                     const std::function<double(double)>& width) {
   constexpr int kSteps = 4000;
-  std::vector<double> cumulative_cells{0};  // cumulative number of cells
+  std::vector<double> cumulative_cells{0};
   const double step = (end - begin) / kSteps;
   for (int k = 0; k < kSteps; ++k) {
     cumulative_cells.push_back(cumulative_cells.back() + step / width(begin + (k + 0.5) * step));
@@ -67,8 +68,8 @@ std::vector<double> breaks_by_width(double begin, double end, int cells,
   return breaks;
 }
 
-/// Cell width as a function of position. The width is `even` between `low` and `high`, grows
-/// outside this interval, and is smaller near the points `narrow_at`.
+/// Returns the cell width as a function of position. The width is `even` between `low` and `high`,
+/// grows outside this interval, and is smaller near the points `narrow_at`.
 std::function<double(double)> cell_widths(std::vector<double> narrow_at, double even, double low,
                                           double high, double least_cell = kMinCellRatio) {
   return [=](double x) {
@@ -81,7 +82,8 @@ std::function<double(double)> cell_widths(std::vector<double> narrow_at, double 
   };
 }
 
-/// Largest amplitude of an impulse whose density times the deviation of the law exceeds 1e-9.
+/// Returns the largest impulse amplitude at which the density times the deviation of the law
+/// exceeds 1e-9.
 double largest_amplitude(const problem::ImpulseTrain& impulses) {
   if (!impulses.is_present()) return 0;
   double largest = 0;
@@ -102,8 +104,8 @@ double largest_amplitude(const problem::ImpulseTrain& impulses) {
   return largest;
 }
 
-/// Factor >= 1 by which the box is wider than its default size, so that the box contains the
-/// velocity after the largest impulse.
+/// Returns a factor >= 1 by which the box is widened to contain the velocity after the largest
+/// impulse.
 double box_widening(const problem::Problem& problem, const problem::MotionScales& scales) {
   constexpr double kInitialVelocity =
       2;  // velocity before the largest impulse, in deviations of y'

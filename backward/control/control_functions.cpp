@@ -11,7 +11,7 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kDegree = numerics::QuinticBSplines::kDegree;
-constexpr int kPoints = 8;  // points of the Gauss rule on a cell
+constexpr int kPoints = 8;  // number of points of the Gauss rule on a cell
 
 void apply_weight(numerics::QuadratureRule& q, const std::function<double(double)>& weight) {
   for (std::size_t n = 0; n < q.points.size(); ++n) {
@@ -43,8 +43,8 @@ Eigen::VectorXd values_at_points(const std::vector<double>& points,
   return values;
 }
 
-/// Gram matrix int u w(wall, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u), mirrored at a
-/// right wall.
+/// Returns the Gram matrix int u w(wall, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u),
+/// mirrored at a right wall.
 Eigen::MatrixXd wall_gram(const ControlFitProblem& p, const ImpactWall& wall) {
   numerics::QuadratureRule q =
       numerics::composite_gauss_rule<kPoints>(impact_jump_breaks(p.v, wall));
@@ -66,7 +66,7 @@ numerics::BlockBandedMatrix normal_matrix(const ControlFitProblem& p, const Gram
       }
     }
   }
-  // At a wall only one spline of y differs from 0; the value of this spline is 1.
+  // At a wall only one spline of y is nonzero, with the value 1.
   for (const ImpactWall& wall : impact_walls(p.problem.system)) {
     const int at = wall.rebound_sign > 0 ? 0 : p.y.size() - 1;
     matrix.block(at, at) += p.wall_weight * wall_gram(p, wall);
@@ -98,7 +98,7 @@ ControlFunctions fit_control_functions(const ControlFitProblem& problem,
   const auto count = static_cast<Eigen::Index>(all.size());
   const Eigen::Index nv = problem.v.size();
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(equations.size(), count);
-  std::vector<double> integrals;  // int w f
+  std::vector<double> integrals;  // weighted integral int w f of each function f
   for (Eigen::Index f = 0; f < count; ++f) {
     const auto& [y_factor, v_factor] = all[static_cast<std::size_t>(f)];
     const Eigen::VectorXd wy = in_y.weights.cwiseProduct(values_at_points(in_y.points, y_factor));
@@ -112,7 +112,7 @@ ControlFunctions fit_control_functions(const ControlFitProblem& problem,
   ControlFunctions result;
   result.coefficients = equations.solve(right);
   // The residual e_f of the fit to f is orthogonal to L h for every spline h. Therefore <e_1, e_f>
-  // = <1, f> + <1, L h_f>, where the last column of -right has the products <1, L A B>.
+  // = <1, f> + <1, L h_f>, where the last column of -right contains the products <1, L A B>.
   const Eigen::VectorXd products = result.coefficients.transpose() * right.rightCols<1>();
   const double of_one = integrals.back() - products(count - 1);
   for (Eigen::Index f = 0; f + 1 < count; ++f) {

@@ -115,7 +115,7 @@ void add(const numerics::QuinticBSplines& splines, double at, double probability
   }
 }
 
-/// The ends of the subintervals of a smooth piece of the density, shifted by v.
+/// Returns the ends of the subintervals of a smooth piece of the amplitude density, shifted by v.
 std::vector<double> part_ends(const numerics::QuinticBSplines& splines, double from, double to,
                               double longest) {
   std::vector<double> ends{from};

@@ -30,7 +30,6 @@ namespace {
 
 double middle(const numerics::Interval& x) { return enclosure_from_interval(x).middle(); }
 
-// Values at t of all Bernstein polynomials of degree n.
 std::vector<double> bernstein_basis(int n, double t) {
   std::vector<double> b(n + 1, 0.0);
   b[0] = 1;
@@ -75,7 +74,7 @@ VelocitySamples velocity_samples(const VelocityOperators& operators, const Impac
     }
     for (std::size_t l = 0; l < operators.index[at].size(); ++l) {
       drift.emplace_back(i, operators.index[at][l], sum(operators.drift[at][l], bernstein));
-      // adds the term (c_l - c_{l-1}) S_l' of a spline's derivative (VelocityOperators)
+      // adds the term (c_l - c_{l-1}) S_l' of the spline derivative, see VelocityOperators
       if (l == 0) continue;
       const double slope = sum(operators.force[at][l - 1], bernstein);
       force.emplace_back(i, operators.index[at][l], slope);

@@ -13,25 +13,25 @@ namespace fpkcheck::backward {
 /// Values of the three factors in v of the generator (VelocityOperators) at points, rounded to
 /// nearest. The least-squares fit needs no guaranteed enclosures.
 struct VelocitySamples {
-  std::vector<double> v;              ///< points, increasing
-  Eigen::MatrixXd jump;               ///< lambda (K B - B) - c v B', shape (points, functions)
-  Eigen::SparseMatrix<double> drift;  ///< v B
-  Eigen::SparseMatrix<double> force;  ///< -B'
+  std::vector<double> v;  ///< increasing points
+  Eigen::MatrixXd jump;   ///< factor lambda (K B - B) - c v B', shape (points, functions)
+  Eigen::SparseMatrix<double> drift;  ///< factor v B
+  Eigen::SparseMatrix<double> force;  ///< factor -B'
 };
 
-/// Values and slopes of the splines in y at points.
 struct DisplacementSamples {
   std::vector<double> y;
-  std::vector<int> span;                ///< knot span of each point
-  std::vector<Eigen::MatrixXd> values;  ///< values and slopes, shape (2, degree + 1)
+  std::vector<int> span;
+  std::vector<Eigen::MatrixXd> values;  ///< values and slopes of the splines, shape (2, degree + 1)
 };
 
-/// The zeros of the Chebyshev polynomial of degree `count`, shifted to (0, 1), in increasing order.
+/// Returns the zeros of the Chebyshev polynomial of degree `count`, shifted to (0, 1), in
+/// increasing order.
 std::vector<double> chebyshev_points(int count);
 
 DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int points_per_cell);
 
-/// Values of the velocity factors of the generator at `points_per_cell` Chebyshev points of every
+/// Returns the velocity factors of the generator at `points_per_cell` Chebyshev points of every
 /// cell of v.
 VelocitySamples velocity_samples(const VelocityOperators& operators, const ImpactBasis& basis,
                                  int points_per_cell);

@@ -1,18 +1,20 @@
-// Laplace law: density exp(-|y - m|/s) / (2s), s the scale. K B(v) = L(v + m) + R(v + m) with
+// The Laplace law has the density exp(-|y - m|/s) / (2s) with the scale s. The mean after an
+// impulse is K B(v) = L(v + m) + R(v + m) with
 //
 //     L(z) = int_{-inf}^z B(x) exp(-(z - x)/s) dx/(2s),   s L' = -L + B/2,
 //
-// and R the mirrored integral over x > z. The exponential law has only one of the two integrals, at
-// v + m - scale and with the weight w = 1 in place of 1/2: R for an upper tail, L for a lower tail.
+// and R the mirrored integral over x > z. The exponential law has only one of the integrals L and
+// R, at v + m - scale and with the weight w = 1 in place of 1/2: R for an upper tail, L for a lower
+// tail.
 //
-// L is integrated from piece to piece along the axis. Within a piece of length e, with theta =
-// (z - begin)/e, L is the sum of L(begin) exp(-e theta/s) and of a solution that starts at 0. Both
+// L is integrated from piece to piece along the axis. Within a piece of length e, with theta = (z -
+// begin)/e, L is the sum of L(begin) exp(-e theta/s) and of a solution that starts at 0. Both terms
 // are power series with
 //
 //     q_{n+1} = (e/s) (-q_n + w b_n) / (n + 1).
 //
-// For n > p the terms are those of an exponential series: the remainder after the last term kept,
-// n = N - 1, is at most |q_N| exp(e/s).
+// For n > p the terms are terms of an exponential series: the remainder of the series after the
+// term n = N - 1 is at most |q_N| exp(e/s).
 #include <algorithm>
 #include <cmath>
 
@@ -21,14 +23,14 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kOneSidedOrder = 16;  // N
+constexpr int kOneSidedOrder = 16;  // number N of coefficients of the power series
 
 // Bernstein coefficients in theta of the two solutions on a piece.
 struct OneSidedSolution {
-  numerics::BernsteinCoefficients decay;  ///< exp(-e theta/s)
+  numerics::BernsteinCoefficients decay;  ///< decay exp(-e theta/s) of L within the piece
   std::vector<numerics::BernsteinCoefficients>
       forced;                      ///< solution for each function of the piece, 0 at theta = 0
-  numerics::Interval final_decay;  ///< exp(-e/s)
+  numerics::Interval final_decay;  ///< decay exp(-e/s) over the whole piece
 };
 
 numerics::BernsteinCoefficients enclose_series(numerics::BernsteinCoefficients powers,
@@ -65,7 +67,7 @@ OneSidedSolution solve_one_sided(const std::vector<numerics::BernsteinCoefficien
   return solution;
 }
 
-// The pieces shifted by the offset of the law, in order, and further pieces between the shifted
+// The pieces shifted by the offset of the law, in order, with additional pieces between the shifted
 // pieces and the ends of the basis.
 struct ShiftedAxis {
   std::vector<VelocityPiece> pieces;
@@ -93,8 +95,8 @@ ShiftedAxis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPie
   return axis;
 }
 
-// The weights w of the integral L over velocities below z and of the integral R over velocities
-// above z, where z is the velocity v plus the shift of the law.
+// Weights w of the integral L over velocities below z and of the integral R over velocities above
+// z, where z is the velocity v plus the shift of the law.
 struct TailWeights {
   double below, above;
 };
@@ -110,7 +112,7 @@ ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const Ta
   for (const bool forward : {true, false}) {
     const double weight = forward ? weights.below : weights.above;
     if (weight == 0) continue;
-    // Integral L or R of all basis functions at the end of the axis: beyond this end every basis
+    // Integral L or R of all basis functions at the end of the axis, beyond which every basis
     // function is constant.
     std::vector<numerics::Interval> end_values(basis.size(), numerics::Interval(0));
     end_values[forward ? 0 : basis.size() - 1] = weight;
@@ -146,7 +148,7 @@ ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const Ta
   // A bound of the error of a spline B on the whole axis also bounds the error of the mean K B
   // after an impulse.
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
-  // If all shifted pieces lie beyond the range of the basis, the pieces between the shifted pieces
+  // If all shifted pieces are beyond the range of the basis, the pieces between the shifted pieces
   // and this range are missing, and no bound is valid.
   const double range_length = (pieces.back().to - pieces.front().from).lower();
   if (!(magnitude(shift) < range_length)) table.remainder = HUGE_VAL;

@@ -1,16 +1,15 @@
-// Y ~ N(m, s^2). With v = v0 + h x on the target piece and z = z0 + g y on a source piece,
-// D = (z0 - v0 - m)/s and the Hermite polynomials He,
+// The Gaussian law is Y ~ N(m, s^2). With v = v0 + h x on the target piece, z = z0 + g y on a
+// source piece, D = (z0 - v0 - m)/s and the Hermite polynomials He, the mean after an impulse is
 //
 //     K B(v) = int B(z) phi((z - v - m)/s) dz/s
 //            = sum_{q,k} x^q (h/s)^q/q! (-1)^k (g/s)^k/k! He_{q+k}(D) phi(D) int B y^k dz/s.
 //
-// Truncation errors for |V| <= 1 (the functions are positive and their sum is 1):
+// Truncation errors for |V| <= 1, since the functions are positive and their sum is 1:
 // - sources beyond kSourceRange deviations: P(|Y - m| > kSourceRange s) <= 2
-// exp(-kSourceRange^2/2);
+//   exp(-kSourceRange^2/2);
 // - q >= N: |d^N/dv^N K V| <= s^-N E|He_N| <= s^-N sqrt(N!), so (h/s)^N / sqrt(N!);
-// - k >= K: |He_n phi| <= 0.44 sqrt(n!) (Cramer) and (q+k)! <= 2^(q+k) q! k!. With
-//   a = sqrt(2) g/s, b = sqrt(2) h/s the error is at most
-//   0.44 (2g/s) b^q/sqrt(q!) sum_{k>=K} a^k/sqrt(k!).
+// - k >= K: |He_n phi| <= 0.44 sqrt(n!) (Cramer) and (q+k)! <= 2^(q+k) q! k!. With a = sqrt(2) g/s,
+//   b = sqrt(2) h/s the error is at most 0.44 (2g/s) b^q/sqrt(q!) sum_{k>=K} a^k/sqrt(k!).
 #include <cmath>
 #include <stdexcept>
 
@@ -19,8 +18,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kOrder = 16;          // N
-constexpr int kSourceMoments = 20;  // K
+constexpr int kOrder = 16;          // order N of the Taylor series in the target piece
+constexpr int kSourceMoments = 20;  // number K of moments of a source piece
 constexpr double kSourceRange = 9;
 
 numerics::Interval centre_of(const VelocityPiece& piece) { return (piece.from + piece.to) / 2.0; }
@@ -31,7 +30,7 @@ numerics::Interval factorial(int n) {
   return f;
 }
 
-// Bernstein coefficients of degree n of x^q, x = 2t - 1.
+// Returns the Bernstein coefficients of degree n of x^q, x = 2t - 1.
 numerics::BernsteinCoefficients centred_power(int q, int n) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
   numerics::BernsteinCoefficients b{numerics::Interval(1)};
@@ -39,8 +38,8 @@ numerics::BernsteinCoefficients centred_power(int q, int n) {
   return elevate_degree(b, n);
 }
 
-// int_0^1 B_j^p(t) (2t - 1)^k dt, shape (p + 1, kSourceMoments): the mean of the Bernstein
-// coefficients of the integrand.
+// Returns int_0^1 B_j^p(t) (2t - 1)^k dt, shape (p + 1, kSourceMoments), as the mean of the
+// Bernstein coefficients of the integrand.
 std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
   std::vector<numerics::BernsteinCoefficients> integrals(
@@ -85,8 +84,8 @@ Source make_source(const ImpactBasis& basis, const VelocityPiece& piece, double 
   return source;
 }
 
-// Upper bound of the sum of a^n / sqrt(n!) over n >= first. For a <= 3/4 the ratio of consecutive
-// terms is at most 3/4.
+// Returns an upper bound of the sum of a^n / sqrt(n!) over n >= first. For a <= 3/4 the ratio of
+// consecutive terms is at most 3/4.
 numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
   if (!(a.upper() <= 0.75)) throw std::logic_error("gaussian table: velocity pieces too long");
   return 4.0 * power(a, first) / sqrt(factorial(first));
@@ -100,7 +99,8 @@ ImpulseTable impulse_table_of_law(const problem::GaussianLaw& law, const ImpactB
   ImpulseTable table = zero_impulse_table(basis, pieces, kOrder);
   const auto integrals = power_integrals(basis.speeds().degree());
 
-  // Source pieces beyond the ends of the basis, where the first or the last basis function is 1.
+  // Source pieces are added beyond the ends of the basis, where the first or the last basis
+  // function is 1.
   std::vector<VelocityPiece> source_pieces(pieces);
   const double source_range = kSourceRange * s + std::abs(law.mean) + s, step = 0.6 * s;
   double widest = 0;
@@ -126,7 +126,7 @@ ImpulseTable impulse_table_of_law(const problem::GaussianLaw& law, const ImpactB
 
   std::vector<numerics::BernsteinCoefficients> bernstein;
   for (int q = 0; q < kOrder; ++q) bernstein.push_back(centred_power(q, kOrder - 1));
-  // phi(D) = exp(-D^2/2) / sqrt(2 pi), 1/sqrt(2 pi) = 0.398942280401432677939946...
+  // 1/sqrt(2 pi) = 0.398942280401432677939946... in phi(D) = exp(-D^2/2) / sqrt(2 pi)
   const numerics::Interval root(0.3989422804014326, 0.3989422804014328);
   std::vector<numerics::Interval> hermite(kOrder + kSourceMoments);
   numerics::Interval largest_h = 0, largest_g = 0;
@@ -171,7 +171,7 @@ ImpulseTable impulse_table_of_law(const problem::GaussianLaw& law, const ImpactB
 
   const numerics::Interval a = sqrt(numerics::Interval(2)) * largest_g / s,
                            b = sqrt(numerics::Interval(2)) * largest_h / s;
-  // Total length of the source pieces of a target piece, in standard deviations of the law.
+  // Total length of the source pieces of a target piece, in standard deviations of the law
   const numerics::Interval source_length =
       2.0 * (kSourceRange + 2.0 * (largest_h + 2.0 * largest_g) / s);
   const numerics::Interval sources_cut =

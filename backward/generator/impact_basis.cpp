@@ -7,7 +7,6 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Ends of a span in v, increasing.
 std::array<numerics::Interval, 2> span_ends(const ImpactBasis& basis, VelocitySide side, int span) {
   const double u0 = basis.speeds().breaks()[span], u1 = basis.speeds().breaks()[span + 1];
   if (side == VelocitySide::incoming) return {numerics::Interval(-u1), numerics::Interval(-u0)};
@@ -19,7 +18,7 @@ double middle(const numerics::Interval& from, const numerics::Interval& to) {
   return (from.lower() + to.upper()) / 2;
 }
 
-// Upper bound of |dB/dv|: p / (the shortest knot interval in v).
+// Returns an upper bound of |dB/dv|: p / (the shortest knot interval in v).
 double max_slope(const ImpactBasis& basis) {
   const std::span<const double> u = basis.speeds().breaks();
   double shortest = u[1] - u[0];
@@ -71,9 +70,9 @@ BasisFunctionsOnPiece basis_functions_on_piece(const ImpactBasis& basis,
     }
     slope = (slope * p / numerics::Interval(piece.length().lower())).upper();
   }
-  // At the end of the span the polynomial equals the basis function. On the overhang the difference
-  // between the polynomial and the basis function is at most the overhang's length times the sum of
-  // the bounds of the two slopes.
+  // At the end of the span the polynomial equals the basis function. On the overhang the polynomial
+  // and the basis function differ by at most the length of the overhang times the sum of the bounds
+  // of the two slopes.
   functions.overhang_error =
       (numerics::Interval(piece.overhang) * (numerics::Interval(slope) + max_slope(basis))).upper();
   // If the lower bound of the length of a piece is not positive, the slope has no bound.
@@ -92,7 +91,7 @@ std::vector<numerics::BernsteinCoefficients> partial_sum_slopes(const ImpactBasi
       basis.speeds(), piece.span, in ? numerics::Interval(-piece.from) : piece.from / r,
       in ? numerics::Interval(-piece.to) : piece.to / r);
   for (numerics::BernsteinCoefficients& slope : slopes) {
-    for (numerics::Interval& s : slope) s *= sign_and_scale;  // d/dv = (du/dv) d/du
+    for (numerics::Interval& s : slope) s *= sign_and_scale;  // chain rule d/dv = (du/dv) d/du
   }
   return slopes;
 }
@@ -107,8 +106,8 @@ std::vector<double> velocity_breaks(const ImpactBasis& basis) {
 
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
                                            double largest_length) {
-  // Cuts closer than `negligible` to a break are omitted; the overhang of the pieces covers such
-  // cuts.
+  // Cuts closer than `negligible` to a break are omitted, since the overhang of the pieces covers
+  // these cuts.
   const double negligible = 4e-16 * basis.speeds().end();
   std::vector<VelocityPiece> pieces;
   const auto add_span = [&](VelocitySide side, int span) {

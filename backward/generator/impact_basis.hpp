@@ -12,7 +12,7 @@ namespace fpkcheck::backward {
 /// the outgoing side, v = r u, have the same splines of the impact speed u. The two sides are
 /// joined continuously at v = 0 (an inner knot of full multiplicity). If at y = 0 each function `b`
 /// has the same coefficient as the function `mirrored_index(b)`, the impact condition V(0, r u) =
-/// V(0, -u) therefore holds exactly for all u, even if r u is rounded.
+/// V(0, -u) holds exactly for all u, even if r u is rounded.
 class ImpactBasis {
  public:
   ImpactBasis(numerics::SplineBasis speeds, double restitution)
@@ -21,10 +21,10 @@ class ImpactBasis {
   const numerics::SplineBasis& speeds() const { return speeds_; }
   double restitution() const { return restitution_; }
   int size() const { return 2 * speeds_.size() - 1; }
-  /// Index of the only function that does not vanish at v = 0.
+  /// Returns the index of the only function that is nonzero at v = 0.
   int centre_index() const { return speeds_.size() - 1; }
   int mirrored_index(int b) const { return size() - 1 - b; }
-  /// Indices of the spline with index h of the speed, on the incoming and on the outgoing side.
+  /// Indices on the incoming and on the outgoing side of the spline `h` of the speed
   int incoming_index(int h) const { return centre_index() - h; }
   int outgoing_index(int h) const { return centre_index() + h; }
   double begin() const { return -speeds_.end(); }
@@ -35,60 +35,59 @@ class ImpactBasis {
   double restitution_;
 };
 
-/// Part of the velocity axis.
 enum class VelocitySide {
-  below,     ///< v < -u_max: the first function is 1
-  incoming,  ///< v = -u
-  outgoing,  ///< v = r u
-  above      ///< v > r u_max: the last function is 1
+  below,     ///< velocities v < -u_max, where the first function is 1
+  incoming,  ///< velocities v = -u before impacts
+  outgoing,  ///< velocities v = r u after impacts
+  above      ///< velocities v > r u_max, where the last function is 1
 };
 
-/// A segment of the velocity axis within one span of an ImpactBasis, or beyond all spans.
+/// Segment of the velocity axis within one span of an ImpactBasis, or beyond all spans.
 struct VelocityPiece {
   VelocitySide side;
   int span;                     ///< knot span of the speeds; 0 beyond all spans
-  numerics::Interval from, to;  ///< ends of the segment in v, increasing
-  /// Upper bound of the length by which the segment extends past its span, since the ends of the
-  /// segment are rounded.
+  numerics::Interval from, to;  ///< increasing ends of the segment in v
+  /// Upper bound of the length by which the segment extends past its span, due to rounding of the
+  /// ends
   double overhang;
 
-  /// Length of the segment.
   numerics::Interval length() const { return to - from; }
 };
 
-/// The functions of a basis on a segment, as polynomials of t = (v - from)/(to - from).
+/// Functions of a basis on a segment, as polynomials of t = (v - from)/(to - from).
 struct BasisFunctionsOnPiece {
-  /// functions that do not vanish on the segment
+  /// nonzero functions on the segment
   std::vector<int> index;
-  std::vector<numerics::BernsteinCoefficients> value;  ///< Bernstein coefficients of each function
+  std::vector<numerics::BernsteinCoefficients> value;
   /// Upper bound of |function - polynomial| on the segment, valid for every function; 0 without
-  /// overhang.
+  /// overhang
   double overhang_error;
 };
 
-/// The velocity piece of a segment, assigned to the span that contains the midpoint of the segment.
+/// Returns the velocity piece of a segment, assigned to the span that contains the midpoint of the
+/// segment.
 VelocityPiece velocity_piece_of_segment(const ImpactBasis& basis, const numerics::Interval& from,
                                         const numerics::Interval& to);
 BasisFunctionsOnPiece basis_functions_on_piece(const ImpactBasis& basis,
                                                const VelocityPiece& piece);
 
-/// Enclosures on a piece of the derivatives dS_l/dv, l = 1 .. degree, of the partial sums S_l of
-/// basis functions. S_l = B_l + B_{l+1} + .. is a sum over the functions of the piece in the order
-/// of basis_functions_on_piece(). Each derivative is p B_{p-1} / (a knot distance), a single
-/// B-spline of degree p - 1.
+/// Returns enclosures on a piece of the derivatives dS_l/dv, l = 1 .. degree, of the partial sums
+/// S_l = B_l + B_{l+1} + .. over the functions of the piece, in the order of
+/// basis_functions_on_piece(). Each derivative is p B_{p-1} / (a knot distance), a single B-spline
+/// of degree p - 1.
 std::vector<numerics::BernsteinCoefficients> partial_sum_slopes(const ImpactBasis& basis,
                                                                 const VelocityPiece& piece);
 
-/// Pieces of the range of the basis: divided at the ends of all spans and at `cuts`, and so that no
-/// piece is longer than `largest_length`.
+/// Returns pieces of the range of the basis, divided at the ends of all spans and at `cuts`, and
+/// not longer than `largest_length`.
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
                                            double largest_length);
-/// The ends of all spans on the velocity axis, where the basis is not smooth; increasing.
+/// Returns the increasing ends of all spans on the velocity axis, where the basis is not smooth.
 std::vector<double> velocity_breaks(const ImpactBasis& basis);
 
-/// Enclosures of the derivatives S_l' of partial sums of B-splines on the segment from `from` to
-/// `to` of a knot span, where S_l = B_{span+l} + B_{span+l+1} + .. and S_0 = 1. The derivative of a
-/// spline with coefficients c is sum_{l=1}^p (c_{span+l} - c_{span+l-1}) S_l' with
+/// Returns enclosures of the derivatives S_l' of partial sums of B-splines on the segment from
+/// `from` to `to` of a knot span, where S_l = B_{span+l} + B_{span+l+1} + .. and S_0 = 1. The
+/// derivative of a spline with coefficients c is sum_{l=1}^p (c_{span+l} - c_{span+l-1}) S_l' with
 ///
 ///     S_l' = p N_{span+l} / (t_{span+l+p} - t_{span+l}),   N of degree p - 1 on the same knots
 ///

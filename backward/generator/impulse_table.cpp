@@ -16,8 +16,8 @@ using problem::LaplaceLaw;
 using problem::TwoPointLaw;
 using problem::UniformLaw;
 
-// Atoms of the law, and amplitudes at which the density of the law or its derivative is
-// discontinuous.
+// Returns the atoms of the law, and the amplitudes at which the density of the law or its
+// derivative is discontinuous.
 std::vector<double> kink_offsets(const GaussianLaw&) { return {}; }
 std::vector<double> kink_offsets(const LaplaceLaw& law) {
   return law.mean == 0 ? std::vector<double>{} : std::vector{law.mean};
@@ -31,14 +31,15 @@ std::vector<double> kink_offsets(const UniformLaw& law) {
 
 std::vector<double> kink_offsets(const ExponentialLaw& law) { return {law.mean - law.scale}; }
 
-// Largest length of a piece, short compared with the length scale of the density of the law.
+// Returns the largest length of a piece, short compared with the length scale of the density of the
+// law.
 double longest_piece(const GaussianLaw& law) { return 0.8 * law.deviation; }
 double longest_piece(const LaplaceLaw& law) { return 0.6 * law.scale; }
 double longest_piece(const ExponentialLaw& law) { return 0.6 * std::abs(law.scale); }
 double longest_piece(const TwoPointLaw& law) { return 2 * law.deviation; }
 double longest_piece(const UniformLaw& law) { return law.half_width; }
 
-// Central moments E[(Y - mean)^n]. For symmetric laws the formulas hold for even n only.
+// Returns the central moment E[(Y - mean)^n]. For symmetric laws the formulas hold only for even n.
 numerics::Interval central_moment(const GaussianLaw& law, int n) {
   numerics::Interval m = power(numerics::Interval(law.deviation), n);
   for (int i = n - 1; i > 1; i -= 2) m *= static_cast<double>(i);

@@ -7,13 +7,14 @@
 
 namespace fpkcheck::backward {
 
-/// Table of the means K B_b of the basis functions B_b after an impulse, where (K V)(v) = E[V(v +
-/// Y)], for every function of an ImpactBasis on every piece of the velocity axis. Each element is a
+/// Table of the means K B_b of the basis functions B_b after an impulse, (K V)(v) = E[V(v + Y)],
+/// for every function of an ImpactBasis on every piece of the velocity axis. Each element is a
 /// polynomial of t = (v - from)/(to - from) with enclosed Bernstein coefficients.
 struct ImpulseTable {
-  int functions = 0, order = 0;  ///< order: number of coefficients of a polynomial, degree + 1
+  /// `order` is the number of coefficients of a polynomial, degree + 1
+  int functions = 0, order = 0;
   std::vector<numerics::Interval> coefficients;  ///< shape (pieces, functions, order)
-  /// Relative error bound: |K V - sum_b c_b (polynomial of b)| <= remainder max_b |c_b| for all v.
+  /// Relative error bound: |K V - sum_b c_b (polynomial of b)| <= remainder max_b |c_b| for all v
   double remainder = 0;
 
   std::span<numerics::Interval> coefficients_of(int piece, int function) {
@@ -26,11 +27,10 @@ struct ImpulseTable {
   }
 };
 
-/// Whether the impulse table and the moments of a law have interval enclosures. The other functions
-/// of this header require a law with enclosures.
+/// Returns whether the impulse table and the moments of a law have interval enclosures. The other
+/// functions of this header require a law with enclosures.
 bool has_interval_enclosures(const problem::ImpulseLaw& law);
 
-/// Constraints on the velocity pieces for the table of a law.
 struct VelocityPieceConstraints {
   double longest;            ///< largest permitted length of a piece
   std::vector<double> cuts;  ///< points, besides breaks of the basis, where K B is not smooth
@@ -38,15 +38,14 @@ struct VelocityPieceConstraints {
 VelocityPieceConstraints velocity_piece_constraints(const ImpactBasis& basis,
                                                     const problem::ImpulseLaw& law);
 
-/// The impulse table of a law on pieces that satisfy velocity_piece_constraints().
+/// Returns the impulse table of a law on pieces that satisfy velocity_piece_constraints().
 ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
                            const problem::ImpulseLaw& law);
 
-/// Enclosure of E[Y^n], computed from the stored parameters of the law.
+/// Returns an enclosure of E[Y^n], computed from the stored parameters of the law.
 numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n);
 
-// The impulse table of each law (formulas in the sources). For a law without a table no bounds can
-// be computed.
+// A law without an impulse table has no guaranteed bounds.
 ImpulseTable impulse_table_of_law(const problem::ExponentialLaw& law, const ImpactBasis& basis,
                                   const std::vector<VelocityPiece>& pieces);
 ImpulseTable impulse_table_of_law(const problem::GaussianLaw& law, const ImpactBasis& basis,
@@ -58,7 +57,6 @@ ImpulseTable impulse_table_of_law(const problem::TwoPointLaw& law, const ImpactB
 ImpulseTable impulse_table_of_law(const problem::UniformLaw& law, const ImpactBasis& basis,
                                   const std::vector<VelocityPiece>& pieces);
 
-/// An impulse table of zeros, to be filled by impulse_table_of_law().
 ImpulseTable zero_impulse_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
                                 int order);
 

@@ -10,11 +10,11 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kMaxSteps = 12;
-// Convergence threshold of the size of rounding errors, relative to the product of gradient and
-// preconditioned gradient in the first step.
+// Convergence threshold of the product of gradient and preconditioned gradient, relative to the
+// product in the first step; the threshold has the size of rounding errors.
 constexpr double kConverged = 1e-20;
 
-// The matrix of the least-squares problem, applied to vectors as a sum of three separable terms.
+// Matrix of the least-squares problem, applied to vectors as a sum of three separable terms.
 class FitRows {
  public:
   explicit FitRows(const LeastSquaresProblem& p)
@@ -34,7 +34,8 @@ class FitRows {
   int v_points() const { return static_cast<int>(p_.v.v.size()); }
   double force(int i) const { return p_.problem.system.restoring_force()(p_.y.y[i]); }
 
-  /// Numbers of unknowns. At a wall the two functions of a mirrored pair share one unknown.
+  /// Returns the numbers of unknowns of each spline of y. At a wall the two functions of a mirrored
+  /// pair share one unknown.
   std::vector<Eigen::Index> block_sizes() const {
     std::vector<Eigen::Index> sizes(p_.displacement.size(), functions_);
     for (std::size_t a : {std::size_t{0}, sizes.size() - 1}) {
@@ -48,7 +49,7 @@ class FitRows {
     const Eigen::SparseMatrix<double>& drift = p_.v.drift;
     Eigen::MatrixXd motion, weighted;
     for (int i = 0; i < y_points(); ++i) {
-      // L = A M + A' D with M = jump + g(y) force and D = drift
+      // generator L = A M + A' D with M = jump + g(y) force and D = drift
       motion = p_.v.jump + force(i) * p_.v.force;
       weighted = weights_.col(i).cwiseSqrt().asDiagonal() * motion;
       Eigen::MatrixXd mm = Eigen::MatrixXd::Zero(functions_, functions_);
@@ -71,8 +72,8 @@ class FitRows {
     return matrix;
   }
 
-  /// Returns the generator applied to a spline V, at all points, shape (v points, y points). The
-  /// coefficients of V have the shape (functions of y, functions of v).
+  /// Returns the generator applied to a spline V, at all points, shape (v points, y points).
+  /// @param c coefficients of V, shape (functions of y, functions of v)
   Eigen::MatrixXd apply(const Eigen::MatrixXd& c) const {
     const Eigen::MatrixXd jump = p_.v.jump * c.transpose(), drift = p_.v.drift * c.transpose(),
                           force_term = p_.v.force * c.transpose();
@@ -88,7 +89,8 @@ class FitRows {
     return result;
   }
 
-  /// The weighted transpose of apply(): returns a vector of the unknowns of the normal equations.
+  /// Applies the weighted transpose of apply(); returns a vector of the unknowns of the normal
+  /// equations.
   Eigen::VectorXd apply_transpose(const Eigen::MatrixXd& residual) const {
     const Eigen::MatrixXd weighted = weights_.cwiseProduct(residual);
     Eigen::MatrixXd value = Eigen::MatrixXd::Zero(v_points(), p_.displacement.size());
@@ -101,7 +103,8 @@ class FitRows {
       slope.middleCols(s, per_span_) += weighted.col(i) * a.row(1);
     }
     const Eigen::MatrixXd g = p_.v.jump.transpose() * value + p_.v.force.transpose() * forced +
-                              p_.v.drift.transpose() * slope;  // (functions of v, of y)
+                              // shape (functions of v, functions of y)
+                              p_.v.drift.transpose() * slope;
     return unknowns_of_gradient(g);
   }
 
@@ -109,7 +112,6 @@ class FitRows {
     return (weights_.array() * a.array() * b.array()).sum();
   }
 
-  /// Spline coefficients, computed from the unknowns.
   Eigen::MatrixXd coefficients_of_unknowns(const Eigen::VectorXd& x) const {
     const int rows = p_.displacement.size(), centre = p_.velocity.centre_index();
     Eigen::MatrixXd c(rows, functions_);
@@ -150,8 +152,8 @@ class FitRows {
     return x;
   }
 
-  // Adds the rows of mirrored functions. The row of the central function is its own mirror image
-  // and counts once.
+  // Adds the rows of mirrored functions; the row of the central function has no mirror image and
+  // counts once.
   Eigen::MatrixXd add_mirrored_rows(const Eigen::MatrixXd& g) const {
     Eigen::MatrixXd f = g.bottomRows(constrained_size_);
     f.bottomRows(constrained_size_ - 1) += g.topRows(constrained_size_ - 1).colwise().reverse();
@@ -177,11 +179,11 @@ class FitRows {
   Eigen::MatrixXd weights_;  // squared weights, shape (v points, y points)
 };
 
-/// Conjugate gradients for min |residual + A x|, preconditioned by the factor of the normal
+/// Minimises |residual + A x| by conjugate gradients, preconditioned by the factor of the normal
 /// equations. Three or four steps suffice, except on the finest grids, where rounding and the ridge
-/// degrade the preconditioner. The iteration of a right-hand side stops at convergence or when
-/// rounding prevents progress.
-/// @param residual, x initial values, with x = 0; at the end the residuals equal f + A x up to
+/// degrade the preconditioner. The iteration stops at convergence or when rounding prevents
+/// progress.
+/// @param residual, x initial values with x = 0; at the end the residuals equal f + A x up to
 /// rounding
 void minimise(const FitRows& rows, const NormalEquations& equations,
               std::vector<Eigen::MatrixXd>& residual, Eigen::MatrixXd& x) {
@@ -222,7 +224,8 @@ BackwardSolutions solve_backward_equations(
   const FitRows rows(problem);
   const NormalEquations equations(rows.normal_matrix(), "the fit");
 
-  // Right-hand sides of the fit: each functional's integrand f, and the constant 1 as the last.
+  // Right-hand sides of the fit: the integrand f of each functional, and the constant 1 in the last
+  // place.
   const std::size_t count = functions.size() + 1;
   std::vector<Eigen::MatrixXd> f(count);
   for (std::size_t n = 0; n < count; ++n) {

@@ -8,16 +8,16 @@
 
 namespace fpkcheck::backward {
 
-/// Thrown if the normal equations have no Cholesky factor.
+/// Exception for normal equations without a Cholesky factor.
 struct FitFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Normal equations of a least-squares fit: scaled to a unit diagonal, regularised by a ridge of
+/// Normal equations of a least-squares fit, scaled to a unit diagonal, regularised by a ridge of
 /// 1e-13 and stored as a block-banded Cholesky factor.
 class NormalEquations {
  public:
-  /// @param fit_name name of the fit in the message: "the fit"
+  /// @param fit_name name of the fit in the error message, such as "the fit"
   /// @throws FitFailure "the normal equations of `fit_name` are not positive definite"
   NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& fit_name);
 

@@ -1,9 +1,9 @@
 // Impulse tables of the laws with a piecewise constant density or with two atoms. The mean K B of a
-// spline B after an impulse is a polynomial on each piece; pieces end at velocities from which an
+// spline B after an impulse is a polynomial on each piece. Pieces end at velocities from which an
 // edge or an atom of the law leads to a break of B.
 //
 // Uniform law, Y on (m - h, m + h): K B(v) = (I(v + m + h) - I(v + m - h)) / (2h) with I' = B.
-// Two-point law, Y = m -+ s, each with probability 1/2: K B(v) = (B(v + m - s) + B(v + m + s)) / 2.
+// Two-point law, Y = m -+ s with probability 1/2 each: K B(v) = (B(v + m - s) + B(v + m + s)) / 2.
 #include "backward/generator/impulse_table.hpp"
 
 namespace fpkcheck::backward {
@@ -37,8 +37,8 @@ class Antiderivative {
       for (int j = 0; j < order; ++j)
         coefficients[b * order + j] += factor * at_begin_[span_index][b];
     }
-    // Integral from the beginning of the span to the piece. For a piece below the range of the
-    // basis, the integral from the piece to the beginning of the range.
+    // The gap extends from the beginning of the span to the piece. For a piece below the range of
+    // the basis, the gap extends from the piece to the beginning of the range.
     const numerics::Interval begin =
         span_index < static_cast<int>(spans_.size()) ? spans_[span_index].from : spans_.back().to;
     const VelocityPiece gap{piece.side, piece.span, begin, piece.from, 0};
@@ -130,8 +130,8 @@ ImpulseTable impulse_table_of_law(const problem::TwoPointLaw& law, const ImpactB
       }
     }
   }
-  // At each velocity the error affects at most the basis functions of two spans, which are 2 (p +
-  // 1) functions.
+  // At each velocity the error affects at most 2 (p + 1) functions, the basis functions of two
+  // spans.
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
   return table;
 }

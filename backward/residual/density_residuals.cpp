@@ -27,21 +27,21 @@ const ControlCells& cells_for(const problem::ProblemFeatures& features) {
   return features.noise ? DensityResiduals::kWellCells : DensityResiduals::kSharpWellCells;
 }
 
-// Ratio of the local error of a density to its L1 error in the regions where the fit does not
-// resolve the backward equation, since errors concentrate in these regions.
+// Ratio of the local error of a density to its L1 error where the fit does not resolve the backward
+// equation, since errors concentrate there
 constexpr double kConcentration = 10;
-// L1 distance of disjoint densities; also the largest error (E_p - E)[e] of the mean of the
-// residual e, in units of the unresolved residual.
+// L1 distance of disjoint densities, and largest error (E_p - E)[e] of the mean of the residual e
+// in units of the unresolved residual
 constexpr double kDisjointL1 = 2;
 
-// Largest contrast for which an error estimate is stated. In random problems with wells
-// (RandomWells in tests/backward/residual) the probabilities of wells were made wrong by d: from a
-// contrast of 0.65 the error estimate is below the error 2 d.
+// Largest contrast for which an error estimate is stated. The limit is from tests with random
+// problems with wells (RandomWells in tests/backward/residual), in which the well probabilities had
+// an error d. At contrasts above 0.65 the error estimate was below the true error 2 d.
 constexpr double kMaxContrast = 0.5;
 
-/// Total error t of a density, which solves t = found + min(kConcentration t, kDisjointL1)
-/// unresolved + contrast t. Probabilities of wells that are wrong by d <= t/2 contribute 2 d
-/// contrast to (E_p - E)[e]. The error is infinite if the residuals do not determine these
+/// Returns the total error t of a density, which solves t = found + min(kConcentration t,
+/// kDisjointL1) unresolved + contrast t. Well probabilities with an error d <= t/2 contribute 2 d
+/// contrast to (E_p - E)[e]. The error is infinite if the residuals do not determine the well
 /// probabilities.
 double total_error(const ErrorComponents& error) {
   if (error.contrast > kMaxContrast) return std::numeric_limits<double>::infinity();
@@ -153,8 +153,8 @@ Eigen::MatrixXd spline_fractions(const numerics::QuinticBSplines& splines,
       std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
     throw InputError("the cell edges of a map do not increase");
   }
-  // Between breaks and edges the splines are polynomials of degree 5, for which three Gauss points
-  // are exact.
+  // Three Gauss points are exact, since the splines are polynomials of degree 5 between breaks and
+  // edges.
   std::vector<double> cuts(splines.breaks());
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double x) { return splines.begin() < x && x < splines.end(); });

@@ -19,42 +19,39 @@ namespace fpkcheck::backward {
 
 inline constexpr std::size_t kMomentCount = std::size(transform::kMoments);
 
-/// The components of the estimate of one error.
 struct ErrorComponents {
   double found = 0;  ///< error found by the dual-weighted residuals
-  /// Mean residuals (UnresolvedResidual) of the functions h that weight the density's residuals
+  /// Mean residuals (UnresolvedResidual) of the functions h that weight the residuals of the
+  /// density
   double unresolved = 0;
-  /// Half the sum of UnresolvedResidual::well_contrasts(). The contrast is 0 if the residuals
-  /// determine the probabilities of the wells, and 1 if the residuals do not depend on these
-  /// probabilities.
+  /// Half the sum of UnresolvedResidual::well_contrasts(): 0 if the residuals determine the
+  /// probabilities of the wells, 1 if the residuals do not depend on the probabilities
   double contrast = 0;
 };
 
 /// Errors of a density, computed from the density and the problem alone.
 struct DensityErrors {
-  double mass;                   ///< mass of the density; all other values are per unit mass
-  transform::Moments corrected;  ///< estimates of E[f]
-  transform::Moments error;      ///< E_p[f] - corrected
-  /// Contributions -(h_ij - E_p[h]) rho_ij to the error of each of transform::kMoments, of shape
+  double mass;  ///< mass of the density; all other members are values per unit mass
+  transform::Moments corrected;  ///< estimates of the exact moments E[f]
+  transform::Moments error;      ///< error E_p[f] - corrected
+  /// Contributions -(h_ij - E_p[h]) rho_ij to the error of each of transform::kMoments, shape
   /// (functions of y, functions of v). The sum of the contributions to a moment is the error of
   /// this moment.
   std::array<Eigen::MatrixXd, kMomentCount> contributions;
 
-  std::array<double, kMomentCount> unresolved;  ///< unresolved residuals of the moments
-  std::array<double, kMomentCount>
-      well_contrasts;  ///< UnresolvedResidual::well_contrasts() of the moments
-  /// L1 errors of p(y) and of p(y'), over the bins of goal_functions().
+  std::array<double, kMomentCount> unresolved;
+  std::array<double, kMomentCount> well_contrasts;
+  /// L1 errors of p(y) and of p(y'), over the bins of goal_functions()
   ErrorComponents y_l1, ydot_l1;
 
-  /// The error estimate of the density. L1 errors are multiplied by kSubBinFactor, since the bins
-  /// do not resolve features narrower than a bin. The unresolved part is proportional to the error,
-  /// since the error (E_p - E)[e] of the mean residual is small for a nearly exact density p. The
-  /// result is empty if an L1 estimate is 2 or more: 2 is the L1 distance of disjoint densities.
+  /// Returns the error estimate of the density; empty if an L1 estimate is at least 2, the L1
+  /// distance of disjoint densities. The unresolved part is proportional to the error, since the
+  /// error (E_p - E)[e] of the mean residual is small for a nearly exact density p.
   std::optional<transform::ErrorEstimate> error_estimate() const;
 
-  /// Factor of the L1 error estimates. Without this factor 1 in 20 of 1389 errors of closures in
-  /// random problems exceeded the estimate by a factor of 1.3, and 1 in 100 by a factor of 1.5
-  /// (docs/limits.md).
+  /// Factor of the L1 error estimates for features narrower than a bin. Without the factor 1 in 20
+  /// of 1389 errors of closures in random problems exceeded the estimate by a factor of 1.3, and 1
+  /// in 100 by a factor of 1.5 (docs/limits.md).
   static constexpr double kSubBinFactor = 1.6;
 };
 
@@ -66,34 +63,32 @@ struct DensityErrors {
 ///
 /// with the weak residuals rho_ij of p (WeakResiduals). The error of p is computed without any
 /// other density (Becker and Rannacher, Acta Numerica 10 (2001) 1). The fitted h solves the
-/// equations L h = E[f]
-/// - f only approximately (fit_control_functions); the remaining error is a product of two small
-/// quantities, the residual of h and the error of p. A constant added to h changes the
-/// contributions but not their sum; the normalisation E_p[h] = 0 makes the contributions
-/// comparable.
+/// equations L h = E[f] - f only approximately (fit_control_functions). The remaining error is a
+/// product of two small quantities, the residual of h and the error of p. A constant added to h
+/// changes the contributions but not their sum; the normalisation E_p[h] = 0 makes the
+/// contributions comparable.
 ///
-/// The reference of the error is the full problem with impulses, even if p solves an approximate
-/// equation: the error of a solution of the white-noise equation includes the model error. Moments
-/// are in physical coordinates (Problem::frame), all other quantities in wall coordinates.
+/// The reference of the error is the full problem with impulses: the error of a solution of the
+/// white-noise equation includes the model error. Moments are in physical coordinates
+/// (Problem::frame), all other quantities in wall coordinates.
 class DensityResiduals {
  public:
   static constexpr ControlCells kCells{.y = 40, .v = 88};
   /// Numbers of cells for several wells under Gaussian noise. A well is narrower than the range of
-  /// y: with kCells the bins resolve less than half of an error within a well. The fit takes as
+  /// y, and with kCells the bins resolve less than half of an error within a well. The fit takes as
   /// long as with kCells (docs/residuals.md).
   static constexpr ControlCells kWellCells{.y = 80, .v = 64};
   /// Numbers of cells for several wells without Gaussian noise. Without noise solutions of the
   /// backward equation have a sharp bend along the orbits that end on top of a barrier.
   static constexpr ControlCells kSharpWellCells{.y = 56, .v = 112};
 
-  /// Fits h. The fit takes most of the computing time of an error estimate.
-  /// @param problem in wall coordinates, like the densities passed later
+  /// Fits h, which takes most of the computing time of an error estimate.
+  /// @param problem in wall coordinates, like the densities of estimate_errors()
   /// @pre residuals_unsupported_reason(problem) is empty
   /// @throws FitFailure (backward/generator/normal_equations.hpp)
   explicit DensityResiduals(const problem::Problem& problem);
   DensityResiduals(const problem::Problem& problem, const ControlCells& cells);
 
-  /// Estimates the errors of a density.
   /// @throws InputError when the mass is not positive, or the cells or the range are invalid
   DensityErrors estimate_errors(const transform::Density& density) const;
 
@@ -102,9 +97,8 @@ class DensityResiduals {
   ///     sum_ij contribution_ij (int_cell A_i B_j dy dv / int A_i B_j dy dv) / area.
   ///
   /// The sum of values times areas of the cells is the error if the cells cover the splines.
-  /// @param y_edges, v_edges increasing
   /// @return shape (cells of y, cells of v)
-  /// @throws InputError when edges do not increase
+  /// @throws InputError when the edges do not increase
   Eigen::MatrixXd contributions_per_cell(const Eigen::MatrixXd& contributions,
                                          std::span<const double> y_edges,
                                          std::span<const double> v_edges) const;
@@ -113,7 +107,6 @@ class DensityResiduals {
   const numerics::QuinticBSplines& v() const { return residuals_.v(); }
 
  private:
-  /// The coefficients h_ij of the solution h for one goal function.
   Eigen::MatrixXd backward_solution(Eigen::Index goal_function) const;
 
   WeakResiduals residuals_;
@@ -122,13 +115,12 @@ class DensityResiduals {
   UnresolvedResidual unresolved_;
 };
 
-/// The reason why DensityResiduals does not support a problem, in one phrase. Empty if the problem
-/// is supported.
+/// Returns the reason why DensityResiduals does not support a problem, in one phrase; empty if the
+/// problem is supported.
 std::string residuals_unsupported_reason(const problem::Problem& problem);
 
-/// Fraction of the integral of each spline that lies in each cell.
-/// @param edges increasing
-/// @return shape (cells, functions); columns sum to 1 where the cells cover the splines
+/// Returns the fraction of the integral of each spline in each cell, shape (cells, functions). The
+/// columns sum to 1 if the cells cover the splines.
 /// @throws InputError when the edges do not increase
 Eigen::MatrixXd spline_fractions(const numerics::QuinticBSplines& splines,
                                  std::span<const double> edges);

@@ -9,7 +9,6 @@ namespace {
 
 double constant_one(double) { return 1; }
 
-/// The B-splines on every second break of the splines.
 std::shared_ptr<const numerics::QuinticBSplines> coarsened_splines(
     const numerics::QuinticBSplines& splines) {
   const auto& breaks = splines.breaks();

@@ -18,7 +18,8 @@ namespace {
 constexpr unsigned kGaussPoints = 6;
 constexpr int kPanelsPerRange = 24;
 
-/// Gauss rule on [begin, end], divided at the breaks of the density and of the integrands.
+/// Returns the Gauss rule on [begin, end], divided at the breaks of the density and of the
+/// integrands.
 numerics::QuadratureRule composite_rule(double begin, double end, std::span<const double> a,
                                         std::span<const double> b) {
   std::vector<double> cuts{begin, end};
@@ -31,7 +32,6 @@ numerics::QuadratureRule composite_rule(double begin, double end, std::span<cons
   return numerics::composite_gauss_rule<kGaussPoints>(cuts);
 }
 
-/// Quadrature rule of an axis whose samples are averages over cells.
 AxisQuadrature axis_from_averages(const numerics::QuadratureRule& rule,
                                   std::span<const double> edges) {
   RowMajorSparseMatrix rows = reconstruction_matrix(edges, rule.points);
@@ -39,7 +39,6 @@ AxisQuadrature axis_from_averages(const numerics::QuadratureRule& rule,
   return {rule.points, std::move(rows)};
 }
 
-/// Quadrature rule of an axis whose samples are values at the points.
 AxisQuadrature axis_from_values(const numerics::QuadratureRule& rule) {
   RowMajorSparseMatrix rows(rule.weights.size(), rule.weights.size());
   rows.setIdentity();
@@ -54,7 +53,7 @@ void check_edges(std::span<const double> edges, const char* axis) {
   }
 }
 
-/// The range of a density in y; its ends are compared with walls up to rounding errors.
+/// Range of a density in y; its ends are compared with walls up to rounding errors.
 struct DisplacementRange {
   double low, high;
 
@@ -142,8 +141,8 @@ SampledDensity sample_form(const transform::SmoothDensity& density, const Integr
   for (const ImpactBreaks& wall : breaks.walls) {
     AxisQuadrature speeds = axis_from_values(composite_rule(0, density.v_max, wall.speeds, in_v));
     Eigen::VectorXd samples = Eigen::VectorXd::Zero(std::ssize(speeds.points));
-    // The position of the wall is clamped to the density's range: outside this range, by a rounding
-    // error, the density may be 0.
+    // The position of the wall is clamped to the range of the density. A position outside the range
+    // by a rounding error would give the density 0.
     const double at = std::clamp(wall.position, density.y_min, density.y_max);
     for (Eigen::Index n = 0; range_y.has_end_at(wall) && n < samples.size(); ++n) {
       samples(n) =
@@ -162,9 +161,9 @@ SampledDensity sample_density(const transform::Density& density, const Integrand
 
 namespace {
 
-constexpr std::ptrdiff_t kStencilEdges = 8;  // stencil of a polynomial of degree 7
+constexpr std::ptrdiff_t kStencilEdges = 8;  // number of nodes of a polynomial of degree 7
 
-/// The slopes at x of the Lagrange polynomials whose nodes are the given cell edges.
+/// Returns the slopes at x of the Lagrange polynomials whose nodes are the given cell edges.
 std::vector<double> lagrange_slopes(std::span<const double> edges, double x) {
   std::vector<double> slopes;
   for (std::size_t a = 0; a < edges.size(); ++a) {
@@ -193,7 +192,8 @@ RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
   for (std::size_t n = 0; n < points.size(); ++n) {
     const double x = points[n];
     if (x < edges.front() || x > edges.back()) continue;
-    // The cell between edges k - 1 and k, and the edges begin .. end - 1 on its side of 0.
+    // k - 1 and k are the edges of the cell that contains x; begin .. end - 1 are the edges on the
+    // same side of 0.
     const auto k = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges, x) - edges.begin(), 1,
                                               std::ssize(edges) - 1);
     const std::ptrdiff_t begin = has_edge_at_zero && k > zero ? zero : 0;
@@ -203,8 +203,8 @@ RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
     const auto chosen =
         edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
     const std::vector<double> slopes = lagrange_slopes(chosen, x);
-    // The cumulative distribution at an edge contains the masses of all cells before this edge; the
-    // slopes of all Lagrange polynomials sum to 0.
+    // The cumulative distribution at an edge is the sum of the masses of all cells before this
+    // edge. The slopes of all Lagrange polynomials sum to 0.
     double sum = 0;
     for (auto a = count - 1; a > 0; --a) {
       const auto at = static_cast<std::size_t>(a);

@@ -11,66 +11,64 @@ namespace fpkcheck::backward {
 
 using RowMajorSparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Matrix that maps cell averages to values at points. The values are the slope of the cumulative
-/// distribution, which polynomials of degree 7 interpolate between the edges (as in
-/// transform::ConservativeRemap). Each cell therefore keeps its mass, and the values of a smooth
-/// function have an error of seventh order in the cell width. No stencil crosses an edge at 0. A
-/// point on an edge belongs to the cell after this edge, and a point on the last edge to the last
-/// cell. Values beyond the first and the last edge are 0.
-/// @param edges n + 1 cell edges, increasing
-/// @return shape (points, n)
+/// Returns the matrix that maps cell averages to values at points, shape (points, n). The values
+/// are the slope of the cumulative distribution, which polynomials of degree 7 interpolate between
+/// the edges (as in transform::ConservativeRemap). Each cell therefore keeps its mass, and the
+/// values of a smooth function have an error of seventh order in the cell width. No stencil crosses
+/// an edge at 0. A point on an edge belongs to the cell after this edge, and a point on the last
+/// edge to the last cell. Values beyond the first and the last edge are 0.
+/// @param edges n + 1 increasing cell edges
 RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
                                            std::span<const double> points);
 
-/// A quadrature rule along an axis for a density that is given by samples along this axis. The
-/// samples are values at the points, or averages over cells.
+/// Quadrature rule along an axis for a density given by samples along this axis. The samples are
+/// values at the points, or averages over cells.
 struct AxisQuadrature {
   std::vector<double> points;
   /// Matrix of shape (points, samples) that maps samples to quadrature weight times density at the
-  /// points.
+  /// points
   RowMajorSparseMatrix weighted;
 
-  /// Integrals of each function times the density, as linear forms of the samples.
+  /// Returns the integrals of each function times the density, as linear forms of the samples,
+  /// shape (functions, samples).
   /// @param functions values at the points, shape (points, functions)
-  /// @return shape (functions, samples)
   Eigen::MatrixXd integrals_with_density(const Eigen::MatrixXd& functions) const {
     return functions.transpose() * weighted;
   }
 };
 
-/// The density at a wall as a function of the impact speed.
+/// Density at a wall as a function of the impact speed.
 struct SampledWallDensity {
-  AxisQuadrature speeds;  ///< impact speeds u > 0
+  AxisQuadrature speeds;
   Eigen::VectorXd samples;
 };
 
-/// A density p in discretised form. The integral of a(y) b(v) p is a row vector times the matrix of
+/// Density p in discretised form. The integral of a(y) b(v) p is a row vector times the matrix of
 /// samples times a column vector.
 struct SampledDensity {
   AxisQuadrature y, v;
-  Eigen::MatrixXd samples;                  ///< shape (samples along y, along v)
-  std::vector<SampledWallDensity> impacts;  ///< density at each wall
+  Eigen::MatrixXd samples;  ///< shape (samples along y, along v)
+  std::vector<SampledWallDensity> impacts;
 };
 
 /// Impact speeds at which integrands over impacts at a wall are not smooth.
 struct ImpactBreaks {
-  double position;             ///< position of the wall
+  double position;
   double rebound_sign;         ///< ImpactWall::rebound_sign: 1 at a left wall, -1 at a right wall
-  std::vector<double> speeds;  ///< increasing from 0
+  std::vector<double> speeds;  ///< impact speeds, increasing from 0
 };
 
-/// Points at which integrands are not smooth, in increasing order. The panels of the quadrature
-/// rules end at these points.
+/// Increasing points at which integrands are not smooth, and at which the panels of the quadrature
+/// rules end.
 struct IntegrandBreaks {
   std::span<const double> y, v;
   std::span<const ImpactBreaks> walls;
 };
 
-/// Samples a density at the points of the Gauss rule of six points, applied between all breaks of
-/// the density and of the integrands. The quadrature rule is exact for the product of a spline of
-/// degree 5 and any polynomial of reconstruction_matrix(). If the density is given as a function,
-/// no panel is longer than 1/24 of its range. A density whose range ends before a wall has no
-/// impacts at this wall.
+/// Samples a density at the points of a Gauss rule of six points between all breaks of the density
+/// and of the integrands. The rule is exact for the product of a spline of degree 5 and a
+/// polynomial of reconstruction_matrix(). For a density given as a function no panel is longer than
+/// 1/24 of the range. A density whose range ends before a wall has no impacts at this wall.
 /// @throws InputError when the edges do not increase, extend past a wall, do not begin at a left
 /// wall or do not match the number of averages, or when a density given as a function has no range
 /// of positive length

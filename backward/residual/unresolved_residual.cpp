@@ -12,9 +12,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kGaussPointsPerCell = 2;  // points of a cell along an axis
+constexpr int kGaussPointsPerCell = 2;  // number of points of a cell along an axis
 
-/// Values of f at all points of both axes.
 Eigen::MatrixXd values_of(const SeparableFunction& f, std::span<const double> y,
                           std::span<const double> v) {
   const auto along = [](const std::function<double(double)>& g, std::span<const double> points) {
@@ -27,7 +26,6 @@ Eigen::MatrixXd values_of(const SeparableFunction& f, std::span<const double> y,
   return along(f.y_factor, y) * along(f.v_factor, v).transpose();
 }
 
-/// Weights of a quadrature rule times the weight of the fit at its points.
 Eigen::VectorXd weights_of(const numerics::QuadratureRule& rule,
                            const std::function<double(double)>& weight) {
   Eigen::VectorXd weights = rule.weights;
@@ -43,7 +41,8 @@ Eigen::VectorXd normalised_weights(const numerics::QuadratureRule& rule,
   return weights / weights.sum();
 }
 
-/// Positions of the maxima of the potential V between neighbouring minima, in increasing order.
+/// Returns the positions of the maxima of the potential V between neighbouring minima, in
+/// increasing order.
 std::vector<double> barrier_positions(const problem::Problem& problem,
                                       const std::vector<double>& points) {
   const problem::UndampedOrbits orbits(problem);
@@ -60,14 +59,14 @@ std::vector<double> barrier_positions(const problem::Problem& problem,
   return tops;
 }
 
-/// Matrix that maps values at the points of y to means over each well, which extends from barrier
-/// to barrier. The shape is (wells, points); for a single well there are no rows.
+/// Returns the matrix that maps values at the points of y to means over each well, shape (wells,
+/// points). Each well extends from barrier to barrier. For a single well the matrix has no rows.
 Eigen::MatrixXd well_averages(const problem::Problem& problem, const numerics::QuadratureRule& rule,
                               const std::function<double(double)>& weight) {
   if (problem::features(problem).wells < 2) return {};
-  // Fraction of the integral of the fit weight below which a well is omitted. With several wells
-  // the weight of control_fit() is narrower than the density; such a well has less
-  // than 1e-4 of the mass.
+  // Fraction of the integral of the fit weight below which a well is omitted. An omitted well has
+  // less than 1e-4 of the mass, since with several wells the weight of control_fit() is narrower
+  // than the density.
   constexpr double kNegligible = 1e-6;
   const std::vector<double> tops = barrier_positions(problem, rule.points);
   const Eigen::VectorXd weights = weights_of(rule, weight);

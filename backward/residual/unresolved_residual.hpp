@@ -10,28 +10,28 @@
 namespace fpkcheck::backward {
 
 /// Residuals of approximate solutions h of backward equations: e = f - U + L h in the phase plane
-/// and the jump h(0, r u) - h(0, -u) at the wall. The class stores the means of |e| over the cells
-/// of the splines, and the means of the absolute jump over cells of impact speeds.
+/// and the jump h(0, r u) - h(0, -u) at the wall. The class stores the means of |e| and of the
+/// absolute jump over cells of the splines.
 class UnresolvedResidual {
  public:
   UnresolvedResidual() = default;
-  /// @param fit the fit of h; its weight defines the averages over wells
-  /// @param functions the functions f, one for each column of h
+  /// @param fit fit of h, whose weight defines the averages over wells
+  /// @param functions functions f, one function for each column of h
   UnresolvedResidual(const ControlFitProblem& fit, std::span<const SeparableFunction> functions,
                      const ControlFunctions& h);
 
-  /// Mean residual E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du for each function, with the
-  /// last term for each wall; p is the density of the weak form. The error (E_p - E)[f] minus its
-  /// estimate -sum h rho equals (E_p - E)[e] plus the corresponding term of the jumps at the wall.
-  /// If p is disjoint from the exact density, the error minus its estimate is about twice the mean
-  /// residual.
+  /// Returns the mean residual E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du for each function,
+  /// with the last term for each wall, where `density` contains integrals of p. The error (E_p -
+  /// E)[f] minus its estimate -sum h rho equals (E_p - E)[e] plus the corresponding term of the
+  /// jumps at the wall. If p is disjoint from the exact density, the error minus its estimate is
+  /// about twice the mean residual.
   Eigen::VectorXd mean_residuals(const DensityIntegrals& density) const;
 
-  /// Largest difference between the means of e over any two wells, for each function; 0 with one
-  /// well. If the fit does not resolve the exchange between wells, the residual e is nearly
-  /// constant in each well. If the probabilities of the wells of a density are wrong by d, then d
-  /// times this difference contributes to (E_p - E)[e], for any value of E_p|e|. Wells of
-  /// negligible mass are omitted.
+  /// Returns the largest difference between the means of e over any two wells, for each function; 0
+  /// with one well. If the fit does not resolve the exchange between wells, the residual e is
+  /// nearly constant in each well. Well probabilities with an error d then contribute d times the
+  /// largest difference to (E_p - E)[e], for any value of E_p|e|. Wells of negligible mass are
+  /// omitted.
   const Eigen::VectorXd& well_contrasts() const { return well_contrasts_; }
 
  private:

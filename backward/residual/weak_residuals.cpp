@@ -15,10 +15,10 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr std::size_t kNodesPerCell = 8;  // Gauss points between breaks of v
-constexpr int kPowers = 5;                // 0 .. 4
+constexpr std::size_t kNodesPerCell = 8;  // number of Gauss points between consecutive breaks of v
+constexpr int kPowers = 5;                // number of the powers 0 .. 4
 constexpr double kMinBreakDistance =
-    1e-12;  // relative to the range; the distance of closer breaks is a rounding error
+    1e-12;  // relative to the range of v; closer breaks differ only by rounding errors
 
 std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
   auto nodes = numerics::composite_gauss_rule<kNodesPerCell>(breaks).points;
@@ -26,9 +26,9 @@ std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
   return nodes;
 }
 
-/// The breaks of the splines B_j and of their means K B_j after an impulse. Each atom of the
-/// amplitude law and each corner of its density shifts the multiple knots, at which the splines are
-/// less smooth.
+/// Returns the breaks of the splines B_j and of their means K B_j after an impulse. Each atom of
+/// the amplitude law and each corner of its density shifts the multiple knots, at which the splines
+/// are less smooth.
 std::vector<double> breaks_after_impulse(const numerics::QuinticBSplines& v,
                                          const problem::ImpulseTrain& impulses) {
   std::vector<double> amplitudes;
@@ -60,7 +60,7 @@ std::vector<ImpactBreaks> impact_breaks(const std::vector<ImpactWall>& walls,
   return all;
 }
 
-/// The powers 1, x, .., x^4 of a coordinate x at points, shape (points, 5).
+/// Returns the powers 1, x, .., x^4 of a coordinate x at points, shape (points, 5).
 template <class Coordinate>
 Eigen::MatrixXd coordinate_powers(std::span<const double> points, const Coordinate& coordinate) {
   Eigen::MatrixXd powers(std::ssize(points), kPowers);
@@ -73,7 +73,8 @@ Eigen::MatrixXd coordinate_powers(std::span<const double> points, const Coordina
   return powers;
 }
 
-/// Indicator functions of the cells between consecutive breaks, shape (points, breaks - 1).
+/// Returns the indicator functions of the cells between consecutive breaks, shape (points, breaks -
+/// 1).
 Eigen::MatrixXd cell_indicators(std::span<const double> points, const std::vector<double>& breaks) {
   Eigen::MatrixXd one = Eigen::MatrixXd::Zero(std::ssize(points), std::ssize(breaks) - 1);
   for (std::size_t n = 0; n < points.size(); ++n) {
@@ -95,8 +96,9 @@ WeakResiduals::WeakResiduals(const problem::Problem& problem, ControlSplines spl
       nodes_(gauss_nodes(v_breaks_)),
       means_(impulse_means(v_, problem.impulses, nodes_)) {}
 
-/// Means K B_j of the splines B_j after an impulse, interpolated between the Gauss points of a
-/// cell, where the mean K B_j is smooth. Beyond the ends of the splines the mean is constant.
+/// Returns the means K B_j of the splines B_j after an impulse, interpolated between the Gauss
+/// points of a cell, where the mean K B_j is smooth. Beyond the ends of the splines the mean is
+/// constant.
 Eigen::MatrixXd WeakResiduals::interpolated_impulse_means(std::span<const double> v) const {
   if (!problem_.impulses.is_present()) return {};
   Eigen::MatrixXd result(std::ssize(v), v_.size());
@@ -115,7 +117,8 @@ Eigen::MatrixXd WeakResiduals::interpolated_impulse_means(std::span<const double
   return result;
 }
 
-/// Contribution of impacts, int u p(0, -u) [B_j(r u) - B_j(-u)] du, mirrored at a right wall.
+/// Returns the contribution of impacts, int u p(0, -u) [B_j(r u) - B_j(-u)] du, mirrored at a right
+/// wall.
 Eigen::RowVectorXd WeakResiduals::impact_terms(const ImpactWall& wall,
                                                const SampledWallDensity& impacts) const {
   const auto& speeds = impacts.speeds.points;
@@ -129,7 +132,7 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
   const SampledDensity p =
       sample_density(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
 
-  // Moments E_p[y^m y'^n] in physical coordinates, not yet divided by the mass.
+  // Moments E_p[y^m y'^n] in physical coordinates, before the division by the mass.
   const problem::Frame& frame = problem_.frame;
   const Eigen::MatrixXd along_y = p.y.integrals_with_density(coordinate_powers(
                                       p.y.points, [&](double x) { return frame.physical_y(x); })) *
@@ -154,7 +157,7 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
   std::vector<Eigen::VectorXd> of_impacts;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
     // At the left wall the first spline of y is 1, at the right wall the last spline is 1. All
-    // other splines of y vanish at the wall.
+    // other splines of y are 0 at the wall.
     residuals.row(walls_[n].rebound_sign > 0 ? 0 : y_.size() - 1) +=
         impact_terms(walls_[n], p.impacts[n]);
     const AxisQuadrature& speeds = p.impacts[n].speeds;

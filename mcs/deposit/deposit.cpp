@@ -59,7 +59,7 @@ void require_bins(const std::string& name, const SmoothBins& bins) {
 
 using Coefficients = std::vector<double>;  // coefficients of 1, t, t^2, ..
 
-/// The polynomial a p + (b + c t) q.
+/// Returns the polynomial a p + (b + c t) q.
 Coefficients combine_polynomials(double a, const Coefficients& p, double b, double c,
                                  const Coefficients& q) {
   Coefficients sum(std::max(p.size(), q.size() + 1), 0.0);
@@ -71,8 +71,8 @@ Coefficients combine_polynomials(double a, const Coefficients& p, double b, doub
   return sum;
 }
 
-/// The six splines of a span as polynomials of t = (x - begin)/width, by the recursion of Cox and
-/// de Boor, shape (6, 6).
+/// Returns the six nonzero splines of a knot span as polynomials of t = (x - begin)/width, shape
+/// (6, 6), by the recursion of Cox and de Boor.
 /// @param last_knot index of the last knot at the beginning of the span
 std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::size_t last_knot) {
   const double begin = knots[last_knot], width = knots[last_knot + 1] - begin;
@@ -80,7 +80,6 @@ std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::si
   for (int p = 1; p <= kDegree; ++p) {
     std::vector<Coefficients> next(functions.size() + 1, Coefficients{0.0});
     for (std::size_t l = 0; l < functions.size(); ++l) {
-      // Degree p - 1, on the knots i .. i + p.
       const std::size_t i = last_knot - static_cast<std::size_t>(p - 1) + l;
       const double low = knots[i], length = knots[i + static_cast<std::size_t>(p)] - low;
       const double at = (begin - low) / length, slope = width / length;
@@ -93,8 +92,8 @@ std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::si
   return functions;
 }
 
-/// Appends the coefficients of the polynomials: highest power first, and for each power the
-/// coefficients of all polynomials.
+/// Appends coefficients to a table, from the highest power to the constant term, each for all
+/// polynomials.
 void append(std::vector<double>& table, const std::vector<Coefficients>& functions, int highest) {
   for (int n = highest; n >= 0; --n) {
     for (int l = 0; l < kEight; ++l) {

@@ -9,13 +9,13 @@ namespace fpkcheck::mcs {
 
 using transform::SmoothBins;
 
-/// An atom of the amplitude law: the change of velocity and its probability.
+/// Atom of the amplitude law: change of velocity and probability.
 struct VelocityShift {
   double by, probability;
 };
 
 /// Grid for the deposition of samples (Options::deposit): tensor products B_i(y) B_j(v) of
-/// B-splines of degree 5, a lattice of velocities, and smooth bins of both variables.
+/// B-splines of degree 5, a lattice of velocities, and smooth bins of y and v.
 struct DepositGrid {
   static constexpr int kDegree = 5;
   /// Number of points of the interpolation stencil on the lattice
@@ -25,12 +25,12 @@ struct DepositGrid {
   /// have multiplicity 6, inner knots at most 5. Beyond the end knots the splines are constant.
   std::vector<double> y_knots{}, v_knots{};
   /// Lattice of velocities lattice_begin + q lattice_spacing, q = 0 .. lattice_points - 1. A
-  /// velocity outside the lattice counts at the nearest end.
+  /// velocity outside the lattice counts at the nearest end of the lattice.
   double lattice_begin = 0, lattice_spacing = 1;
   int lattice_points = 0;
-  /// Atoms of the law, for laws without a continuous part. K B_j is then a sum of shifted B_j and
-  /// is added to the flow exactly, whereas the lattice would interpolate across the knots. If
-  /// `shifts` is empty, the lattice is used.
+  /// Atoms of an amplitude law without a continuous part; empty for other laws. With atoms, the sum
+  /// K B_j of shifted splines B_j is added to the flow exactly. Without atoms, the lattice
+  /// approximates K B_j by interpolation.
   std::vector<VelocityShift> shifts{};
   SmoothBins y_bins{}, v_bins{};
 
@@ -38,38 +38,35 @@ struct DepositGrid {
   int v_spline_count() const { return static_cast<int>(v_knots.size()) - kDegree - 1; }
 };
 
-/// Checks a grid.
 /// @throws InputError if the grid violates the conditions of DepositGrid
 void require_valid_deposit_grid(const DepositGrid& grid);
 
-/// B-splines of degree 5 as polynomials on each span. Rows of eight coefficients hold the six
-/// nonzero splines of a span and two zeros.
+/// B-splines of degree 5 as polynomials on each knot span. Each row of eight coefficients belongs
+/// to the six nonzero splines of a span and two zeros.
 class SplinePieces {
  public:
   static constexpr int kWidth = 8;
 
-  /// @param knots as in DepositGrid
   explicit SplinePieces(const std::vector<double>& knots);
 
   double begin() const { return begin_; }
   double end() const { return end_; }
   int spans() const { return static_cast<int>(first_.size()); }
-  /// Evenly spaced cells, for the search of the span of a point: no cell is longer than the
-  /// shortest span. span_of_cell() has the span at the beginning of each cell.
+  /// Number of evenly spaced cells per unit length. Each cell is at most as long as the shortest
+  /// span, so that span_of_cell(), the span at the beginning of each cell, accelerates the search
+  /// of the span of a point.
   double cells_per_length() const { return cells_per_length_; }
   int cells() const { return static_cast<int>(span_of_cell_.size()); }
   const int* span_of_cell() const { return span_of_cell_.data(); }
-  /// breaks() has the first point of each span and the end of the last span; reciprocal_lengths()
-  /// has the reciprocal length of each span.
   const double* breaks() const { return breaks_.data(); }
   const double* reciprocal_lengths() const { return per_length_.data(); }
-  /// For each span, the index of the first nonzero spline.
   const int* first_spline_indices() const { return first_.data(); }
-  /// For each span, the offset of its polynomials in coefficients().
+  /// Offset of the polynomials of each knot span in coefficients()
   const int* coefficient_offsets() const { return place_.data(); }
-  /// Polynomial coefficients of the splines, of shape (11, kWidth) for each span: the coefficients
-  /// of t^5, .., 1 with t = (x - begin of the span)/length, then of t^4, .., 1 for the slopes in x.
-  /// Spans with equal coefficients share one table.
+  /// Polynomial coefficients of the splines, shape (11, kWidth) for each span. The first six rows
+  /// are coefficients of t^5, .., 1 with t = (x - begin of the span)/length. The other five rows
+  /// are coefficients of t^4, .., 1 for the slopes in x. Spans with equal coefficients share one
+  /// table.
   const double* coefficients() const { return coefficients_.data(); }
 
  private:
@@ -78,42 +75,43 @@ class SplinePieces {
   std::vector<double> breaks_, per_length_, coefficients_;
 };
 
-/// A deposition grid with precomputed tables.
 struct DepositPlan {
   DepositGrid grid;
   SplinePieces y, v;
-  double rate;               ///< impulse rate lambda
-  double sampling_interval;  ///< time between samples
-  /// Coefficients of t^7, .., 1 of the Lagrange polynomials with nodes -3 .. 4: shape (8, 8).
+  double rate;  ///< impulse rate lambda
+  double sampling_interval;
+  /// Coefficients of t^7, .., 1 of the Lagrange polynomials with the nodes -3 .. 4, shape (8, 8)
   std::vector<double> lagrange;
-  /// Coefficients of t^3, .., 1 of the four cubics that smooth bins have in a cell: shape (4, 8).
+  /// Coefficients of t^3, .., 1 of the four cubic pieces of smooth bins in a cell, shape (4, 8)
   std::vector<double> cubics;
 
   /// @throws InputError as require_valid_deposit_grid()
   DepositPlan(const DepositGrid& grid, double rate, double sampling_interval);
 };
 
-/// Sums over the samples and impacts of one stream, deposited on a DepositGrid. With N samples at
-/// equal intervals over the time T, for any h = sum c_ij B_i(y) B_j(v),
+/// Sums over the samples and impacts of one stream, deposited on a DepositGrid. For N samples at
+/// equal intervals over the time T, and any h = sum c_ij B_i(y) B_j(v), the sums satisfy
 ///
 ///     sum c_ij (flow[i][j] + sum_q lattice[i][q] (K B_j)(v_q)) / N
 ///         = mean of [ y' h_y + y'' h_v + lambda (K h - h) ]
 ///           + (1/T) sum over impacts of [ h(0, v+) - h(y-, v-) ].
 ///
-/// With DepositGrid::shifts the lattice stays empty and `flow` includes the terms of the lattice.
-/// y'' is the second derivative of the flight's polynomial, (y-, v-) is the state of this
-/// polynomial at the impact, and v+ is the velocity after the impact.
+/// With DepositGrid::shifts the lattice is not used, and `flow` includes the terms of the lattice.
+/// In this formula y'' is the second derivative of the flight polynomial, (y-, v-) is the state of
+/// the flight polynomial at the impact, and v+ is the velocity after the impact.
 struct DepositedSums {
   int flow_pitch = 0, lattice_pitch = 0;
-  std::vector<double> flow;     ///< shape (y functions, flow_pitch); rows are padded
-  std::vector<double> lattice;  ///< shape (y functions, lattice_pitch); rows are padded
-  std::vector<double> y_bins;   ///< sums over samples; smooth bin b of y is at [b + kBinOffset]
-  std::vector<double> v_bins;   ///< as y_bins, for y'
-  /// Sums of y'', y'' y and y'' y' of the flights' polynomials over samples.
+  std::vector<double> flow;     ///< shape (number of splines in y, flow_pitch); rows are padded
+  std::vector<double> lattice;  ///< shape (number of splines in y, lattice_pitch); rows are padded
+  /// Sums over samples; smooth bin b of y has the index b + kBinOffset
+  std::vector<double> y_bins;
+  /// Sums over samples; smooth bin b of y' has the index b + kBinOffset
+  std::vector<double> v_bins;
+  /// Sums over samples of y'', y'' y and y'' y', with y'' from the flight polynomials
   std::array<double, 3> acceleration{};
-  /// Sums of -v-, v+ and |y-| over impacts.
+  /// Sums over impacts of -v-, v+ and |y-|
   std::array<double, 3> impacts{};
-  /// Sums of 1, Y and Y^2 over the drawn impulses.
+  /// Sums of 1, Y and Y^2 over the drawn impulses
   std::array<double, 3> impulses{};
 
   static constexpr int kBinOffset = 2;
@@ -128,10 +126,10 @@ struct DepositedSums {
         v_bins(static_cast<std::size_t>(grid.v_bins.count + 2 * kBinOffset + kPadding)) {}
 
  private:
-  static constexpr int kPadding = SplinePieces::kWidth;  // sums are updated eight at a time
+  // padding, since sums are updated eight at a time
+  static constexpr int kPadding = SplinePieces::kWidth;
 };
 
-/// Calls `visit` with every member of a deposit that holds sums.
 template <class Sums, class Visit>
 void for_each_deposit_sum(Sums& deposit, Visit visit) {
   visit(deposit.flow);

@@ -5,16 +5,15 @@
 #include "mcs/deposit/deposit.hpp"
 #include "numerics/simd/simd.hpp"
 
-// Inlined into files that are compiled for several instruction sets (mcs/motion/advance_simd.hpp).
-// The SIMD lanes hold the splines that do not vanish at one sample, one spline per lane. Elsewhere
-// in mcs/ each lane holds another stream.
+// This file is compiled for several instruction sets. Each SIMD lane holds one of the splines that
+// are nonzero at one sample, whereas in the rest of mcs/ each lane holds one stream.
 
 namespace fpkcheck::mcs {
 namespace {
 
 using Real8 = simd::VectorTypes<8>::Real;
 
-/// Values at t of eight polynomials, by Horner's rule.
+/// Returns the values at t of eight polynomials, by Horner's rule.
 template <int kDegree>
 FPKCHECK_INLINE Real8 evaluate_polynomials(const double* coefficients, double t) {
   Real8 sum = simd::load<Real8>(coefficients);
@@ -27,25 +26,25 @@ FPKCHECK_INLINE void add_in_place(double* to, const Real8& terms) {
   simd::store(simd::load<Real8>(to) + terms, to);
 }
 
-/// Values and slopes of the splines that do not vanish at a point.
+/// Values and slopes of the splines that are nonzero at a point.
 struct SplineValues {
   Real8 value, slope;
   int first;
 };
 
 FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePieces& pieces, double x) {
-  // NaN belongs to no cell and is replaced by the first point.
+  // A coordinate NaN is replaced by the first point of the knots.
   const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
   const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
   const int last = pieces.cells() - 1;
-  // A cell contains at most one break. Near a break the polynomials of both spans agree up to
+  // A cell contains at most one break. At a break the polynomials of both spans agree up to
   // rounding.
   int span = pieces.span_of_cell()[place > last ? last : place];
   span += span + 1 < pieces.spans() && inside >= pieces.breaks()[span + 1] ? 1 : 0;
   const double* const c = pieces.coefficients() + pieces.coefficient_offsets()[span];
   const double t = (inside - pieces.breaks()[span]) * pieces.reciprocal_lengths()[span];
   SplineValues f{evaluate_polynomials<5>(c, t), Real8{}, pieces.first_spline_indices()[span]};
-  // Beyond the ends the splines are constant, with slope 0.
+  // Beyond the end knots the splines are constant, with slope 0.
   if (inside == x) f.slope = evaluate_polynomials<4>(c + 6 * 8, t);
   return f;
 }
@@ -78,12 +77,12 @@ FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, DepositedSums& 
   }
 }
 
-/// Deposits one sample of (y, v): adds its terms to the sums of a deposit.
-/// @param a second derivative of the flight's polynomial
+/// Adds the terms of one sample (y, v) to the sums of a deposit.
+/// @param a second derivative of the flight polynomial
 FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, DepositedSums& deposit, double y,
                                     double v, double a, double weight) {
   const SplineValues in_y = evaluate_splines(plan.y, y), in_v = evaluate_splines(plan.v, v);
-  // y' B_i' B_j - lambda B_i B_j + y'' B_i B_j'
+  // Terms y' B_i' B_j - lambda B_i B_j + y'' B_i B_j' of one sample
   const Real8 of_value = (weight * v) * in_y.slope - (weight * plan.rate) * in_y.value;
   const Real8 of_slope = (weight * a) * in_y.value;
   double* row = deposit.flow.data() + in_y.first * deposit.flow_pitch + in_v.first;
@@ -116,8 +115,8 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, DepositedSums& depo
   deposit.acceleration[2] += acceleration * v;
 }
 
-/// Deposits the jump h(0, v+) - h(y-, v-) at one impact, to first order in y-, which differs from 0
-/// by rounding only.
+/// Deposits the jump h(0, v+) - h(y-, v-) at one impact to first order in y-, since y- differs from
+/// 0 only by rounding.
 FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, DepositedSums& deposit,
                                     double y_before, double v_before, double v_after,
                                     double weight) {
@@ -128,7 +127,8 @@ FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, DepositedSums& depo
   double* row = deposit.flow.data();
   add_in_place(row + after.first, per_sample * after.value);
 #pragma GCC unroll 2
-  for (int i = 0; i < 2; ++i) {  // only these two splines have a value or slope at the wall
+  // only the first two splines have a nonzero value or slope at the wall
+  for (int i = 0; i < 2; ++i) {
     const double at = simd::lane_value(wall.value, i) + y_before * simd::lane_value(wall.slope, i);
     add_in_place(row + before.first, (-per_sample * at) * before.value);
     row += deposit.flow_pitch;

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::vector<double>> bin_sums(const Simulation& simulation,
                                           transform::Variable variable) {
-  std::vector<std::vector<double>> sums;  // shape (streams, n + 2), with the outer bins
+  std::vector<std::vector<double>> sums;  // shape (streams, n + 2) with two outer bins
   for (const Stream& stream : simulation.streams()) {
     const Histogram& histogram = stream.record.histogram;
     sums.push_back(variable == transform::Variable::y ? histogram.row_sums()
@@ -29,19 +29,19 @@ struct Interval {
   double lower, upper;
 };
 
-/// Confidence interval of the densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean.
-/// The variance is proportional to the density, since the visits to a bin are nearly a Poisson
-/// process. This interval is the score interval of Wilson (J. Am. Stat. Assoc. 22 (1927) 209) in
-/// the limit of rare events. After few visits the true density is more often above the estimated
-/// mean than below, and the interval mean +- t error then often misses the true density.
+/// Returns the score interval of Wilson (J. Am. Stat. Assoc. 22 (1927) 209) for rare events: the
+/// densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean. The variance is
+/// proportional to the density, since the visits to a bin are nearly a Poisson process. After few
+/// visits the interval mean +- t error often misses the true density, which is then more often
+/// above the mean than below.
 Interval score_interval(double mean, double error, double t) {
   const double shift = t * t * error * error / (2 * mean);
   const double half_width = std::sqrt(shift * (2 * mean + shift));
   return {std::max(mean + shift - half_width, 0.0), mean + shift + half_width};
 }
 
-/// Probabilities that the variable is below each bin edge, estimated from each stream.
-/// @return shape (streams, edges)
+/// Returns the probabilities that the variable is below each bin edge, estimated from each stream,
+/// shape (streams, edges).
 std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simulation,
                                                           transform::Variable variable) {
   auto sums = bin_sums(simulation, variable);
@@ -56,7 +56,7 @@ std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simu
 constexpr std::array kProbabilities{1e-4, 1e-3, 0.01, 0.05,  0.25,  0.5,
                                     0.75, 0.95, 0.99, 0.999, 0.9999};
 
-/// A distribution function, given by nondecreasing values at the edges of bins.
+/// Distribution function, given by nondecreasing values at the edges of bins.
 class DistributionFunction {
  public:
   DistributionFunction(const std::vector<double>& edges, std::vector<double> below)
@@ -66,8 +66,8 @@ class DistributionFunction {
 
   bool is_in_range(double p) const { return p > below_.front() && p < below_.back(); }
 
-  /// Quantile of the probability p: inverts the cubic through the values at four edges, between the
-  /// two middle edges.
+  /// Returns the quantile of the probability p, by inverting the cubic through the values at four
+  /// edges.
   double inverse(double p) const {
     const auto above = std::ranges::upper_bound(below_, p) - below_.begin();
     const auto count = static_cast<std::ptrdiff_t>(edges_.size());
@@ -100,7 +100,7 @@ class DistributionFunction {
   std::vector<double> below_;
 };
 
-/// Maps quantiles to physical coordinates. A mirrored axis exchanges lower and upper tails.
+/// Maps quantiles to physical coordinates. A mirrored axis exchanges lower and upper tail.
 std::vector<Quantile> to_physical_coordinates(const problem::Frame& frame,
                                               transform::Variable variable,
                                               std::vector<Quantile> quantiles) {
@@ -132,7 +132,8 @@ double expected_l1_error(const BinErrors& errors) {
 // normal factor. The L1 norms of the replicates have the distribution of the L1 sampling error.
 L1SamplingError l1_sampling_error(const BinErrors& errors) {
   constexpr int kReplicates = 400;
-  constexpr std::uint64_t kSeed = 20240501;  // arbitrary, but fixed: runs are reproducible
+  // arbitrary constant seed, so that runs are reproducible
+  constexpr std::uint64_t kSeed = 20240501;
   L1SamplingError result{.expected = expected_l1_error(errors), .quantile_99 = 0};
   if (errors.empty()) return result;
   boost::random::mt19937_64 engine(kSeed);
@@ -166,9 +167,10 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
     std::ranges::transform(sums, densities.begin(),
                            [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
     const auto [mean, error] = weights.estimate(densities);
-    const double density = std::max(mean, 0.0);  // see estimate_joint_density
-    // If none of n independent draws is in the bin, the probability of the bin is below 3/n at 95 %
-    // confidence ("rule of three").
+    // negative means as in estimate_joint_density()
+    const double density = std::max(mean, 0.0);
+    // If no sample of n independent samples is in the bin, the probability of the bin is below 3/n
+    // at 95 % confidence ("rule of three").
     const Interval interval = density > 0
                                   ? score_interval(density, error, weights.interval_factor())
                                   : Interval{0, 3 / (effective_samples * width)};
@@ -195,8 +197,8 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
         return stream.record.histogram(i + 1, j + 1) * unit;
       });
       const auto [mean, error] = weights.estimate(values);
-      // In short runs a stream of negative weight may be the only one to visit a cell of the far
-      // tails.
+      // In short runs the mean of a cell in the far tails is negative if only a stream of negative
+      // weight visits the cell.
       density.averages.push_back(std::max(mean, 0.0));
       joint.standard_errors.push_back(error);
     }

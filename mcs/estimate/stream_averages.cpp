@@ -9,7 +9,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::size_t kEdgesPerLevel = 10;  // bin edges per crossing level
+constexpr std::size_t kEdgesPerLevel = 10;
 
 double sum_above(const std::vector<double>& sums, std::size_t edge) {
   return std::accumulate(sums.begin() + static_cast<std::ptrdiff_t>(edge) + 1, sums.end(), 0.0);
@@ -39,7 +39,7 @@ double moment(const Simulation& simulation, const StreamRecord& record, int p, i
 double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
   const problem::Frame& frame = simulation.plan().frame;
   if (frame.is_identity()) return moment(simulation, record, p, q);
-  // y^p = (origin + sign x)^p
+  // y^p = (origin + sign x)^p with the wall coordinate x
   const auto [origin, sign] = std::pair{frame.origin, frame.sign()};
   double sum = 0, binomial = 1;
   for (int n = 0; n <= p; ++n) {
@@ -71,9 +71,9 @@ std::vector<double> stream_moments(const Simulation& simulation, int p, int q) {
 }
 
 std::vector<double> excess_powers(const Simulation& simulation) {
-  // Impulses are independent of the motion before them. Their work (Excitation::work) has the
-  // expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v] = 0, since int v dt is the change of y
-  // and impacts do not change y.
+  // Impulses are independent of the motion before them. The work of the impulses (Excitation::work)
+  // therefore has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v] = 0, since int v dt is
+  // the change of y and impacts do not change y.
   const double expected = simulation.plan().excitation.work;
   return value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
     return record.work / simulation.stream_time() - expected;

@@ -18,7 +18,7 @@ double sum_of_squares_about(double centre, std::span<const double> values) {
   return sum;
 }
 
-// The control variate is constant up to rounding: no regression is possible.
+// Returns whether the control variate is constant up to rounding.
 bool is_negligible(double square_about_mean, std::span<const double> values) {
   constexpr double kRounding = 1e-12;
   return square_about_mean <= sum_of_squares_about(0, values) * kRounding * kRounding;
@@ -49,14 +49,15 @@ StreamWeights::StreamWeights(std::span<const double> excess_powers)
 }
 
 int StreamWeights::degrees_of_freedom() const {
-  return static_cast<int>(size()) - 3;  // minus 3 estimated parameters: a mean and two slopes
+  return static_cast<int>(size()) - 3;  // 3 estimated parameters: a mean and two slopes
 }
 
 Estimate StreamWeights::estimate(std::span<const double> values) const {
   const double x_bar = mean(values);
   double weighted = 0;
   for (std::size_t s = 0; s < size(); ++s) {
-    // Weighting the deviations from the plain mean loses no digits if all values are nearly equal.
+    // Weighting the deviations from the plain mean avoids cancellation if all values are nearly
+    // equal.
     weighted += weights_[s] * (values[s] - x_bar);
   }
   double square = 0;

@@ -5,70 +5,69 @@
 
 namespace fpkcheck::mcs {
 
-/// A mean and its standard error.
 struct Estimate {
   double mean = 0;
   double standard_error = 0;
 };
 
-/// Quantile of a variable: the probability of a smaller value than `value` is `probability`.
+/// Quantile of a variable: `probability` is the probability of values below `value`.
 struct Quantile {
   double probability;
   double value;
-  double lower, upper;  ///< ends of the 95 % interval
+  double lower, upper;  ///< ends of the 95 % confidence interval of the quantile
 };
 
-/// Rate of upward crossings of the level of y, or of peaks above this level, per unit time.
+/// Rate of upward crossings of a level of y, or of peaks above a level of y, per unit time.
 struct LevelEventRate {
   double level;
   Estimate rate;
 };
 
-/// Weights of the stream averages, which write the control-variate estimate (Lavenberg & Welch,
+/// Weights of the stream averages, which express the control-variate estimate (Lavenberg & Welch,
 /// Management Science 27, 1981) as a weighted mean.
 ///
-/// A stream whose impulses do more work than expected has y and y' above the stationary average.
-/// The impulse law alone determines the expectation of the work, for any oscillator. Let x_s be the
-/// average of stream s and b_s its excess power (mean zero). The streams form two halves A and B
-/// with means x_A, b_A, x_B, b_B and least-squares slopes beta_A, beta_B of x on b. The slope of
-/// one half corrects the mean of the other half. The halves are independent, so the estimate is
-/// unbiased:
+/// The control variate is the excess work of the impulses: a stream with excess work has y and y'
+/// above the stationary average. The impulse law alone determines the expected work, for any
+/// oscillator. Let x_s be the average of stream s and b_s the excess power of stream s, which has
+/// mean zero. The streams form two halves A and B with means x_A, b_A, x_B, b_B and least-squares
+/// slopes beta_A, beta_B of x on b. The slope of one half corrects the mean of the other half. The
+/// halves are independent, so the following estimate is unbiased:
 ///
 ///     estimate = (n_A/n) (x_A - beta_B b_A) + (n_B/n) (x_B - beta_A b_B) = sum w_s x_s,
 ///     w_s = 1/n - (n_B/n) b_B (b_s - b_A) / S_A   for s in A,   S_A = sum_A (b_s - b_A)^2,
 ///
 /// and with A and B exchanged for s in B; sum w_s = 1, sum w_s b_s = 0. Moments, histogram and
-/// fluxes share one set of weights and stay consistent. The weights are near 1/n; a weight may be
-/// negative in short runs with few streams only.
+/// fluxes have the same weights and are therefore consistent. The weights are near 1/n; a weight is
+/// negative only in short runs with few streams.
 class StreamWeights {
  public:
-  /// @param excess_powers excess power of each stream; eight or more streams
+  /// @param excess_powers excess power of each stream, for eight or more streams
   explicit StreamWeights(std::span<const double> excess_powers);
 
   double operator[](std::size_t stream) const { return weights_[stream]; }
   std::size_t size() const { return weights_.size(); }
 
-  /// Weighted mean of a quantity with one value per stream. The standard error is computed from the
-  /// residuals of the regression.
+  /// Returns the weighted mean of a quantity with one value per stream. The standard error is
+  /// computed from the residuals of the regression.
   Estimate estimate(std::span<const double> values) const;
 
-  /// Contribution of each stream to the sampling error of estimate(values). The sum of their
-  /// squares is the squared standard error. The sum of their products with the contributions to
-  /// another mean is the covariance of both means.
+  /// Returns the contribution of each stream to the sampling error of estimate(values). The sum of
+  /// the squared contributions is the squared standard error. The sum of products of the
+  /// contributions to two means is the covariance of the two means.
   std::vector<double> error_contributions(std::span<const double> values) const;
 
-  /// Half-width of a 95 % confidence interval, in standard errors (Student's t).
+  /// Returns the half-width of a 95 % confidence interval, in standard errors (Student's t).
   double interval_factor() const;
 
  private:
   int degrees_of_freedom() const;
 
   std::vector<double> weights_;
-  std::vector<double> controls_;  // b_s minus the mean of b over all streams
-  double control_square_ = 0;     // sum of the squares of controls_
+  std::vector<double> controls_;  // excess power b_s minus the mean of b over all streams
+  double control_square_ = 0;     // sum of the squared elements of controls_
 };
 
-/// Unweighted mean of one value per stream, and the standard error of this mean.
+/// Returns the unweighted mean of one value per stream, and the standard error of the mean.
 Estimate plain_estimate(std::span<const double> values);
 
 }  // namespace fpkcheck::mcs

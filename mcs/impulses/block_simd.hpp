@@ -5,7 +5,7 @@
 #include "mcs/impulses/impulse_source.hpp"
 #include "mcs/impulses/standard_amplitude.hpp"
 
-// Compiled for several instruction sets, as motion/advance_simd.hpp.
+// This file is compiled for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 

@@ -18,7 +18,7 @@ static_assert(std::is_same_v<decltype(one_of(DrawnLaws())), problem::ImpulseLaw:
 
 int law_index(const problem::ImpulseLaw::LawVariant& law) { return static_cast<int>(law.index()); }
 
-// The atoms of a law, and the intervals on which its density is linear.
+// Returns the atoms of a law and the intervals on which the density of the law is linear.
 template <class Law>
 std::vector<AmplitudeInterval> amplitude_ranges(const Law& law) {
   std::vector<AmplitudeInterval> ranges;
@@ -37,8 +37,7 @@ std::vector<AmplitudeInterval> amplitude_ranges(const Law& law) {
   return ranges;
 }
 
-// Quantile function of an amplitude law whose StandardAmplitude is DrawnFromQuantileFunction; null
-// for other laws.
+// Returns the quantile function of a law with DrawnFromQuantileFunction; null for other laws.
 std::shared_ptr<const PiecewiseQuantileFunction> make_pieces(
     const problem::ImpulseLaw::LawVariant& law) {
   return std::visit(

@@ -5,7 +5,6 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Makes a block of impulses with the best instruction set of this processor.
 ImpulseBlock make_block_of_impulses(const Excitation& excitation, const UniformNumbers& uniforms) {
   static const auto make = simd::select_variant(
       simd::available_code_variants().back().instructions, baseline::make_impulse_block,

@@ -8,12 +8,11 @@
 
 namespace fpkcheck::mcs {
 
-/// A block of consecutive impulses: waiting times and amplitudes.
 struct ImpulseBlock {
   std::array<double, kBlockSize> waiting{}, amplitude{};
 };
 
-// Makes a block of impulses from random numbers. One function, compiled for three instruction sets.
+// One source of make_impulse_block() is compiled for three instruction sets.
 namespace baseline {
 ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms);
 }
@@ -24,14 +23,13 @@ namespace avx512 {
 ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms);
 }
 
-/// One impulse of paper (3): waiting time after the previous impulse, and amplitude Y.
+/// Impulse of paper (3): waiting time after the previous impulse, and amplitude Y.
 struct Impulse {
   double waiting;
   double amplitude;
 };
 
-/// Generator of the impulses of one stream. Impulse n is a function of (seed, stream, n) alone.
-/// SIMD lanes draw the impulses in blocks.
+/// Generator of the impulses of one stream; impulse n is a function of (seed, stream, n) alone.
 class ImpulseSource {
  public:
   ImpulseSource(const Excitation& excitation, std::uint64_t seed, std::uint32_t stream,
@@ -47,13 +45,13 @@ class ImpulseSource {
     return {block_.waiting[index], block_.amplitude[index]};
   }
 
-  /// Number of impulses drawn so far.
+  /// Returns the number of impulses drawn so far.
   std::uint64_t number() const { return number_; }
-  /// Continues after the impulse with this number, as if `number` impulses had been drawn.
+  /// Sets the generator to its state after `number` impulses.
   void continue_from(std::uint64_t number);
 
-  /// Two independent standard normal numbers for the initial state of the stream. Every call
-  /// returns the same numbers.
+  /// Returns two independent standard normal numbers for the initial state of the stream; all calls
+  /// return the same numbers.
   std::array<double, 2> standard_normals() const;
 
  private:
@@ -67,8 +65,7 @@ class ImpulseSource {
   ImpulseBlock block_{};
 };
 
-/// Generator of the standard normal random numbers of one stream, for Gaussian noise: the amplitudes
-/// of standard_normal_impulses().
+/// Generator of standard normal random numbers of one stream, for Gaussian noise.
 class NoiseSource {
  public:
   NoiseSource(std::uint64_t seed, std::uint32_t stream)
@@ -76,9 +73,7 @@ class NoiseSource {
 
   double next_normal() { return impulses_.next_impulse().amplitude; }
 
-  /// How many normal numbers have been drawn so far.
   std::uint64_t number() const { return impulses_.number(); }
-  /// Continues as if `number` normal numbers had been drawn.
   void continue_from(std::uint64_t number) { impulses_.continue_from(number); }
 
  private:

@@ -14,8 +14,8 @@ using Piece = PiecewiseQuantileFunction::Piece;
 constexpr int kOctaves = 43;  // octaves of u below 1/2, down to 2^-44
 constexpr int kParts = 4;     // pieces per octave
 
-// Interpolation by Newton's divided differences at the Chebyshev points of [0, 1], expanded in
-// powers.
+// Returns the coefficients of the polynomial that interpolates `of_t` at the Chebyshev points of
+// [0, 1], by Newton's divided differences.
 std::array<double, 8> polynomial(const std::function<double(double)>& of_t) {
   constexpr std::size_t kPoints = std::tuple_size_v<decltype(Piece::powers)>;
   std::array<double, kPoints> t{}, difference{}, powers{};
@@ -28,7 +28,7 @@ std::array<double, 8> polynomial(const std::function<double(double)>& of_t) {
       difference[k] = (difference[k] - difference[k - 1]) / (t[k] - t[k - order]);
     }
   }
-  for (std::size_t k = kPoints; k-- > 0;) {  // powers <- powers (t - t_k) + difference_k
+  for (std::size_t k = kPoints; k-- > 0;) {  // invariant: powers <- powers (t - t_k) + difference_k
     for (std::size_t n = kPoints - 1; n > 0; --n) powers[n] = powers[n - 1] - t[k] * powers[n];
     powers[0] = difference[k] - t[k] * powers[0];
   }
@@ -42,8 +42,8 @@ double PiecewiseQuantileFunction::operator()(double u) const {
                                       [](double x, const Piece& p) { return x < p.upper_end; });
   const double from = piece == pieces_.begin() ? 0 : (piece - 1)->upper_end;
   const double t = (u - from) / (piece->upper_end - from);
-  // With the densities f and g at the ends, s solves t (f + g) = 2 f s + (g - f) s^2. This form of
-  // the root has no cancellation.
+  // With the densities f and g at the ends of the piece, s solves t (f + g) = 2 f s + (g - f) s^2.
+  // The formula below computes the root s without cancellation.
   const double f = piece->first_density, g = piece->last_density;
   const double s = f == g ? t : t * (f + g) / (f + std::sqrt(f * f + t * (g - f) * (g + f)));
   double sum = 0;
@@ -70,7 +70,7 @@ PiecewiseQuantileFunction quantile_function_of_intervals(
   for (const AmplitudeInterval& range : ranges) {
     below += range.probability;
     if (below <= (pieces.empty() ? 0 : pieces.back().upper_end))
-      continue;  // an empty interval of u
+      continue;  // no piece for an empty interval of u
     pieces.push_back({.upper_end = below,
                       .powers = {range.from, range.to - range.from},
                       .first_density = range.first_density,
@@ -82,14 +82,15 @@ PiecewiseQuantileFunction quantile_function_of_intervals(
 
 PiecewiseQuantileFunction interpolate_quantile_function(
     const std::function<double(double p, double q)>& quantile) {
-  std::vector<double> ends;  // ends of the pieces, increasing, up to 1/2
+  std::vector<double> ends;  // increasing ends of the pieces, up to 1/2
   for (int octave = kOctaves; octave > 0; --octave) {
     for (int part = 0; part < kParts; ++part) {
       ends.push_back(std::ldexp(1 + static_cast<double>(part) / kParts, -octave - 1));
     }
   }
   ends.push_back(0.5);
-  // No random number is below the first end or above the last end, so a constant suffices there.
+  // A constant is sufficient below the first end and above the last end of the pieces, since no
+  // random number u is there.
   std::vector<Piece> pieces{{ends.front(), {quantile(ends.front(), 1 - ends.front())}}};
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double from = ends[k], length = ends[k + 1] - from;

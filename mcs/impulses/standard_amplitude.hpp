@@ -14,16 +14,15 @@ struct UniformLaw;
 
 namespace fpkcheck::mcs {
 
-/// Draws an amplitude of the law with mean 0 and width() 1 from two independent uniform numbers of
-/// (0, 1); u has more digits than w (UniformNumbers). Each law of problem::ImpulseLaw has one
-/// specialisation, a formula or DrawnFromQuantileFunction, and an entry in DrawnLaws. The types of
-/// the laws are declared only, since their headers must not be compiled for several instruction
-/// sets.
+/// Draws an amplitude of the law with mean 0 and width() 1 from two independent uniform numbers u
+/// and w of (0, 1); u has more digits than w. Each law of problem::ImpulseLaw has one
+/// specialisation: a formula, or DrawnFromQuantileFunction. The types of the laws are only declared
+/// here, since their headers must not be compiled for several instruction sets.
 template <class Law>
 struct StandardAmplitude;
 
-/// Box-Muller transform. The cosine of an angle uniform on a full turn has the same law as the sine
-/// of an angle uniform on +- a quarter turn.
+/// Box-Muller transform with the sine of an angle between -90 and 90 degrees, instead of the cosine
+/// of an angle on the full turn. The sine and the cosine have the same law.
 template <>
 struct StandardAmplitude<problem::GaussianLaw> {
   template <class Real>
@@ -67,8 +66,7 @@ struct StandardAmplitude<problem::ExponentialLaw> {
   }
 };
 
-/// Base of StandardAmplitude for laws whose amplitudes are drawn from PiecewiseQuantileFunction:
-/// laws with a standardised_quantile, with atoms or with a piecewise linear density.
+/// Base of StandardAmplitude for laws whose amplitudes are drawn with PiecewiseQuantileFunction.
 struct DrawnFromQuantileFunction {};
 template <>
 struct StandardAmplitude<problem::GammaLaw> : DrawnFromQuantileFunction {};

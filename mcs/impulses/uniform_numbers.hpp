@@ -5,26 +5,25 @@
 
 namespace fpkcheck::mcs {
 
-/// Purpose of random numbers. Different purposes use different counters of the generator.
+/// Purpose of random numbers; different purposes use different counters of the generator.
 enum class RandomNumberPurpose : std::uint32_t { impulses, start, noise };
 
-/// Random bits (128) as a function of (seed, stream, purpose, number), by the counter-based
-/// generator Philox4x32-10 (Salmon et al., SC 2011, Random123). The function has no state, so the
-/// order of calls does not matter.
+/// Returns 128 random bits as a function of (seed, stream, purpose, number). The generator is
+/// Philox4x32-10, which is counter-based (Salmon et al., SC 2011, Random123).
 std::array<std::uint32_t, 4> random_bits(std::uint64_t seed, std::uint32_t stream,
                                          RandomNumberPurpose purpose, std::uint64_t number);
 
-/// Number of impulses per block.
 inline constexpr int kBlockSize = 16;
 
-/// Uniform random numbers in (0, 1) for a block of impulses. The 128 random bits of one impulse
-/// give three numbers of 53, 43 and 32 bits. The 43 bits of the second number limit the amplitude
-/// to 7.8 standard deviations of a Gaussian law and to 30 scales of a Laplace law.
+/// Uniform random numbers in (0, 1) for a block of impulses: three numbers of 53, 43 and 32 bits
+/// for each impulse. The 43 bits of the second number limit the amplitude to 7.8 standard
+/// deviations of a Gaussian law and to 30 scales of a Laplace law.
 struct UniformNumbers {
   std::array<double, kBlockSize> first, second, third;
 };
 
-/// The uniform random numbers of the impulses `from` .. `from + kBlockSize - 1` of a stream.
+/// Returns the uniform random numbers of the impulses `from` .. `from + kBlockSize - 1` of a
+/// stream.
 UniformNumbers uniform_numbers(std::uint64_t seed, std::uint32_t stream,
                                RandomNumberPurpose purpose, std::uint64_t from);
 

@@ -18,7 +18,6 @@ void advance(const MotionParameters& motion, std::span<Stream* const> streams, d
   }
   const auto advance_streams = simd::select_variant(lanes.instructions, baseline::advance_streams,
                                                     avx2::advance_streams, avx512::advance_streams);
-  // Full groups in SIMD lanes, the other streams one by one.
   const auto width = static_cast<std::size_t>(lanes.width);
   std::size_t next = 0;
   for (; next + width <= streams.size(); next += width) {

@@ -9,26 +9,25 @@
 
 namespace fpkcheck::mcs {
 
-/// Parameters of the motion, the sampling and the statistics, the same for all streams.
+/// Parameters of motion, sampling and statistics that all streams have in common.
 struct MotionParameters {
   Oscillator oscillator;
-  NoiseKicks kicks{};        ///< not with Oscillator::Kind::duffing_at_wall
-  double step;               ///< limit of the Taylor step in radians (DuffingFlight::max_step)
-  double sampling_interval;  ///< time between samples
+  NoiseKicks kicks{};  ///< must be absent with Oscillator::Kind::duffing_at_wall
+  double step;         ///< limit of the Taylor step in radians, see DuffingFlight::max_step
+  double sampling_interval;
   const BinFinder* y_bins;
   const BinFinder* v_bins;
-  bool records = true;                             ///< false during the burn-in
-  const ImportanceSplitting* splitting = nullptr;  ///< null: every stream is one branch
-  double shift = 0;                                ///< Excitation::shift
-  /// Null: no deposition. Only with Oscillator::Kind::duffing_at_wall
+  bool records = true;  ///< whether statistics are recorded; false during the burn-in
+  const ImportanceSplitting* splitting = nullptr;  ///< null without splitting
+  double shift = 0;  ///< shift of the velocity impulses, Excitation::shift
+  /// Null without deposition; allowed only with Oscillator::Kind::duffing_at_wall
   const DepositPlan* deposit = nullptr;
 };
 
-/// Advances streams by the duration `time`, event by event, paper (1)-(2): flights end exactly at
-/// impacts, at impulses, at kicks of the noise and at the end of the duration. Each SIMD lane has
-/// its own time and does nothing after its end until all lanes have ended. If the force presses the
-/// mass on a wall, infinitely many bounces end in finite time. Below the impact speed
-/// Wall::rest_speed the geometric series of these bounces is summed, and the mass then rests until
+/// Advances streams by the duration `time`, event by event, paper (1)-(2). Flights end exactly at
+/// impacts, at impulses, at noise kicks and at the end of the duration. If the contact force
+/// presses the mass on a wall, infinitely many bounces end in finite time. Below the impact speed
+/// Wall::rest_speed the geometric series of the bounces is summed, and the mass then rests until
 /// the next impulse.
 ///
 /// The result of a stream is independent of the other streams, of the number of streams and of the
@@ -38,14 +37,14 @@ struct MotionParameters {
 void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
              const simd::CodeVariant& lanes);
 
-/// Time from a kick of the noise at (y, v) to the next kick. Next to a wall with impact losses this
-/// time is a fraction of the time in which noise alone changes the motion, v^2/D or
-/// (distance^2/D)^(1/3). With a fixed interval the strength of the kicks would limit how near the
-/// oscillator comes to rest.
+/// Returns the time from a noise kick at (y, v) to the next noise kick. Next to a wall with impact
+/// losses the time is a fraction of v^2/D or (distance^2/D)^(1/3), the times in which noise alone
+/// changes the motion. With a constant interval the strength of the kicks would prevent the
+/// oscillator from coming close to rest.
 double time_to_next_kick(const MotionParameters& motion, double y, double v);
 
-// Advances `width` streams by their remaining time. One function, compiled for three instruction
-// sets.
+// The three functions advance_streams() advance `width` streams by their remaining time. One source
+// is compiled for three instruction sets.
 namespace baseline {
 void advance_streams(const MotionParameters& motion, Stream* const* streams, int width);
 }

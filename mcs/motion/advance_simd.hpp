@@ -8,25 +8,25 @@
 #include "mcs/motion/sample_simd.hpp"
 #include "numerics/simd/simd.hpp"
 
-// Included by files that are compiled for different instruction sets (InstructionSet). Everything
-// here is inlined or has internal linkage. The linker therefore cannot merge two copies of a
-// function and keep the copy with instructions that the processor lacks.
+// Files that include this file are compiled for different instruction sets. All functions of this
+// file are inlined or have internal linkage, since the linker could otherwise keep a copy with
+// instructions that the processor lacks.
 
 namespace fpkcheck::mcs {
 namespace {
 
 /// Motion of Oscillator::Kind::duffing_at_wall: the only wall is at y = 0, the mass never rests,
-/// noise does not act between impulses.
+/// and no noise acts between impulses.
 struct DuffingMotion {
   template <class Real>
   using Flight = DuffingFlight<Real>;
-  static constexpr bool kHasAnyWalls = false;  ///< walls at other positions, two walls or none
-  static constexpr bool kHasRest = false;      ///< the mass may rest on a wall
-  static constexpr bool kHasKicks = false;     ///< Gaussian noise, as NoiseKicks
-  static constexpr bool kDeposits = true;  ///< samples are deposited on MotionParameters::deposit
+  /// Whether there may be two walls, no wall, or walls at other positions than y = 0
+  static constexpr bool kHasAnyWalls = false;
+  static constexpr bool kHasRest = false;  ///< whether the mass may rest on a wall
+  static constexpr bool kHasKicks = false;
+  static constexpr bool kDeposits = true;
 };
 
-/// Motion of any oscillator.
 template <int kOrder>
 struct PolynomialMotion {
   template <class Real>
@@ -37,7 +37,7 @@ struct PolynomialMotion {
   static constexpr bool kDeposits = false;
 };
 
-/// State and sums of several streams, one per SIMD lane.
+/// State and sums of several streams, one stream per SIMD lane.
 template <int W, class Motion>
 struct LaneState {
   using Real = typename simd::VectorTypes<W>::Real;
@@ -49,22 +49,21 @@ struct LaneState {
   const MotionParameters& motion;
   const Oscillator& oscillator;
   Stream* const* streams;
-  double* cells[W];  // of the histogram of each stream
+  double* cells[W];  // histogram cells of each stream
   Real y{}, v{}, until_impulse{}, until_kick{}, until_sample{}, remaining{}, time_to_rest{};
-  Real weight{};  // of the branches
+  Real weight{};
   Real powers[kPowers.size()]{};
   Real y5{}, y6{};
   Real samples{}, impacts{}, flights{};
   Real left_speed{}, left_energy{}, right_speed{}, right_energy{};
   Real rest_left{}, rest_right{};
-  Real beyond_wall{};  // y of the flight's polynomial at the next impact: 0 up to rounding
+  Real beyond_wall{};  // y of the flight polynomial at the next impact, 0 up to rounding
 
   FPKCHECK_INLINE LaneState(const MotionParameters& m, Stream* const* s)
       : motion(m), oscillator(m.oscillator), streams(s) {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
   }
 
-  /// Calls `visit` with the lanes of each member of the branches.
   template <class Self, class Visit>
   FPKCHECK_INLINE static void for_each_branch_member(Self& self, const Visit& visit) {
     visit(self.y, &Branch::y);
@@ -116,7 +115,8 @@ struct LaneState {
     }
   }
 
-  /// Applies paper (2) at all walls, also where an impulse pushes a resting oscillator into a wall.
+  /// Applies the impact law, paper (2), at all walls, also after an impulse towards a wall on which
+  /// the mass rests.
   FPKCHECK_INLINE void apply_impacts(const Mask& active) {
     if constexpr (Motion::kHasAnyWalls) {
       if (oscillator.left.exists) apply_impact(oscillator.left, 1, active, left_speed, left_energy);
@@ -127,15 +127,16 @@ struct LaneState {
     }
   }
 
-  /// Applies paper (2) at one wall.
+  /// Applies the impact law, paper (2), at one wall.
   /// @param inwards 1 at the left wall, -1 at the right wall
   FPKCHECK_INLINE void apply_impact(const Wall& wall, double inwards, const Mask& active,
                                     Real& speed_sum, Real& energy_sum) {
     const double r = wall.restitution, position = Motion::kHasAnyWalls ? wall.position : 0.0;
-    const Real speed = -inwards * v;  // towards the wall
+    const Real speed = -inwards * v;
     Mask impact = active & (inwards * (y - position) <= 0.0);
     if constexpr (Motion::kHasRest) {
-      // With a positive contact force the mass returns to the wall at any speed, and may stay.
+      // With a positive contact force the mass returns to the wall at any speed, and may come to
+      // rest.
       impact =
           impact & (time_to_rest < 0.0) & (wall.contact_force > 0 ? speed >= 0.0 : speed > 0.0);
     } else {
@@ -158,14 +159,14 @@ struct LaneState {
     v = simd::select(impact, after, v);
   }
 
-  /// In the lanes of `impact` whose impact is slower than Wall::rest_speed, sums the bounces that
-  /// follow, and keeps the mass at the wall.
+  /// Replaces the bounces after an impact slower than Wall::rest_speed by the sum of their
+  /// geometric series, and keeps the mass at the wall.
   FPKCHECK_INLINE void sum_bounces(const Wall& wall, const Real& speed, const Mask& impact,
                                    Real& after, Real& speed_sum, Real& energy_sum) {
     const double r = wall.restitution;
     const Mask stays = impact & (speed < wall.rest_speed);
     if (!simd::any_lane_set(stays)) return;
-    // The bounces start at r, r^2, .. times the speed, and each takes 2 (its speed) /
+    // Bounce n = 1, 2, .. starts at the speed u_n = r^n speed and takes the time 2 u_n /
     // contact_force. For r = 1 the bounces never end.
     constexpr double kNoEnd = 1e300;
     const double times = r < 1 ? 2 * r / ((1 - r) * wall.contact_force) : 0;
@@ -210,7 +211,8 @@ struct LaneState {
     until_sample = until_sample - span;
   }
 
-  // Deposits one sample after another: here the SIMD lanes hold the splines of a single sample.
+  // Samples are deposited one by one, since the SIMD lanes of deposit_sample() hold the splines of
+  // a single sample.
   FPKCHECK_INLINE void deposit_due_samples(const BasicState<Real>& at, const Real& acceleration,
                                            const Mask& due) const {
     Array<double> ys, vs, as;
@@ -225,7 +227,7 @@ struct LaneState {
     }
   }
 
-  // A lane without a due sample is counted with the weight 0.
+  // A lane without a due sample has the weight 0.
   FPKCHECK_INLINE void count_sample(const BasicState<Real>& at, const Mask& due,
                                     [[maybe_unused]] const Mask& at_rest) {
     const Real counted_weight = simd::select_or_zero(due, weight);
@@ -245,7 +247,6 @@ struct LaneState {
                      streams, cells);
   }
 
-  /// Counts samples at rest on the left or on the right wall.
   FPKCHECK_INLINE void count_rest(const Real& x, const Real& resting) {
     if (!oscillator.right.exists) {
       rest_left = rest_left + resting;
@@ -256,7 +257,7 @@ struct LaneState {
     rest_left = rest_left + (resting - there);
   }
 
-  // Rounding may put a sample at an impact slightly behind a wall.
+  // Rounding may place a sample at an impact slightly behind a wall.
   FPKCHECK_INLINE Real clamp_between_walls(const Real& x) const {
     Real between = x;
     if (Motion::kHasAnyWalls && oscillator.right.exists) {
@@ -268,7 +269,7 @@ struct LaneState {
     return between;
   }
 
-  /// Adds the weight of each lane in `there` to the bin of y.
+  /// Adds the weight of each lane in `there` to the bin that contains the value `at` of y.
   FPKCHECK_INLINE void add_to_bins(std::vector<double> StreamRecord::*of, const Real& at,
                                    const Mask& there) {
     if (!simd::any_lane_set(there)) return;
@@ -279,7 +280,7 @@ struct LaneState {
     }
   }
 
-  /// Ends a DuffingFlight at its impact in [0, span], if any, and counts its maximum of y.
+  /// Ends a DuffingFlight at an impact in [0, span], if present, and counts a maximum of y.
   FPKCHECK_INLINE void end_at_only_wall(const Flight& flight, Real& span, BasicState<Real>& end) {
     const Mask impact = (end.y < 0.0) & (y > 0.0);
     if (simd::any_lane_set(impact)) {
@@ -296,10 +297,10 @@ struct LaneState {
     add_to_bins(&StreamRecord::peaks, height, peak);
   }
 
-  /// Ends a PolynomialFlight at the first impact in [0, span], if any, and counts its extremes of
-  /// y. The velocity changes its sign at most once, so y at both ends and at the extreme determine
-  /// the impacts. Signs at the ends alone miss two cases: the return to a wall with positive contact
-  /// force, and an excursion behind a wall across a gap.
+  /// Ends a PolynomialFlight at the first impact in [0, span], if present, and counts extremes of
+  /// y. The velocity changes sign at most once, so y at both ends and at the extreme determine the
+  /// impacts. The signs of y at the ends alone miss the return to a wall with positive contact
+  /// force, and a short excursion behind a wall.
   FPKCHECK_INLINE void end_at_first_wall(const Flight& flight, Real& span, BasicState<Real>& end,
                                          const Mask& free) {
     const Oscillator& o = oscillator;
@@ -331,7 +332,8 @@ struct LaneState {
       const Mask after_turn = turned & (first == none);
       const Real low = simd::select(after_turn, turning, Real{});
       const Real high = simd::select(first, turning, span);
-      // Initial guess from the parabola about the extreme, or from the chord without an extreme.
+      // The initial guess comes from the parabola about the extreme, or from the chord if there is
+      // no extreme.
       const Real from_extreme = extreme - wall;
       const Real of_first =
           1.0 - simd::square_root(simd::lanewise_max(from_extreme / (extreme - y), Real{}));
@@ -355,7 +357,6 @@ struct LaneState {
     }
   }
 
-  /// Applies impulses, kicks and ends of branches, lane by lane.
   FPKCHECK_INLINE void apply_lane_events(const Mask& active) {
     const Mask impulse_now = active & (until_impulse <= 0.0);
     if (motion.splitting) {  // kicks and splitting exclude each other
@@ -406,14 +407,15 @@ struct LaneState {
   }
 
   FPKCHECK_INLINE void advance_streams() {
-    // A copy, since the compiler must assume that storing a sum may change the original.
+    // A copy of the oscillator allows optimisation, since the compiler must assume that stores of
+    // sums change the original.
     const Oscillator of_flights = oscillator;
     load_branches();
     for (;;) {
       const Mask active = remaining > 0.0;
       if (!simd::any_lane_set(active)) break;
-      // Every iteration advances the time of a lane or ends at a wall. There the velocity points
-      // inwards or the lane is at rest, so the next iteration advances the time.
+      // Every iteration advances the time of a lane or ends at a wall. At a wall the velocity
+      // points inwards or the mass rests, so the next iteration advances the time.
       apply_impacts(active);
       Flight flight(of_flights, {y, v});
       Real span = simd::lanewise_min(until_impulse, remaining);
@@ -445,7 +447,7 @@ struct LaneState {
         time_to_rest =
             simd::select(in_contact, simd::lanewise_max(time_to_rest - span, Real{}), time_to_rest);
       }
-      // At a grazing turn rounding may put y slightly behind a wall.
+      // At a grazing turning point rounding may place y slightly behind a wall.
       y = end.y;
       if (!Motion::kHasAnyWalls || oscillator.left.exists) y = simd::lanewise_max(y, Real{});
       if (Motion::kHasAnyWalls && oscillator.right.exists)
@@ -458,7 +460,7 @@ struct LaneState {
   }
 };
 
-/// Orders of the Taylor polynomials. Flights between kicks are short, so that a lower order
+/// Orders of the Taylor polynomials; flights between noise kicks are short, so that a lower order
 /// suffices.
 inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
 
@@ -473,7 +475,6 @@ void advance_in_lanes(const MotionParameters& motion, Stream* const* streams) {
   }
 }
 
-/// Calls advance_in_lanes() for `width`, which must be one of Widths.
 template <int... Widths>
 void advance_with_width(const MotionParameters& motion, Stream* const* streams, int width) {
   ((width == Widths ? advance_in_lanes<Widths>(motion, streams) : void()), ...);

@@ -4,13 +4,9 @@
 
 namespace fpkcheck::mcs {
 
-/// The flights of a hardening Duffing oscillator (Oscillator::Kind::duffing_at_wall), paper (1)
-/// without impulses: y'' = -(c y' + k y + mu y^3) with c, k, mu >= 0, in y >= 0.
-///
-/// The energy does not grow during a flight. The initial energy therefore bounds the frequency of
-/// the whole flight. max_step() limits the time to a fraction of the shortest period at this
-/// energy. This bound is computed faster than the bound of PolynomialFlight, and is valid for all
-/// states.
+/// Flights of a hardening Duffing oscillator (Oscillator::Kind::duffing_at_wall), paper (1) without
+/// impulses: y'' = -(c y' + k y + mu y^3) with c, k, mu >= 0, in y >= 0. The initial energy bounds
+/// the frequency of the whole flight, since the energy does not grow during a flight.
 template <class Real>
 class DuffingFlight : public TaylorFlight<Real, 12> {
   using Base = TaylorFlight<Real, 12>;
@@ -28,41 +24,42 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   }
   DuffingFlight(Oscillator&&, const BasicState<Real>&) = delete;
 
-  /// Longest time for which the polynomial is used: `phase` radians of the highest possible
-  /// frequency.
+  /// Returns the longest time for which the polynomial is used: `phase` radians of the highest
+  /// possible frequency.
   ///
-  /// For phase < pi a flight of this time has at most one impact, and no impact if the flight
-  /// starts at the wall with v >= 0. By Sturm's comparison theorem, zeros of a solution of y'' + c
-  /// y' + (g(y)/y) y = 0 are at least pi / sqrt(max g(y)/y) apart. So an impact occurs exactly if y
-  /// < 0 at the end, and impacts cannot accumulate.
+  /// By Sturm's comparison theorem, zeros of a solution of y'' + c y' + (g(y)/y) y = 0 are at least
+  /// pi / sqrt(max g(y)/y) apart. For phase < pi a flight therefore has at most one impact, and no
+  /// impact if the flight starts at the wall with v >= 0. An impact occurs exactly if y < 0 at the
+  /// end of the flight, and impacts cannot accumulate.
   FPKCHECK_INLINE Real max_step(double phase) const { return phase / frequency_bound_; }
 
-  /// Acceleration y'' at a state by paper (1).
   FPKCHECK_INLINE Real acceleration(const BasicState<Real>& state) const {
     const double c = oscillator_.damping[0], k = oscillator_.force[1], mu = oscillator_.force[3];
     const Real force = state.y * (k + mu * (state.y * state.y));
     return -(c * state.v + force);
   }
 
-  /// Zero of y(s) in [0, end], to rounding, in the lanes of `wanted`, where y(0) > 0 > y(end).
-  /// Other lanes return a finite number.
+  /// Returns the zero of y(s) in [0, end], to rounding, in the lanes of `wanted`, where y(0) > 0 >
+  /// y(end). Other lanes return a finite number.
   template <class Mask>
   FPKCHECK_INLINE Real impact_time(const Real& end, const BasicState<Real>& at_end,
                                    const Mask& wanted) const {
-    // Halley's method triples the number of correct digits per step; two steps usually suffice.
+    // Halley's method triples the number of correct digits per step, so that two steps usually
+    // suffice.
     const auto halley = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
       const BasicState<Real> state = state_at_time(s);
       is_before = state.y >= 0.0;
       return s - state.y * state.v / (state.v * state.v - 0.5 * (state.y * acceleration(state)));
     };
-    // After a third-order correction of 1e-6 the error is rounding.
+    // After a third-order correction of 1e-6 the remaining error is rounding.
     return bracketed_zero(
         Real{}, end, initial_impact_time(end, at_end), wanted,
         halley, [&](const Real&) __attribute__((always_inline)) { return 1e-6 * end; });
   }
 
-  /// Time in [0, end] of the maximum of y, v(s) = 0, in the lanes where v(0) > 0 > v(end). The
-  /// relative error of about 1e-5 in time causes an error of about 1e-10 in the maximum.
+  /// Returns the time in [0, end] of the maximum of y, v(s) = 0, in the lanes where v(0) > 0 >
+  /// v(end). The relative error of about 1e-5 in time causes an error of about 1e-10 in the
+  /// maximum.
   FPKCHECK_INLINE Real peak_time(const Real& end, const BasicState<Real>& at_end) const {
     const Real chord = end * (a_[1] / (a_[1] - at_end.v));
     const BasicState<Real> state = state_at_time(chord);
@@ -73,9 +70,9 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   }
 
  private:
-  /// Upper bound of the frequency: square root of the largest slope of the force at the energy E =
-  /// y'^2/2 + U(y), k + 3 mu y^2 with mu y^4 / 4 <= E, plus c. The time step stays below the pole
-  /// that limits the convergence of the Taylor series of a hardening spring.
+  /// Returns an upper bound of the frequency, which keeps the time step below the radius of
+  /// convergence of the Taylor series. The bound is c plus the square root of the largest slope k +
+  /// 3 mu y^2 of the force, where mu y^4 / 4 <= E = y'^2/2 + U(y).
   FPKCHECK_INLINE static Real frequency_bound(const Oscillator& o, const BasicState<Real>& start) {
     const double k = o.force[1], mu = o.force[3];
     const Real y2 = start.y * start.y;
@@ -83,12 +80,12 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
     return simd::square_root(k + 6.0 * simd::square_root(mu * energy)) + o.damping[0];
   }
 
-  /// Computes a_2, a_3, .. from a_0 and a_1,
+  /// Computes a_2, a_3, .. from a_0 and a_1 by the recursion
   ///
   ///     (n+1)(n+2) a_{n+2} = -(c (n+1) a_{n+1} + k a_n + mu [y^3]_n).
   FPKCHECK_INLINE void compute_coefficients() {
     const double c = oscillator_.damping[0], k = oscillator_.force[1], mu = oscillator_.force[3];
-    std::array<Real, kOrder - 1> square;  // [y^2]_n
+    std::array<Real, kOrder - 1> square;  // coefficients [y^2]_n
     // Each sum adds the newest coefficients last, so that the chain of dependent operations is
     // short.
 #pragma GCC unroll 16
@@ -107,10 +104,10 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
     }
   }
 
-  /// First approximation of the impact time: s(0) of the cubic s(y) with the slopes 1/v at both
-  /// ends. If this value is outside the interval, the zero of the chord.
+  /// Returns a first approximation of the impact time: s(0) of the cubic s(y) with the slopes 1/v
+  /// at both ends. If s(0) is outside the interval, returns the zero of the chord.
   FPKCHECK_INLINE Real initial_impact_time(const Real& end, const BasicState<Real>& at_end) const {
-    const Real drop = a_[0] - at_end.y;  // > 0
+    const Real drop = a_[0] - at_end.y;  // positive drop of y during the flight
     const Real u = a_[0] / drop;
     const Real u1 = 1.0 - u;
     const Real s = end * u * u * (3.0 - 2.0 * u) + u * u1 * drop * (u / at_end.v - u1 / a_[1]);

@@ -3,17 +3,16 @@
 #include "mcs/motion/advance.hpp"
 #include "numerics/simd/elementary.hpp"
 
-// The scalar events of a stream: impulses and kicks of the noise. Included by files that are
-// compiled for different instruction sets, as motion/advance_simd.hpp.
+// This file has the scalar events of a stream, impulses and noise kicks, and is compiled for
+// several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
-/// Weight of the current branch of a stream.
 inline double branch_weight(const MotionParameters& motion, const Stream& stream) {
   return motion.splitting ? motion.splitting->branch_weight(stream.branch) : 1.0;
 }
 
-/// Counts a maximum or minimum of y if the velocity changes its sign in a jump from `before` to
+/// Counts a maximum or minimum of y if the velocity changes sign in a jump from `before` to
 /// `after`.
 inline void count_turning_point(const MotionParameters& motion, Stream& stream, double before,
                                 double after) {
@@ -51,7 +50,7 @@ inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
 }
 
 /// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before
-/// the kick and half of the interval after it.
+/// the kick plus half of the interval after the kick.
 inline void apply_kick(const MotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   const NoiseKicks& kicks = motion.kicks;
@@ -59,7 +58,7 @@ inline void apply_kick(const MotionParameters& motion, Stream& stream) {
   const double time = (b.kick_interval + next) / 2;
   const double x = kicks.damping * time;
   const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
-  // (1 - exp(-2x)) / (2x), computed by its series if the difference loses digits
+  // (1 - exp(-2x)) / (2x), from a series where the difference would lose digits
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
   const double kick =
@@ -70,7 +69,7 @@ inline void apply_kick(const MotionParameters& motion, Stream& stream) {
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
-    // The work of a kick as counted here has expectation 0 for any motion.
+    // The recorded work of a kick has the expectation 0 for any motion.
     stream.record.work +=
         damped * kick + (kick * kick - 2 * kicks.diffusion * time * mean_decay) / 2;
   }

@@ -10,7 +10,7 @@ namespace fpkcheck::mcs {
 namespace {
 
 // Impact speed, as a fraction of the velocity scale, below which the series of bounces is summed
-// with the constant force at the wall. The neglected change of the force has an effect of second
+// with a constant force at the wall. The neglected change of the force has an effect of second
 // order, 1e-6 of E[y'^2] and of the time.
 constexpr double kRestSpeedFraction = 1e-3;
 
@@ -45,7 +45,7 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
   for (std::size_t n = 0; n < o.force.size(); ++n)
     o.force[n] = system.restoring_force().coefficient(n);
   o.force[0] -= mean_force;
-  // Constant damping f = c y' is part of the kicks.
+  // Constant damping c y' is part of the noise kicks.
   if (!(kicked && system.has_constant_damping())) {
     for (std::size_t n = 0; n < o.damping.size(); ++n) {
       o.damping[n] = system.damping_polynomial().coefficient(n);

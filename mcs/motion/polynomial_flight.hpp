@@ -5,11 +5,10 @@
 #include "mcs/motion/taylor_flight.hpp"
 #include "numerics/simd/elementary.hpp"
 
-// Included by files that are compiled for different instruction sets, as motion/advance_simd.hpp.
+// This file is compiled for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
-/// Tangent stiffness g'(y).
 template <class Real>
 FPKCHECK_INLINE Real tangent_stiffness(const Oscillator& o, const Real& y) {
   Real sum = simd::broadcast<Real>(5 * o.force[5]);
@@ -17,7 +16,7 @@ FPKCHECK_INLINE Real tangent_stiffness(const Oscillator& o, const Real& y) {
   return sum;
 }
 
-/// Coefficient n of the product of two series, [a b]_n.
+/// Returns coefficient n of the product of two power series, [a b]_n.
 template <class A, class B>
 FPKCHECK_INLINE auto cauchy_product(const A& a, const B& b, int n) {
   auto sum = a[0] * b[n];
@@ -26,11 +25,12 @@ FPKCHECK_INLINE auto cauchy_product(const A& a, const B& b, int n) {
   return sum;
 }
 
-/// Computes a_2, a_3, .. from a_0 and a_1,
+/// Computes a_2, a_3, .. from a_0 and a_1 by the recursion
 ///
 ///     (n+1)(n+2) a_{n+2} = -([g(y)]_n + (n+1) [C(y)]_{n+1} + c_vv [v^3]_n),    C' = c.
 ///
-/// Cauchy products give the coefficients of powers; c(y) v = dC(y)/ds.
+/// Cauchy products give the coefficients of powers. The term of c(y) follows from c(y) v =
+/// dC(y)/ds.
 template <Oscillator::Kind kKind, int kOrder, class Real>
 FPKCHECK_INLINE void compute_coefficients_inline(const Oscillator& o,
                                                  std::array<Real, kOrder + 1>& a) {
@@ -61,7 +61,7 @@ FPKCHECK_INLINE void compute_coefficients_inline(const Oscillator& o,
   }
 }
 
-// The function is not inlined, since the compiler would otherwise generate a copy for each call.
+// This function is not inlined: the compiler would otherwise generate a copy for each call.
 template <Oscillator::Kind kKind, int kOrder, class Real>
 __attribute__((noinline)) void compute_coefficients_of_kind(const Oscillator& o,
                                                             std::array<Real, kOrder + 1>& a) {
@@ -81,7 +81,7 @@ FPKCHECK_INLINE void compute_coefficients(const Oscillator& o, std::array<Real, 
   }
 }
 
-/// The flights of any oscillator.
+/// Flights of an oscillator of any Oscillator::Kind.
 template <class Real, int kOrder>
 class PolynomialFlight : public TaylorFlight<Real, kOrder> {
   using Base = TaylorFlight<Real, kOrder>;
@@ -98,20 +98,19 @@ class PolynomialFlight : public TaylorFlight<Real, kOrder> {
     compute_coefficients<kOrder, Real>(oscillator, a_);
   }
 
-  /// Keeps the mass at its initial position in the given lanes.
   template <class Mask>
   FPKCHECK_INLINE void hold_position(const Mask& in_contact) {
 #pragma GCC unroll 16
     for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(in_contact, Real{}, a_[n]);
   }
 
-  /// Longest time for which the polynomial is used: `phase` radians of a frequency w. This
-  /// frequency satisfies |d^n y/ds^n| <= A w^n for the last coefficients, with the extent A of the
-  /// motion, and w^2 is at least the tangent stiffness. The initial energy gives no bound of w,
-  /// since the energy may grow.
+  /// Returns the longest time for which the polynomial is used: `phase` radians of a frequency w.
+  /// The frequency w satisfies |d^n y/ds^n| <= A w^n for the last coefficients, with the extent A
+  /// of the motion, and w^2 is at least the tangent stiffness. The initial energy gives no bound of
+  /// w, since the energy may grow.
   ///
-  /// The velocity of a flight obeys a linear equation with the coefficient g'(y). Within less than
-  /// half a period (phase < pi) the velocity changes its sign at most once (Sturm).
+  /// The velocity of a flight satisfies a linear equation with the coefficient g'(y). Within less
+  /// than half a period (phase < pi) the velocity changes sign at most once (Sturm).
   FPKCHECK_INLINE Real max_step(double phase) const {
     const Real extent = oscillator_.length + simd::lanewise_max(a_[0], -a_[0]);
     const Real over = 1.0 / extent;
@@ -139,8 +138,8 @@ class PolynomialFlight : public TaylorFlight<Real, kOrder> {
     return phase / frequency;
   }
 
-  /// Zero of v in [0, end], in the lanes where v(0) and v(end) have different signs. The error is
-  /// 1e-6 of the time to either end, which causes an error of 1e-12 in y.
+  /// Returns the zero of v in [0, end], in the lanes where v(0) and v(end) have different signs.
+  /// The error is 1e-6 of the time to either end, which causes an error of 1e-12 in y.
   template <class Mask>
   FPKCHECK_INLINE Real turning_time(const Real& end, const BasicState<Real>& at_end,
                                     const Mask& wanted) const {
@@ -155,9 +154,9 @@ class PolynomialFlight : public TaylorFlight<Real, kOrder> {
         [](const Real& s) __attribute__((always_inline)) { return 1e-4 * s; });
   }
 
-  /// Zero of y(s) - wall in [low, high], to rounding, in the lanes of `wanted`, where
+  /// Returns the zero of y(s) - wall in [low, high], to rounding, in the lanes of `wanted`, where
   /// `inside` * (y - wall) changes from positive to negative.
-  /// @param guess within [low, high]
+  /// @param guess first approximation within [low, high]
   template <class Mask>
   FPKCHECK_INLINE Real impact_time(const Real& wall, const Real& inside, const Real& low,
                                    const Real& high, const Real& guess, const Mask& wanted) const {
@@ -168,14 +167,15 @@ class PolynomialFlight : public TaylorFlight<Real, kOrder> {
       return s - distance * speed /
                      (speed * speed - 0.5 * (distance * (inside * polynomial_acceleration(s))));
     };
-    // After a third-order correction of 1e-6 the error is rounding.
+    // After a third-order correction of 1e-6 the remaining error is rounding.
     return bracketed_zero(
         low, high, guess, wanted, halley,
         [](const Real& s) __attribute__((always_inline)) { return 1e-6 * s; });
   }
 
  private:
-  // For y'' = -y^5 and y(0) = 0 only every sixth coefficient differs from 0.
+  // Six orders are necessary: for y'' = -y^5 and y(0) = 0 only every sixth coefficient differs from
+  // 0.
   static constexpr int kTestedOrders = 6;
 };
 

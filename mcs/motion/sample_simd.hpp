@@ -4,8 +4,8 @@
 #include "mcs/streams/stream.hpp"
 #include "numerics/simd/simd.hpp"
 
-// Adds samples in SIMD lanes to moments and histograms, for any oscillator. Included by files that
-// are compiled for different instruction sets, as motion/advance_simd.hpp.
+// This file adds samples in SIMD lanes to moments and histograms, and is compiled for several
+// instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
@@ -14,8 +14,8 @@ struct alignas(64) LaneArray {
   Number at[W];
 };
 
-/// Position of x among evenly spaced edges, whose integer part is the index of the bin. If x is an
-/// edge up to rounding, either neighbouring bin may result.
+/// Returns the position of x among evenly spaced edges; the integer part is the index of the bin.
+/// If x is an edge up to rounding, either neighbouring bin may result.
 template <class Real>
 FPKCHECK_INLINE Real bin_position(const BinFinder& bins, const Real& x) {
   return simd::lanewise_min(
@@ -46,8 +46,8 @@ FPKCHECK_INLINE void add_to_histogram(const BinFinder& y_bins, const BinFinder& 
                                       Stream* const* streams, double* const (&cells)[W]) {
   if (y_bins.is_evenly_spaced() && v_bins.is_evenly_spaced()) {
     const auto row = simd::truncate_to_index(bin_position(y_bins, y));
-    // The sign of v selects the bin next to the edge at 0, even within rounding of this edge: near
-    // rest each of the two bins holds half of a spike.
+    // The sign of v selects the bin next to the edge at 0, even within rounding of this edge. Near
+    // rest the density has a spike at v = 0, and each of the two bins contains half of the spike.
     const Real edge_epsilon = simd::broadcast<Real>(v_bins.edge_epsilon());
     const Real off_zero = simd::select(v < 0.0, simd::lanewise_min(v, -edge_epsilon),
                                        simd::lanewise_max(v, edge_epsilon));

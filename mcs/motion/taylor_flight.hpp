@@ -7,7 +7,7 @@
 
 namespace fpkcheck::mcs {
 
-/// Position y and velocity y' of the oscillator, as numbers or in SIMD lanes.
+/// Position y and velocity y' of the oscillator, as numbers or in SIMD lanes
 template <class Real>
 struct BasicState {
   Real y;
@@ -15,17 +15,17 @@ struct BasicState {
 };
 using State = BasicState<double>;
 
-/// The motion of an oscillator between two events, as a Taylor polynomial in time,
-/// y(s) = sum_n a_n s^n, expanded at the initial state. A derived class computes a_2, a_3, .. from
-/// its equation of motion, and limits the time for which the polynomial is used.
+/// Motion of an oscillator between two events, as a Taylor polynomial in time, y(s) = sum_n a_n
+/// s^n, expanded at the initial state. A derived class computes a_2, a_3, .. from its equation of
+/// motion, and limits the time for which the polynomial is used.
 template <class Real, int kHighestOrder>
 class TaylorFlight {
  public:
   static constexpr int kOrder = kHighestOrder;
   static_assert(kOrder % 2 == 0);
 
-  /// State (y, v) at the time s after the start of the flight. Horner's rule in s^2, applied to
-  /// even and odd powers separately, halves the chain of dependent operations.
+  /// Returns the state (y, v) at the time s after the start of the flight. Horner's rule in s^2,
+  /// applied to even and odd powers separately, halves the chain of dependent operations.
   FPKCHECK_INLINE BasicState<Real> state_at_time(const Real& s) const {
     const Real s2 = s * s;
     Real y_even = a_[kOrder], v_odd = double{kOrder} * a_[kOrder];
@@ -40,7 +40,6 @@ class TaylorFlight {
     return {y_even + s * y_odd, v_even + s * v_odd};
   }
 
-  /// Second derivative y'' of the polynomial at the time s.
   FPKCHECK_INLINE Real polynomial_acceleration(const Real& s) const {
     Real sum = double{kOrder * (kOrder - 1)} * a_[kOrder];
 #pragma GCC unroll 16
@@ -61,15 +60,15 @@ class TaylorFlight {
   Coefficients a_;
 };
 
-// The functions passed below must be always_inline, since files that are compiled for different
-// instruction sets call this function.
+// `iterate` and `tolerance` must be always_inline, since files that are compiled for different
+// instruction sets call bracketed_zero().
 
-/// Zero of a function in the bracket [low, high], in the lanes of `open`: an iteration of higher
-/// order, replaced by bisection where this iteration leaves the bracket. Other lanes return a
-/// finite number.
+/// Returns the zero of a function in the bracket [low, high], in the lanes of `open`. An iteration
+/// of higher order is replaced by bisection if the iteration leaves the bracket. Other lanes return
+/// a finite number.
 /// @param s first approximation, within the bracket
 /// @param iterate maps s to the mask of the lanes whose zero is after s, and to the next
-///        approximation
+/// approximation
 /// @param tolerance maps s to the correction below which a lane has converged
 template <class Real, class Mask, class Iterate, class Tolerance>
 FPKCHECK_INLINE Real bracketed_zero(Real low, Real high, Real s, Mask open, const Iterate& iterate,

@@ -23,10 +23,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Beginning of the first line of checkpoints of any version.
 constexpr std::string_view kFormatPrefix = "fpkcheck mcs checkpoint ";
 
-/// FNV-1a hash of a text.
 std::uint64_t checksum(std::string_view text) {
   std::uint64_t sum = 14695981039346656037u;
   for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
@@ -40,7 +38,7 @@ std::string write_failure_message(const std::string& path, const std::string& wh
 constexpr const char* kUnwritableReason =
     "the directory is missing, write-protected or full; check it";
 
-/// @return error message if the checkpoint was not written; empty after success
+/// @return error message, or an empty string after success
 std::string write_checkpoint(const std::string& path, const std::string& fingerprint,
                              const Simulation& simulation) {
   std::ostringstream contents;
@@ -103,7 +101,7 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
   const auto there = fs::status(path_, ignored);
   if (fs::is_directory(there))
     throw InputError(write_failure_message(path_, "it is a directory; name a file"));
-  // A case file that was named by mistake, or a device, is not overwritten.
+  // The following check prevents overwriting a device, or a case file that was named by mistake.
   if (fs::exists(there) && !(fs::is_regular_file(there) && is_checkpoint(path_))) {
     throw InputError(write_failure_message(
         path_, "the file is no checkpoint and would be lost; name another file"));
@@ -148,7 +146,8 @@ void CheckpointWriter::write_last(const std::string& fingerprint, const Simulati
 
 void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation) {
-  // Upper limit of the size with all streams, deposits on the finest grids and the finest bins.
+  // Upper limit of the size of a checkpoint: all streams, the finest deposit grids, the finest
+  // bins.
   constexpr std::size_t kMostBytes = std::size_t{1} << 30;
   const auto read = base::read_input_file(path, kMostBytes);
   const std::string name = base::sanitise(path);

@@ -9,27 +9,25 @@
 
 namespace fpkcheck::mcs {
 
-/// First line of checkpoints of this version.
 inline constexpr std::string_view kCheckpointFormatLine = "fpkcheck mcs checkpoint 5\n";
 
-/// Text that identifies a simulation by all inputs that determine its numbers, except the duration:
-/// problem, seed, streams, lengths of steps and rounds, bins, thresholds. The text states numbers
-/// with full precision.
+/// Returns a text that identifies a simulation by all inputs that determine its results, except the
+/// duration. The text states numbers with full precision.
 std::string simulation_fingerprint(const problem::Problem& problem, const SimulationPlan& plan,
                                    const ImportanceSplitting* splitting);
 
-/// Writes the state of a simulation to a checkpoint file. A complete temporary file is renamed, so
-/// that the checkpoint is never incomplete. Write errors do not end the simulation.
+/// Writes the state of a simulation to a checkpoint file, by renaming a complete temporary file.
+/// Write errors do not end the simulation.
 class CheckpointWriter {
  public:
   /// @param path checkpoint file; if empty, no checkpoints are written
-  /// @param warn called with one line after the first of consecutive write errors, and after an
-  ///        error of the last checkpoint
+  /// @param warn receives a one-line message after the first of consecutive write errors, and after
+  /// an error of the last checkpoint
   /// @throws InputError if the path cannot be written
   CheckpointWriter(std::string path, std::function<void(const std::string&)> warn);
 
   void write(const std::string& fingerprint, const Simulation& simulation);
-  /// Writes a checkpoint if the last checkpoint is at least half a minute old.
+  /// Writes a checkpoint if the last checkpoint is more than 30 s old.
   void write_when_due(const std::string& fingerprint, const Simulation& simulation);
   void write_last(const std::string& fingerprint, const Simulation& simulation);
 
@@ -44,10 +42,8 @@ class CheckpointWriter {
   std::string failure_{};  ///< error message of the last write; empty after success
 };
 
-/// Sets a simulation to the state in a checkpoint with the same fingerprint. The simulation then
-/// continues as if there had been no interruption.
-/// @throws InputError in one line: the file cannot be read, is damaged or belongs to another
-///        simulation
+/// Sets a simulation to the state in a checkpoint with the same fingerprint.
+/// @throws InputError if the file cannot be read, is damaged or belongs to another simulation
 void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation);
 

@@ -32,8 +32,8 @@ State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) 
   const auto speed = [&](double y) {
     return std::sqrt(std::max(2 * (band.energy - potential(y)), 0.0));
   };
-  // With y = middle + half sin(angle), rejection sampling draws the angle from a density
-  // proportional to the residence time half cos(angle) / speed.
+  // Rejection sampling draws the angle from a density proportional to half cos(angle) / speed, the
+  // residence time at y = middle + half sin(angle).
   const auto time = [&](double angle) {
     const double v = speed(middle + half * std::sin(angle));
     return v > 0 ? half * std::cos(angle) / v : 0.0;
@@ -44,7 +44,8 @@ State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) 
   for (int n = 0; n < kGridPoints; ++n) {
     longest = std::max(longest, time(angle_of((n + 0.5) / kGridPoints)));
   }
-  constexpr double kMargin = 1.2;  // factor for maxima between the grid points
+  // factor for maxima of the residence time between the grid points
+  constexpr double kMargin = 1.2;
   double angle = 0;
   for (std::size_t k = 1; k < kBlockSize; ++k) {
     angle = angle_of(u.first[k]);

@@ -9,24 +9,23 @@
 
 namespace fpkcheck::mcs {
 
-/// Initial state of a stream: independent Gaussians z, z' of mean zero, folded by paper (5),
-/// y = |z|, y' = z' sgn z.
+/// Returns the initial state of a stream: independent zero-mean Gaussians z, z', folded by paper
+/// (5), y = |z|, y' = z' sgn z.
 State folded_initial_state(const ImpulseSource& source, double displacement_deviation,
                            double velocity_deviation);
 
-/// Draws independent initial states from the energy-averaged law (problem::EnergyAveraging), which
-/// has the correct mass of each well and of each energy band. The burn-in then only has to remove
-/// transients of the fast motion and the error of the averaging.
+/// Draws independent initial states from the energy-averaged law (problem::EnergyAveraging), with
+/// the correct mass of each well and of each energy band. The burn-in then only removes transients
+/// of the fast motion and the error of the averaging.
 class InitialStateSampler {
  public:
   explicit InitialStateSampler(const problem::Problem& problem);
 
-  /// Initial state of a stream: a function of the seed and the number of the stream.
   State operator()(std::uint64_t seed, std::uint32_t stream) const;
 
  private:
   problem::EnergyAveraging averaging_;
-  std::vector<double> below_;  // cumulative masses of the bands
+  std::vector<double> below_;  // cumulative masses of the energy bands
 };
 
 }  // namespace fpkcheck::mcs

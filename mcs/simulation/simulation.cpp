@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kGroup = 8;  // number of streams that a thread advances together
 
 MotionParameters make_motion(const SimulationPlan& plan, const ImportanceSplitting* splitting) {
-  // Flights between kicks use a lower order of the Taylor polynomial and therefore need a smaller
-  // step limit.
+  // Flights between kicks use a Taylor polynomial of lower order and therefore a smaller step
+  // limit.
   constexpr double kShorter = 0.35;
   return {.oscillator = plan.oscillator,
           .kicks = plan.kicks,
@@ -30,8 +30,8 @@ MotionParameters make_motion(const SimulationPlan& plan, const ImportanceSplitti
           .deposit = plan.deposit ? &*plan.deposit : nullptr};
 }
 
-/// Makes a stream at its initial state.
-/// @param sampler null: the folded Gaussian
+/// Returns a stream at its initial state.
+/// @param sampler null for an initial state from the folded Gaussian
 Stream make_stream(const SimulationPlan& plan, std::uint32_t number,
                    const InitialStateSampler* sampler) {
   ImpulseSource source(plan.excitation, plan.seed, number);
@@ -51,8 +51,8 @@ Stream make_stream(const SimulationPlan& plan, std::uint32_t number,
                 .noise = NoiseSource(plan.seed, number)};
   if (plan.deposit) stream.record.deposit = DepositedSums(plan.deposit->grid);
   if (plan.kicks.is_present()) {
-    // The first kick has a random phase, so that on average the samples are evenly distributed
-    // over the interval between kicks.
+    // The first kick has a random phase: on average the samples are then evenly distributed over
+    // the interval between kicks.
     const double share =
         uniform_numbers(plan.seed, number, RandomNumberPurpose::start, kBlockSize).third[1];
     stream.branch.kick_interval = plan.kicks.longest_interval;

@@ -9,20 +9,20 @@
 
 namespace fpkcheck::mcs {
 
-/// The independent streams of a plan, simulated in rounds. Each thread advances groups of whole
-/// streams, and a round ends when all streams are advanced. The result is therefore independent of
-/// the number of threads.
+/// The independent streams of a plan, simulated in rounds. The result is independent of the number
+/// of threads, since each thread advances whole streams.
 class Simulation {
  public:
-  /// Creates the streams at the beginning of their burn-in. Initial states are from the Gaussian of
-  /// equivalent linearisation folded to y >= 0, paper (5), or from InitialStateSampler.
+  /// Creates the streams at the beginning of their burn-in. Initial states are drawn from the
+  /// Gaussian of equivalent linearisation, folded to y >= 0 by paper (5), or by
+  /// InitialStateSampler.
   /// @param plan must outlive the simulation
   /// @param splitting null, or must outlive the simulation
   Simulation(const problem::Problem& problem, const SimulationPlan& plan,
              const ImportanceSplitting* splitting = nullptr);
 
-  /// Restricts this simulation to every `parts`-th group of streams, beginning with group `part`.
-  /// load_part() reads the streams of the other parts.
+  /// Restricts this simulation to every `part_count`-th group of streams, beginning with group
+  /// `part`. load_part() reads the streams of the other parts.
   void restrict_to_part(int part, int part_count);
 
   /// Replaces the splitting and clears the histogram of the energies after impulses.
@@ -34,22 +34,21 @@ class Simulation {
 
   const SimulationPlan& plan() const { return *plan_; }
   std::uint64_t rounds() const { return rounds_; }
-  /// Simulated time of one stream, without the burn-in.
+  /// Returns the simulated time of one stream, without the burn-in.
   double stream_time() const { return static_cast<double>(rounds_) * plan_->round_time(); }
-  /// Expected sum of the weights of the samples of one stream. Without splitting the sum has
-  /// exactly this value.
+  /// Returns the expected sum of the sample weights of one stream, which is exact without
+  /// splitting.
   double stream_samples() const {
     return static_cast<double>(rounds_) * static_cast<double>(plan_->samples_per_round);
   }
   const std::vector<Stream>& streams() const { return streams_; }
 
-  /// Writes the complete state of the simulation; to be called between two rounds.
+  /// Writes the complete state of the simulation between two rounds.
   void save(std::ostream& out) const;
   /// Reads a state that save() wrote.
-  /// @throws InputError if the input is not the state of this number of streams and bins
+  /// @throws InputError if the input is not a state with the same numbers of streams and bins
   void load(std::istream& in);
 
-  /// Write the streams of this part, and read the streams of another part.
   void save_part(std::ostream& out) const;
   void load_part(std::istream& in, int part);
 
@@ -66,8 +65,7 @@ class Simulation {
   std::vector<Stream> streams_;
 };
 
-/// One number per stream: the function `value` applied to the record of each stream, in the order
-/// of the streams.
+/// Returns the function `value` of the record of each stream.
 template <class Value>
 std::vector<double> value_per_stream(const std::vector<Stream>& streams, Value value) {
   std::vector<double> values;

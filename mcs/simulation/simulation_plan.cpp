@@ -17,38 +17,43 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Simulated time and burn-in.
-
-// Times in units of the decay time of the slowest mode.
+// Durations in units of the decay time of the slowest mode
 constexpr double kAutomaticTime = 1.6e6;
-constexpr double kBurnIn = 20;      // leaves exp(-20) of the initial deviation
-constexpr double kLeastBurnIn = 5;  // least burn-in of a converged solution
+constexpr double kBurnIn = 20;      // 20 decay times leave exp(-20) of the initial deviation
+constexpr double kLeastBurnIn = 5;  // shortest burn-in of a converged solution
 // 99 % quantile of the L1 sampling error of p(y) or p(y'), times the square root of the simulated
-// time in decay times. This product is 0.6 to 2.3 in the shipped cases with a single well and
-// without strong losses, and up to 4.3 in the other cases (`fpkcheck mcs CASE --json`: sampling_l1
-// and time).
+// time in decay times. The product is 0.6 to 2.3 in the shipped cases with a single well and
+// without strong losses, and up to 4.3 in the other cases (`fpkcheck mcs CASE --json`, keys
+// sampling_l1 and time).
 constexpr double kErrorOfOneDecayTime = 2.5;
 
-constexpr double kTailsShare = 1.0 / 32;      // splitting makes the work several times larger
-constexpr double kControlledShare = 1.0 / 8;  // L1 error in smooth bins about 2e-6
+// fraction of the default time with splitting, which multiplies the work
+constexpr double kTailsShare = 1.0 / 32;
+// fraction of the default time with control variates; the L1 error over smooth bins is about 2e-6
+constexpr double kControlledShare = 1.0 / 8;
 
-// Numbers of impulses and flights in all streams. One processor simulates 2e7 to 3e7 per second.
-constexpr double kDefaultEvents = 4e7;  // other flights than DuffingFlights: some seconds
-constexpr double kMostRunEvents = 2e9;  // one minute
-// Number of impulses and flights of the main branches with splitting, simulated in half a minute
-// (`fpkcheck_random --tails --family --count 40`). There are up to 17 times as many other branches.
-// These branches have more flights per unit time and leave half of the SIMD lanes idle.
+// Limits of the number of impulses and flights in all streams. One processor simulates 2e7 to 3e7
+// impulses and flights per second.
+// a few seconds of computing with flights other than DuffingFlights
+constexpr double kDefaultEvents = 4e7;
+constexpr double kMostRunEvents = 2e9;  // about one minute of computing
+// Limit of the number of impulses and flights of the main branches with splitting, simulated in
+// half a minute (`fpkcheck_random --tails --family --count 40`). Other branches are up to 17 times
+// as many as main branches, have more flights per unit time and leave half of the SIMD lanes idle.
 constexpr double kMostTrunkEvents = 2.5e6;
 
-constexpr double kMostAutomaticTimes = 1e4;  // with Options::samples or Options::target_error
-constexpr double kLongestBurnIn = 1.0 / 8;   // fraction of the default time
+// longest default time with Options::samples or Options::target_error, as a multiple of the
+// automatic time
+constexpr double kMostAutomaticTimes = 1e4;
+// longest burn-in of all streams, as a fraction of the default time
+constexpr double kLongestBurnIn = 1.0 / 8;
 
-/// Decay rate and event rates of a problem, per unit time.
 struct EventRates {
-  double decay;     ///< rate of the slowest mode
-  double impulses;  ///< rate of impulses, or of the kicks of white noise that replace impulses
-  double flights;   ///< rate of flights, plus that of noise kicks that act besides impulses
-  /// Whether the flights are DuffingFlights, which are simulated about twice as fast as others.
+  double decay;  ///< decay rate of the slowest mode
+  double impulses;
+  double flights;  ///< rate of flights, plus the rate of noise kicks that act besides impulses
+  /// Whether the flights are DuffingFlights, which are simulated about twice as fast as other
+  /// flights
   bool duffing_flights = true;
   int wells = 1;
 
@@ -64,8 +69,8 @@ double automatic_time(const Options& options, const EventRates& rates) {
           ? most
           : kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.total_rate();
   const double enough = std::pow(kErrorOfOneDecayTime / options.accuracy, 2) / rates.decay;
-  // Options::accuracy cannot be reached within the full time, or within a minute with several
-  // wells.
+  // Whether Options::accuracy needs more than the full time or, with several wells, more than a
+  // minute of computing
   const bool is_out_of_reach = enough > full || (enough > most && rates.wells > 1);
   return std::min(full,
                   is_out_of_reach ? default_time : std::max(default_time, std::min(enough, most)));
@@ -78,19 +83,18 @@ double burn_in_time(const Options& options, const EventRates& rates, double auto
 }
 
 struct Durations {
-  double automatic;  ///< default simulated time over all streams
+  double automatic;  ///< default simulated time, summed over all streams
   double time;       ///< upper limit of the simulated time
-  double burn_in;    ///< duration of the burn-in of each stream
+  double burn_in;
   ShortBurnInCause short_burn_in_cause;
 };
 
 /// Chooses the simulated time and the burn-in. The full simulated time is 1.6e6 decay times,
-/// reduced as in Options::time; the L1 sampling errors of p(y) and p(y') are then about 6e-4. The
-/// full time is the default if its simulation takes at most a minute with DuffingFlights, or some
-/// seconds with other flights. Otherwise the default time is shorter: its simulation takes
-/// some seconds, or up to a minute if Options::accuracy needs more. With several wells and rare
-/// transitions the simulation takes some seconds only, since even a minute would not determine the
-/// masses of the wells.
+/// reduced as in Options::time, with L1 sampling errors of p(y) and p(y') of about 6e-4. The
+/// default is the full time if the simulation takes at most a minute with DuffingFlights, or a few
+/// seconds with other flights. Otherwise the simulation takes a few seconds, or up to a minute if
+/// Options::accuracy requires more. With several wells and rare transitions even a minute would not
+/// determine the masses of the wells, and the simulation takes only a few seconds.
 Durations choose_durations(const Options& options, const EventRates& rates) {
   const double automatic = automatic_time(options, rates);
   const bool open_ended = options.samples || options.target_error;
@@ -112,19 +116,19 @@ Durations choose_durations(const Options& options, const EventRates& rates) {
   return durations;
 }
 
-// Rounds and samples.
-
-constexpr double kMostSamples = 1e15;  // samples per stream
+constexpr double kMostSamples = 1e15;  // largest number of samples per stream
 
 constexpr int kAutomaticBins = 140;
-constexpr double kAutomaticWhiteStep = 0.05;  // radians
-// 50 samples per period would reduce the sampling noise of the bins by a seventh, at a higher cost.
+// interval between the kicks of white noise in radians
+constexpr double kAutomaticWhiteStep = 0.05;
+// 50 samples per period would reduce the sampling noise of the bins by 1/7, at a higher cost.
 constexpr double kSamplesPerPeriod = 25;
-// Progress reports and interruptions occur between rounds. A round takes the least of a fortieth of
-// the default time, an eighth of the requested time, and about a tenth of a second.
+// Progress reports and interruptions occur between rounds. A round takes the least of 1/40 of the
+// default time, 1/8 of the requested time, and about 0.1 s of computing time.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
-constexpr double kMostEvents = 2e7;  // impulses and flights per round in all streams
+// largest number of impulses and flights per round in all streams
+constexpr double kMostEvents = 2e7;
 
 std::vector<double> evenly_spaced(double from, double to) {
   std::vector<double> edges;
@@ -142,7 +146,7 @@ struct Rounds {
   std::uint64_t samples, rounds;
 };
 
-/// @param events impulses, kicks and flights per unit time
+/// @param events number of impulses, kicks and flights per unit time
 Rounds choose_rounds(const Options& options, const Durations& durations, double interval,
                      double events) {
   const double time = durations.time;
@@ -161,8 +165,8 @@ Rounds choose_rounds(const Options& options, const Durations& durations, double 
   return {static_cast<std::uint64_t>(samples), static_cast<std::uint64_t>(rounds)};
 }
 
-// Intervals between kicks in radians. At strong impact losses the noise near the wall determines
-// the motion, and the kicks must resolve this noise (measurements: docs/simulation.md).
+// Intervals between noise kicks in radians. With strong impact losses the noise near the wall
+// determines the motion, and the kicks must resolve this noise (measurements: docs/simulation.md).
 constexpr double kAutomaticKickStep = 0.2, kKickStepWithStrongLosses = 0.05;
 constexpr double kStrongLosses = 0.6;
 
@@ -175,8 +179,8 @@ double automatic_kick_step(const problem::System& system) {
              : kAutomaticKickStep;
 }
 
-/// Checks the options. The bin edges of y begin at 0 with flights that have one wall at y = 0, else
-/// anywhere.
+/// Checks the options for a problem. The bin edges of y must begin at 0 only if
+/// is_duffing_at_wall().
 void validate_for_problem(const problem::Problem& problem, const Options& options) {
   if (is_duffing_at_wall(problem)) return validate(options);
   if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
@@ -195,8 +199,8 @@ void validate_for_problem(const problem::Problem& problem, const Options& option
   }
 }
 
-/// The impulses of the problem, or the evenly spaced impulses that replace them as white noise. If
-/// kicks replace the impulses, there are none.
+/// Returns the impulses of the problem, or the evenly spaced kicks that replace the impulses as
+/// white noise. If NoiseKicks replace the impulses, the interval between impulses is infinite.
 Excitation make_excitation(const problem::Problem& problem, const Options& options,
                            const problem::MotionScales& scales) {
   const bool white = options.equation == Equation::white;
@@ -208,7 +212,7 @@ Excitation make_excitation(const problem::Problem& problem, const Options& optio
   excitation.power = problem::total_intensity(problem) / 2;
   if (white || !problem.impulses.is_present()) {
     excitation.interval = std::numeric_limits<double>::infinity();
-    // The expected work of the kicks alone is 0; see apply_kick().
+    // The expected work of noise kicks alone is 0; see apply_kick().
     excitation.work = 0;
   }
   return excitation;
@@ -221,7 +225,7 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
   const bool duffing_at_wall = is_duffing_at_wall(problem);
   const problem::MotionScales scales = problem::scales(problem);
   const problem::ProblemFeatures features = problem::features(problem);
-  // Kicks of white noise replace the impulses, unless evenly spaced impulses do.
+  // NoiseKicks replace the impulses as white noise, except for a Duffing oscillator at a wall.
   const bool by_kicks = options.equation == Equation::white && !duffing_at_wall;
   const double diffusion =
       problem.noise.diffusion() + (by_kicks ? problem.impulses.rate_times_moment(2) / 2 : 0);
@@ -230,9 +234,9 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
   const bool has_contact_atoms = features.rests_in_contact && !kicks.is_present();
   const Excitation excitation = make_excitation(problem, options, scales);
   const double step = options.step.value_or(kAutomaticStep);
-  // The sampling interval follows from the frequency at the mean energy. If the mass is mostly at
-  // rest in contact, this frequency is that of tiny bounces. The rate of impulses then gives a
-  // lower limit of the sampling interval.
+  // The frequency at the mean energy determines the sampling interval. If most of the probability
+  // mass is at rest in contact, the frequency at the mean energy belongs to tiny bounces. Therefore
+  // the rate of impulses gives a lower limit of the sampling interval.
   constexpr double kSamplesPerRest = 50;
   const double least =
       has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;

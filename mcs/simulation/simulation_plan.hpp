@@ -12,43 +12,42 @@
 
 namespace fpkcheck::mcs {
 
-/// Default limit of the Taylor step in radians. The errors of the flights are below those of the
+/// Default limit of the Taylor step in radians, with smaller errors of the flights than the
 /// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
 inline constexpr double kAutomaticStep = 0.9;
 
-/// Cause of a burn-in below 5 decay times.
+/// Cause of a burn-in shorter than 5 decay times.
 enum class ShortBurnInCause {
-  none,      ///< the burn-in leaves exp(-5) of the initial deviation, or less
-  impulses,  ///< frequent impulses
-  wells,     ///< rare transitions between wells
-  decay      ///< weak damping
+  none,      ///< the burn-in takes at least 5 decay times
+  impulses,  ///< short burn-in because of frequent impulses
+  wells,     ///< short burn-in because of rare transitions between wells
+  decay      ///< short burn-in because of weak damping
 };
 
-/// All parameters of a simulation, with the default values computed.
+/// All parameters of a simulation, default values included.
 struct SimulationPlan {
   int streams;
   int threads;
   std::uint64_t seed;
-  problem::Frame frame;  ///< maps the results to physical coordinates
+  problem::Frame frame;  ///< frame that maps the results to physical coordinates
   Oscillator oscillator;
   NoiseKicks kicks;
   double step;
   double burn_in;
   ShortBurnInCause short_burn_in_cause;
   double sampling_interval;
-  /// Number of samples of each stream per round.
   std::uint64_t samples_per_round;
-  std::uint64_t rounds;           ///< upper limit of the number of rounds
-  double centre;                  ///< problem::MotionScales::centre
-  double displacement_deviation;  ///< sigma_1 of equivalent linearisation, or of energy averaging
-  double velocity_deviation;      ///< sigma_2
-  bool has_contact_atoms;         ///< whether the stationary law has atoms at rest in contact
+  std::uint64_t rounds;
+  double centre;  ///< centre of the motion, problem::MotionScales::centre
+  /// Standard deviation sigma_1 of y, from equivalent linearisation or energy averaging
+  double displacement_deviation;
+  double velocity_deviation;  ///< standard deviation sigma_2 of y'
+  bool has_contact_atoms;     ///< whether the stationary law has atoms at rest in contact
   Excitation excitation;
   BinFinder y_bins;
   BinFinder v_bins;
   std::optional<DepositPlan> deposit{};
 
-  /// Simulated time of one stream per round.
   double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }
 
   const BinFinder& bin_finder(transform::Variable variable) const {
@@ -56,7 +55,7 @@ struct SimulationPlan {
   }
 };
 
-/// @throws InputError as validate(), and for options that are not supported for the problem
+/// @throws InputError for invalid options, and for options that are not supported for the problem
 SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::mcs

@@ -12,8 +12,6 @@
 
 namespace fpkcheck::mcs {
 
-// Saved states of a simulation: the member functions that write and read them.
-
 namespace {
 
 /// Writes a number in the binary form of this machine, for files that the same machine reads.
@@ -28,13 +26,13 @@ void read_binary(std::istream& in, Number& number) {
   in.read(reinterpret_cast<char*>(&number), sizeof number);
 }
 
-constexpr std::uint64_t kLargestFreeSize = 100000;  // limit if any number of entries is accepted
+constexpr std::uint64_t kLargestFreeSize = 100000;  // size limit of a list without expected size
 
 void require_entries(bool holds) {
   if (!holds) throw InputError("wrong number of entries");
 }
 
-/// Writes a list of numbers in binary form. A run of zeros is stored as its length, since most
+/// Writes a list of numbers in binary form. Each run of zeros is stored as its length, since most
 /// lists consist mainly of zeros.
 void write_binary(std::ostream& out, const std::vector<double>& numbers) {
   write_binary(out, std::uint64_t{numbers.size()});
@@ -51,8 +49,8 @@ void write_binary(std::ostream& out, const std::vector<double>& numbers) {
 }
 
 /// Reads a list of numbers that write_binary() wrote.
-/// @param numbers a list of the expected size; an empty list accepts any size
-/// @throws InputError if the file has another size or is not in this form
+/// @param numbers list of the expected size; an empty list accepts any size
+/// @throws InputError if the file contains another size or another format
 void read_binary(std::istream& in, std::vector<double>& numbers) {
   std::uint64_t size = 0;
   read_binary(in, size);
@@ -69,8 +67,8 @@ void read_binary(std::istream& in, std::vector<double>& numbers) {
   require_entries(static_cast<bool>(in));
 }
 
-// Every number is checked, since a checksum can be forged and a simulation from impossible numbers
-// may never end.
+// Every number of a saved state is checked: a checksum can be forged, and a simulation from
+// impossible numbers may never end.
 void require_valid_state(bool holds) {
   if (!holds) throw InputError("impossible numbers in the saved state");
 }
@@ -88,9 +86,10 @@ bool is_between_walls(double y, double farthest, const SimulationPlan& plan) {
          y <= (o.right.exists ? o.right.position : plan.centre + farthest);
 }
 
-/// Whether the times until the next kick and until rest are possible.
+/// Returns whether the times until the next kick and until rest are possible.
 bool has_valid_times(const Branch& branch, const NoiseKicks& kicks) {
-  const double longest_interval = 1.01 * kicks.longest_interval;  // with an allowance for rounding
+  // limit with an allowance for rounding
+  const double longest_interval = 1.01 * kicks.longest_interval;
   const bool waits = kicks.is_present()
                          ? branch.until_kick >= 0 && branch.until_kick <= longest_interval &&
                                branch.kick_interval >= 0 && branch.kick_interval <= longest_interval
@@ -98,12 +97,13 @@ bool has_valid_times(const Branch& branch, const NoiseKicks& kicks) {
   return waits && branch.time_to_rest >= -1;
 }
 
-/// Whether the state of a branch between two rounds is possible: within the range of the motion and
-/// of the random numbers.
+/// Returns whether the state of a branch is within the range of the motion and of the random
+/// numbers.
 bool is_valid_state(const Branch& branch, const SimulationPlan& plan) {
-  constexpr double kFarthest = 1e4;  // in units of the velocity deviation plus the largest impulse
-  // In mean waiting times, or in widths of the law: a larger random number has the probability
-  // exp(-1000).
+  // largest speed, in units of the velocity deviation plus the largest impulse
+  constexpr double kFarthest = 1e4;
+  // Largest draw in mean waiting times or in widths of the law; larger draws have the probability
+  // exp(-1000)
   constexpr double kRarestDraws = 1e3;
   const Excitation& impulses = plan.excitation;
   const double strongest = std::abs(impulses.mean) + kRarestDraws * impulses.width;
@@ -152,7 +152,7 @@ void Simulation::save(std::ostream& out) const {
 
 void Simulation::load(std::istream& in) {
   read_binary(in, rounds_);
-  // No simulation reaches this number of rounds: a file with more rounds is manipulated.
+  // No simulation reaches this number of rounds; a file with more rounds is manipulated.
   constexpr std::uint64_t kMostRounds = std::uint64_t{1} << 50;
   require_valid_state(rounds_ <= kMostRounds);
   for (Stream& stream : streams_) load_stream(in, stream);

@@ -24,7 +24,7 @@ void require_edges(const std::string& name, const std::vector<double>& edges) {
 
 BinFinder::BinFinder(std::vector<double> edges)
     : edges_(std::move(edges)), first_edge_(edges_.front()) {
-  // Comparisons with NaN are false: NaN at both ends stops the search.
+  // The NaN stop the search in operator(), since comparisons with NaN are false.
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
   guarded_edges_.insert(guarded_edges_.end(), edges_.begin(), edges_.end());
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());

@@ -9,7 +9,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Energy bins over eight decades; the width grows by 2 % from one bin to the next.
+/// Returns the edges of energy bins over eight decades up to `largest`; each bin is 2 % wider than
+/// the bin below.
 std::vector<double> energy_edges(double largest) {
   constexpr int kBins = 930;
   std::vector<double> edges;
@@ -17,7 +18,7 @@ std::vector<double> energy_edges(double largest) {
   return edges;
 }
 
-/// Value of Branch::split in which the bits of the thresholds first + 1 .. last are set.
+/// Returns a value of Branch::split with the bits of the thresholds first + 1 .. last.
 std::uint64_t bits(int first, int last) {
   return (std::uint64_t{1} << last) - (std::uint64_t{1} << first);
 }
@@ -54,7 +55,7 @@ void ImportanceSplitting::split(Stream& stream, int from, bool at_impulse) const
   stream.branch.split |= bits(first, to);
   const Branch origin = stream.branch;
   stream.pending_branches.push_back({.branch = origin});
-  // At threshold i + 1 each of the present branches becomes kCopies branches.
+  // Each threshold splits each of the present branches into kCopies branches.
   int branches = 1;
   for (int i = first; i < to; ++i) {
     Branch copy = origin;
@@ -72,7 +73,7 @@ void ImportanceSplitting::update_after_impulse(Stream& stream) const {
   const int before = branch.energy_level;
   branch.energy_level = energy_level(now);
   branch.split &= bits(0, branch.energy_level);
-  // Counts the state once, before the branch is split.
+  // The histogram counts the state after the impulse before the split, hence only once.
   stream.record.energies[energy_bins_(now)] += branch_weight(branch);
   if (branch.energy_level > before) {
     split(stream, before, true);
@@ -95,7 +96,7 @@ void resume_next_branch(Stream& stream) {
   stream.branch = next.branch;
   if (next.copies > 0) {
     const Impulse impulse = stream.source.next_impulse();
-    // Copies made between impulses have the time of the next impulse in common, but not the
+    // Copies from a split between impulses share the time of the next impulse, but not its
     // amplitude.
     if (next.at_impulse) stream.branch.until_impulse = impulse.waiting;
     stream.branch.amplitude = impulse.amplitude;

@@ -9,30 +9,28 @@
 
 namespace fpkcheck::mcs {
 
-/// Importance splitting by RESTART (Villen-Altamirano, ITC 13, 1991) of the chain of states right
-/// after impulses. The energy must rise at impulses only. If the energy also rose between impulses,
-/// the estimate would stay unbiased, but splitting would not increase the number of visits to the
-/// tails.
+/// Importance splitting by RESTART (Villen-Altamirano, ITC 13, 1991), applied to the states right
+/// after impulses. The method assumes that the energy E = v^2/2 + V(y) rises only at impulses. An
+/// energy that also rises between impulses leaves the estimate unbiased, but splitting then does
+/// not increase the number of visits to the tails.
 ///
-/// The branches of a stream are its trajectory and the copies that splits make of it. A branch
-/// whose energy E = v^2/2 + V(y) rises above a threshold is split into `kCopies` branches with
-/// independent random numbers. All but one of these end when their energy falls below this
-/// threshold. A branch that has been split at n thresholds during its rise has the weight
-/// kCopies^-n. The weighted time averages are unbiased. If every threshold splits, the tails of the
-/// density are visited as often as its middle.
+/// The branches of a stream are the main trajectory and the copies that splits make. A branch whose
+/// energy rises above a threshold is split into `kCopies` branches with independent random numbers.
+/// kCopies - 1 of the split branches end when their energy falls below the threshold. A branch that
+/// was split at n thresholds during its rise has the weight kCopies^-n. With a split at every
+/// threshold, the tails of the density are visited as often as the centre.
 ///
-/// Not every threshold splits. A rule that decides from the past alone leaves the estimate
-/// unbiased: a split preserves the sum of the weights, and the copies use random numbers on which
-/// no earlier decision depends. Three rules bound memory and time:
-/// - An impulse across many thresholds splits at the highest kMostSplits of them, into 4^3 = 64
-///   branches. Without this rule one exponential amplitude across 12 thresholds makes 4^12
+/// Some splits are omitted, which leaves the estimate unbiased: the decision to split depends only
+/// on the past, and copies use new random numbers. Three rules limit memory and time:
+/// - An impulse across many thresholds splits only at the highest kMostSplits thresholds, into 4^3
+///   = 64 branches. Otherwise one exponential amplitude across 12 thresholds would make 4^12
 ///   branches.
-/// - Pending branches with the same state share one entry. The entries have increasing values of
-///   floor_level, so L thresholds have at most L (L + 3)/2 entries.
+/// - Pending branches with the same state share one entry. A stream with L thresholds has at most L
+///   (L + 3)/2 entries, since the entries have increasing values of floor_level.
 /// - A stream does not split while its other branches have received more than kImpulseAllowance +
-///   kImpulsesPerThreshold * L * (impulses of the main branch) impulses. With a probability ratio
-///   of 1/kCopies between thresholds the other branches receive about L times as many impulses as
-///   the main branch. This rule therefore takes effect for badly spaced thresholds only.
+///   kImpulsesPerThreshold * L * (impulses of the main branch) impulses. This limit affects only
+///   badly spaced thresholds: with the probability ratio 1/kCopies between thresholds, the other
+///   branches receive about L times as many impulses as the main branch.
 class ImportanceSplitting {
  public:
   static constexpr int kCopies = 4;
@@ -41,7 +39,7 @@ class ImportanceSplitting {
   static constexpr int kImpulsesPerThreshold = 4;
   static constexpr std::uint64_t kImpulseAllowance = 1000;
 
-  /// @param potential potential V, whose minimum is 0
+  /// @param potential potential energy V, with minimum 0
   /// @param thresholds increasing energies; may be empty; at most kMostThresholds are used
   /// @param largest_energy upper end of the energy bins
   ImportanceSplitting(const numerics::Polynomial& potential, std::vector<double> thresholds,
@@ -54,8 +52,8 @@ class ImportanceSplitting {
   const std::vector<double>& thresholds() const { return thresholds_; }
   const BinFinder& energy_bins() const { return energy_bins_; }
 
-  /// After an impulse, splits the branch of the stream, or ends this branch and resumes the next
-  /// pending branch.
+  /// Splits the current branch if its energy crossed a threshold at an impulse. Ends the current
+  /// branch if its energy fell below the floor level.
   void update_after_impulse(Stream& stream) const;
   /// Splits the initial state of a stream at the thresholds below its energy.
   void split_initial_state(Stream& stream) const;
@@ -72,13 +70,11 @@ class ImportanceSplitting {
   BinFinder energy_bins_;
 };
 
-/// Resumes the next pending branch of a stream.
 /// @pre the stream has a pending branch
 void resume_next_branch(Stream& stream);
 
-/// Threshold energies whose exceedance probabilities have a ratio of about 1/kCopies from one
-/// threshold to the next. About a fraction `rarest` of the states after impulses exceeds the last
-/// threshold.
+/// Chooses threshold energies whose exceedance probability falls by a factor of about kCopies from
+/// one threshold to the next, down to about `rarest`.
 /// @param energies weights of the states after impulses in each energy bin, summed over all streams
 std::vector<double> choose_thresholds(const BinFinder& bins, const std::vector<double>& energies,
                                       double fewest_visits, double rarest);

@@ -12,7 +12,7 @@
 
 namespace fpkcheck::mcs {
 
-/// Exponents (p, q) of the estimated means of y^p y'^q, 1 <= p + q <= kHighestPower.
+/// Exponents (p, q) of the estimated moments E[y^p y'^q], 1 <= p + q <= kHighestPower.
 inline constexpr std::size_t kHighestPower = 4;
 inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
                                                               {0, 1},
@@ -29,41 +29,40 @@ inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
                                                               {1, 3},
                                                               {0, 4}}};
 
-/// Statistics of one stream: sums over samples and events. Each term has the weight of its branch,
-/// which is 1 without splitting.
+/// Statistics of one stream: sums over samples and events, weighted with the branch weight (1
+/// without splitting).
 struct StreamRecord {
   Histogram histogram;
-  std::vector<double> peaks;  ///< maxima of y in the bins of y, with the outer bins
-  /// Minima of y above the wall in the bins of y, with the outer bins
+  std::vector<double> peaks;  ///< weights of the maxima of y in each bin of y, outer bins included
+  /// Weights of the minima of y without wall contact in each bin of y, outer bins included
   std::vector<double> troughs;
   std::array<double, kPowers.size()> powers{};
-  /// Sums of y^5 and y^6 over samples. Only forces of degree 4 or 5 need these sums; flights whose
-  /// step is limited by the energy (cubic forces) do not compute them.
+  /// Sums of y^5 and y^6 over samples; 0 with DuffingFlights, whose balances do not need these sums
   double y5 = 0, y6 = 0;
   double samples = 0;
-  double rest_left = 0;               ///< weight of samples at rest in contact with the left wall;
-                                      ///< these samples are not in the histogram
-  double rest_right = 0;              ///< weight of samples at rest in contact with the right wall
-  double impacts = 0;                 ///< number of impacts on both walls
-  double left_speed = 0;              ///< sum of |v| over impacts on the left wall
-  double left_energy = 0;             ///< sum of v^2 over impacts on the left wall
-  double right_speed = 0;             ///< sum of |v| over impacts on the right wall
-  double right_energy = 0;            ///< sum of v^2 over impacts on the right wall
-  double work = 0;                    ///< work of the impulses, see Excitation::work
-  std::uint64_t impulses = 0;         ///< number of impulses of the main branch
-  std::uint64_t branch_impulses = 0;  ///< number of impulses of all other branches
+  double rest_left = 0;  ///< weight of samples at rest on the left wall, which the histogram omits
+  /// Weight of samples at rest on the right wall, which the histogram omits
+  double rest_right = 0;
+  double impacts = 0;          ///< number of impacts on both walls
+  double left_speed = 0;       ///< sum of |v| over impacts on the left wall
+  double left_energy = 0;      ///< sum of v^2 over impacts on the left wall
+  double right_speed = 0;      ///< sum of |v| over impacts on the right wall
+  double right_energy = 0;     ///< sum of v^2 over impacts on the right wall
+  double work = 0;             ///< work of the impulses, as Excitation::work
+  std::uint64_t impulses = 0;  ///< number of impulses of the main branch
+  std::uint64_t branch_impulses = 0;
   std::uint64_t flights = 0;
   /// Histogram of the energies right after impulses, in ImportanceSplitting::energy_bins(); empty
-  /// without splitting.
+  /// without splitting
   std::vector<double> energies{};
-  /// Sums deposited on the grid of Options::deposit; empty without such a grid.
+  /// Sums deposited on the grid of Options::deposit; empty without a deposit grid
   DepositedSums deposit{};
 
   StreamRecord(const BinFinder& y, const BinFinder& v)
       : histogram(y, v), peaks(y.bin_count() + 2), troughs(y.bin_count() + 2) {}
 };
 
-/// Calls `visit` with every member of a record that holds sums, in the order of checkpoint files.
+/// Calls `visit` with each sum of a record, in the order of checkpoint files.
 template <class Record, class Visit>
 void for_each_sum(Record& record, Visit visit) {
   visit(record.powers);
@@ -82,21 +81,21 @@ void for_each_sum(Record& record, Visit visit) {
   if (!record.deposit.flow.empty()) for_each_deposit_sum(record.deposit, visit);
 }
 
-/// Current state of a branch of the trajectory, and the times until its next events.
+/// State of a branch of the trajectory, and the times until the next events of the branch.
 struct Branch {
   double y;
   double v;
   double until_impulse;
   double amplitude;  ///< amplitude of the next impulse
   double until_sample;
-  double remaining;  ///< time to simulate
+  double remaining;  ///< remaining time to simulate
   /// Time until the next kick of the Gaussian noise; infinite without noise
   double until_kick = std::numeric_limits<double>::infinity();
-  double kick_interval = 0;  ///< length of the interval that ends with the next kick
-  /// Time until the bounces on a wall end; 0 at rest in contact, -1 during free motion.
+  double kick_interval = 0;  ///< kick interval that ends with the next kick
+  /// Time until the bounces on a wall end; 0 at rest in contact; -1 during free motion
   double time_to_rest = -1;
-  int energy_level = 0;  ///< number of splitting thresholds below the energy
-  int floor_level = 0;   ///< the branch ends when energy_level falls below this level
+  int energy_level = 0;  ///< number of splitting thresholds below the energy of the branch
+  int floor_level = 0;   ///< level of the energy below which the branch ends
   /// Bit i is set if threshold i + 1 has split the branch during its rise (ImportanceSplitting).
   std::uint64_t split = 0;
 };
@@ -104,23 +103,21 @@ struct Branch {
 /// A pending branch of a stream, or several pending branches with the same initial state.
 struct PendingBranch {
   Branch branch;
-  /// Number of pending branches, each of which draws its next impulse. If 0, there is one branch
-  /// whose next impulse is stored.
+  /// Number of pending branches that each draw a new impulse; 0 for one branch with a stored
+  /// impulse
   int copies = 0;
   bool at_impulse = false;  ///< whether each copy also draws the time of its next impulse
 };
 
-/// One realisation of the stochastic process: its state, its random number generators and its
-/// statistics.
+/// One realisation of the stochastic process, with its random number generators and statistics.
 struct Stream {
   Branch branch;
   ImpulseSource source;
   StreamRecord record;
-  /// Pending branches, the main branch first. ImportanceSplitting bounds their number.
+  /// Pending branches, with the main branch first
   std::vector<PendingBranch> pending_branches{};
-  NoiseSource noise{0, 0};  ///< normal numbers of the Gaussian noise
+  NoiseSource noise{0, 0};
 
-  /// Whether the current branch is the main branch of the stream.
   bool is_on_main_branch() const { return pending_branches.empty(); }
 };
 
