@@ -37,7 +37,7 @@ examples:
   fpkcheck advise case1 --set system.restitution=0.8 --set impulse.rate=0.1
 )";
 
-// Returns the text as an argument of a POSIX shell, quoted if necessary.
+// Quotes the text as an argument of a POSIX shell, if necessary.
 std::string quote_for_shell(const std::string& text) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("_./=:,+-").find(char(c)) != std::string::npos;
@@ -55,8 +55,8 @@ std::string case_arguments(const CommonArguments& common) {
   return words;
 }
 
-// Names of the options whose values differ between the methods of a solver: for closures the
-// formulation and the order.
+// Returns the names of the options with different values in the methods of a solver, e.g. the
+// formulation and the order of closures.
 std::set<std::string> distinguishing_options(const methods::Solver& solver) {
   std::set<std::string> distinguishing;
   std::map<std::string, base::Value> first;
@@ -72,8 +72,8 @@ std::set<std::string> distinguishing_options(const methods::Solver& solver) {
   return distinguishing;
 }
 
-// Command line that solves the case by a method: the command of its solver, with the distinguishing
-// options and the options whose values differ from their defaults.
+// Returns the command that solves the case by a method, with all options that differ from their
+// defaults.
 std::string method_command(const std::string& id, const std::string& words,
                            const methods::Registry& registry) {
   // The validity map has results of `fd` from the direct solver, which makes no time steps.
@@ -125,8 +125,7 @@ int advise_command(const CommandCall& call) {
   const auto advice = sweep::recommend_methods(problem, accuracy, sweep::shipped_validity_map());
 
   const std::string words = case_arguments(common);
-  // By default `fd` refines its grid until its error estimate is below 1e-4. A smaller error
-  // requires --tolerance.
+  // By default `fd` refines its grid until its error estimate is below 1e-4.
   constexpr double kDefaultGridTolerance = 1e-4;
   const sweep::AdviceContext setting{
       .name = problem.name,

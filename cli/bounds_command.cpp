@@ -35,7 +35,6 @@ examples:
   fpkcheck bounds case1 --bin ydot:0.5:0.3          average of p(y') around 0.5
 )";
 
-// Parses the text VARIABLE:CENTRE:SPACING of --bin.
 backward::Functional parse_smooth_bin(const std::string& text) {
   const auto refuse = [&] {
     throw InputError(

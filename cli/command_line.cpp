@@ -29,7 +29,7 @@ po::options_description add_output_options(const po::options_description& comman
                                            CommonArguments& common, const char* out_help) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
-  // A nested group of options would be printed after the other options, and in a width of its own.
+  // Boost would print a nested group of options after the other options, and in another width.
   for (const auto& option : command_options.options()) all.add(option);
   all.add_options()  //
       ("out", optional_value(common.out, "DIR"), out_help)(
@@ -67,7 +67,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   for (const auto& name : common.cases) {
     problems.push_back(
         problem::load_case(name, common.overrides, problem::CaseNaming::with_overrides));
-    // Two cases with different names may give the same file name; such a pair of cases is refused.
+    // Two cases with different names may have the same file name.
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));
     }
@@ -78,7 +78,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     }
   }
   for (const auto& name : names) {
-    // Suffixes of the names of figures and netCDF variables of a case.
+    // Suffixes in the names of figures and netCDF variables of a case.
     for (const char* suffix : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
       if (!names.contains(name + suffix)) continue;
       throw InputError(

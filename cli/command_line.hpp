@@ -10,19 +10,17 @@
 
 namespace fpkcheck::cli {
 
-/// Arguments that all commands with solvers have in common.
 struct CommonArguments {
   std::vector<std::string> cases;
-  std::vector<std::string> overrides;  ///< texts "key=value" of --set
+  std::vector<std::string> overrides;  ///< values of the option --set, as texts "key=value"
   std::optional<std::string> out;
   bool quiet = false;
   bool json = false;
-  report::FigureOptions figures = {};  ///< for commands that draw (cli/options.hpp)
+  report::FigureOptions figures = {};
 };
 
-/// The value of an option that the command line may omit. A value on the command line is stored in
+/// Returns a Boost option without a default value. Parsing stores the value of the option in
 /// `place`.
-/// @param placeholder placeholder of the value in the help text
 template <class T>
 boost::program_options::typed_value<T>* optional_value(std::optional<T>& place,
                                                        const char* placeholder) {
@@ -32,30 +30,28 @@ boost::program_options::typed_value<T>* optional_value(std::optional<T>& place,
 }
 
 /// Adds --set, --out, --quiet, --json and --help to the options of a command.
-/// @param out_help help text of --out
 boost::program_options::options_description add_common_options(
     const boost::program_options::options_description& command_options, CommonArguments& common,
     const char* out_help =
         "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
         "(default: fpkcheck-out for run, else no files)");
 
-/// Adds --out, --quiet, --json and --help (without --set) to the options of a command with fixed
-/// cases.
+/// Adds --out, --quiet, --json and --help to the options of a command with fixed cases.
 boost::program_options::options_description add_output_options(
     const boost::program_options::options_description& command_options, CommonArguments& common,
     const char* out_help);
 
-/// Parses the arguments: stores values of options in the variables of `options`, and positional
-/// arguments in `positional`. Abbreviated option names are refused.
+/// Stores the option values in the variables of `options`, and the positional arguments in
+/// `positional`. Abbreviated option names are refused.
 /// @param usage first lines of the help text
-/// @return false if the arguments contain --help and the function has printed the help
+/// @return false if parse_arguments() has printed the help
 /// @throws InputError with a message of one line
 bool parse_arguments(const std::vector<std::string>& arguments, const std::string& usage,
                      const boost::program_options::options_description& options,
                      std::vector<std::string>& positional);
 
-/// Loads the problems of the cases and applies the overrides.
-/// @throws InputError for an invalid case, and for two cases whose results would have the same name
+/// @throws InputError for an invalid case, and for two cases whose results would have the same file
+///         name
 std::vector<problem::Problem> load_cases(const CommonArguments& common);
 
 }  // namespace fpkcheck::cli

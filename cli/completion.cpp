@@ -29,7 +29,6 @@ Words method_names(const methods::Registry& registry) {
   return names;
 }
 
-// Keys of case files as candidates: "system.damping=", "impulse.rate=", ..
 Words case_keys() {
   Words keys;
   for (const auto* section : problem::case_section_descriptions()) {
@@ -40,8 +39,8 @@ Words case_keys() {
   return keys;
 }
 
-// Allowed values of an option: the values of the solver that the command names, otherwise the
-// values of all solvers.
+// Returns the allowed values of an option for the solver that the command names, otherwise for all
+// solvers.
 Words option_choices(const std::string& flag, const std::string& command,
                      const methods::Registry& registry) {
   Words choices;
@@ -58,7 +57,6 @@ Words option_choices(const std::string& flag, const std::string& command,
   return choices;
 }
 
-// Prepends to each item the part of the typed word up to the last comma.
 Words append_to_list(const std::string& word, Words items) {
   const auto comma = word.rfind(',');
   if (comma == std::string::npos) return items;
@@ -77,7 +75,7 @@ Words option_values(const OptionHelp& option, const std::string& word, const Com
   return option_choices(option.name, command.name, registry);
 }
 
-// Candidates for a positional argument, from the first line of the command's help.
+// The first line of a command's help states its positional arguments.
 Words positional_candidates(const CommandHelp& command) {
   const auto first_line = command.help.usage.substr(0, command.help.usage.find('\n'));
   const auto takes = [&](const char* what) { return first_line.find(what) != std::string::npos; };
@@ -105,7 +103,7 @@ const CommandHelp* find_command(const std::vector<CommandHelp>& commands, const 
   return found == commands.end() ? nullptr : &*found;
 }
 
-// Words that follow the text `before` in the names of commands: "grid" follows "study ".
+// Returns the words after the text `before` in command names, e.g. "grid" after "study ".
 Words words_after_prefix(const std::vector<CommandHelp>& commands, const std::string& before) {
   Words names;
   for (const auto& command : commands) {

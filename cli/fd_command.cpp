@@ -21,7 +21,6 @@ namespace {
 using base::Values;
 using fd_fpk::TransientOptions;
 
-/// Names of the options of a density over time: --until, --snapshots and others.
 std::vector<std::string> transient_option_names() {
   std::vector<std::string> names;
   for (const auto& parameter : fd_fpk::transient_option_descriptions().parameters()) {
@@ -44,11 +43,9 @@ TransientOptions transient_options(const Values& given) {
   return options;
 }
 
-// Integrates the density of one case over time, prints the table (or the JSON), and with --out
-// writes transient.nc and its figure. The output directory is prepared before the integration.
-// @return an ExitCode
-// @throws InputError if load_cases, prepare_output_directory or fd_fpk::validate throws
-// InputError, and for more than one case
+// Integrates the density of one case over time, and prints the table or the JSON. With --out the
+// results are written to transient.nc and a figure.
+// @throws InputError for invalid cases or options, and for more than one case
 int integrate_and_report(const CommonArguments& common, const fd_fpk::Options& options,
                          fd_fpk::TransientOptions transient, const std::string& command_line) {
   fd_fpk::validate(options, transient);

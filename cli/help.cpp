@@ -16,24 +16,22 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Object in which emit_help() stores the help for capture_help(); null if emit_help() is to print
-// the help.
+// Destination of the help during capture_help(); null if emit_help() prints the help.
 thread_local Help* captured_help = nullptr;
 
 std::size_t indentation(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
-// Column in which the text of a line " name text" begins, after the first gap of two or more
-// blanks; 0 without a gap.
+// Returns the column in which the text of a line " name text" begins; 0 if the line has no gap of
+// two blanks.
 std::size_t text_column(const std::string& line) {
   const auto gap = line.find("  ", indentation(line));
   return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
 }
 
-// Whether the line break between `line` and `next` must be preserved. Usage texts are wrapped at
-// about 96 columns: if a line has room for the first word of the next line, the author intended the
-// line break.
+// Usage texts are wrapped at about 96 columns. If a line has room for the first word of the next
+// line, the line break is intended.
 bool keeps_line_break(const std::string& line, const std::string& next) {
   constexpr std::size_t kFilledWidth = 84;
   const auto begin = indentation(next);
@@ -72,7 +70,7 @@ std::string wrap_block(const std::vector<std::string>& lines, std::size_t width)
     for (++i; i < lines.size() && !keeps_line_break(lines[i - 1], lines[i]); ++i) {
       text += ' ' + lines[i];
     }
-    std::string head;  // includes the gap that wrap_text would remove
+    std::string head;  // start of the line with its gap, which wrap_text() would remove
     if (column > 0) {
       head = text.substr(0, column);
       text.replace(0, column, column, ' ');
@@ -100,7 +98,7 @@ OptionHelp option_help(const po::option_description& option) {
                   .text = option.description()};
   // Boost returns the long name for an option without a short name.
   if (help.short_name.size() != 2 || help.short_name[0] != '-') help.short_name.clear();
-  const std::string parameter = option.format_parameter();  // "N (=6)"
+  const std::string parameter = option.format_parameter();
   const auto default_begin = parameter.find(" (=");
   help.placeholder = parameter.substr(0, default_begin);
   if (default_begin != std::string::npos) {
@@ -183,8 +181,7 @@ Help capture_help(const std::function<void()>& call) {
 
 namespace {
 
-// Escapes text for troff: backslashes, hyphens (to be copied as ASCII), and lines that begin like a
-// request.
+// Escapes backslashes, hyphens (to be copied as ASCII), and lines that begin like a troff request.
 std::string escape_troff(const std::string& text) {
   std::string result;
   bool line_begins = true;
@@ -202,9 +199,8 @@ std::string escape_troff(const std::string& text) {
   return result;
 }
 
-// Section of the man page with the usage text of a command, whose lines are not refilled.
 std::string usage_section(const std::string& usage) {
-  constexpr std::size_t kWidth = 72;  // man indents the text by seven columns
+  constexpr std::size_t kWidth = 72;  // man(1) indents the text by seven columns
   return ".nf\n" + escape_troff(wrap_usage(usage, kWidth)) + ".fi\n";
 }
 

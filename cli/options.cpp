@@ -55,7 +55,6 @@ void set_value(Values& values, const std::string& name, const Value& value) {
   }
 }
 
-// Text of the default value of an option for --help, without quotes.
 std::string default_text(const Value& value) {
   const auto* word = std::get_if<std::string>(&value);
   return word != nullptr ? *word : base::text_of(value);

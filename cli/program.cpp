@@ -30,7 +30,6 @@
 namespace fpkcheck::cli {
 namespace {
 
-/// Text of --version: the version of the program on the first line, then one line for each library.
 std::string version_text() {
   auto libraries = fd_fpk::library_versions();
   for (auto& library : results::library_versions()) libraries.push_back(std::move(library));
@@ -52,8 +51,6 @@ struct Command {
   std::function<int(const CommandCall&)> run;
 };
 
-// Returns the command of a solver. The commands of the solvers `fd` and `mcs` have additional
-// options.
 Command make_solver_command(const methods::Solver& solver) {
   const auto run = solver.name == "fd"    ? fd_command
                    : solver.name == "mcs" ? mcs_command
@@ -126,7 +123,7 @@ accuracy, or a check failed; 2 bad input; 130 after Ctrl-C; 143 after SIGTERM.
              report::wrap_text(fmt::format("Unsupported: {}.", fmt::join(subjects, "; ")), 80));
 }
 
-// Help of all commands; each subject of `study` counts as a command.
+// Each subject of `study` counts as a command.
 std::vector<CommandHelp> collect_help(const std::vector<Command>& all,
                                       const methods::Registry& registry) {
   std::vector<CommandHelp> result;
@@ -165,7 +162,7 @@ int call_named_command(const Arguments& arguments, const methods::Registry& regi
     fmt::print("{}", version_text());
     return kSuccess;
   }
-  // Options for the completion script and the build; undocumented.
+  // The completion script and the build use the following undocumented options.
   if (name == "--complete") {
     const Arguments words{arguments.begin() + 1, arguments.end()};
     for (const auto& word : completion_candidates(collect_help(all, registry), registry, words)) {
@@ -215,7 +212,6 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
     print_message(fmt::format("stopped: {}", methods::kOutOfMemory));
     return kFailure;
   } catch (const std::exception& error) {
-    // Errors of the environment: a full disk, a failing library.
     print_message(fmt::format("stopped: {}", error.what()));
     return kFailure;
   }

@@ -54,7 +54,6 @@ Keys after the label:
 )";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
 
-// Names of all solvers, as a comma-separated list for Registry::select_methods.
 std::string all_solver_names(const methods::Registry& registry) {
   std::string list;
   for (const auto& solver : registry.solvers()) list += solver.name + ',';
@@ -91,7 +90,7 @@ int run_command(const CommandCall& call) {
       throw InputError(fmt::format(
           "--against with {} cases: a density belongs to one case; name it", common.cases.size()));
     }
-    // External densities are first in the order of increasing trust, because their accuracy is
+    // External densities come first in the order of increasing trust, because their accuracy is
     // unknown.
     auto from_files =
         methods::external_methods(against, call.registry, load_cases(common).front().name);

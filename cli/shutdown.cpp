@@ -29,8 +29,8 @@ std::atomic<InterruptionPolicy> current_policy = InterruptionPolicy::abort;
 extern "C" void handle_stop_signal(int signal) {
   const int error = errno;
   if (base::stop_requested()) {
-    // The default action handles a second signal. The signal is blocked until the signal handler
-    // returns.
+    // The default action handles the second signal after the return of handle_stop_signal(), which
+    // blocks the signal.
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   } else {
@@ -51,7 +51,7 @@ InterruptionGuard::InterruptionGuard() {
     if (saved_action.sa_handler != SIG_DFL) continue;
     struct sigaction action = {};
     action.sa_handler = handle_stop_signal;
-    // Restart interrupted system calls, e.g. reads from gnuplot.
+    // SA_RESTART restarts interrupted system calls, e.g. reads from gnuplot.
     action.sa_flags = SA_RESTART;
     if (sigaction(signal, &action, nullptr) == 0) saved_actions_.push_back({signal, saved_action});
   }
@@ -74,25 +74,24 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Time between the signal and the shutdown by the watchdog. The remaining 700 ms of the second are
-// for the shutdown hooks, which write files even on busy processors. A simulation has the longer
-// kFinishDelay: the simulation completes its current round, so that its result is kept. On a few
-// processors a round of 2e7 events takes longer than a second.
+// Times between the signal and the shutdown by the watchdog. After kAbortDelay, 700 ms of one
+// second remain for the shutdown hooks, even on busy processors. With kFinishDelay a simulation
+// completes its current round, so that its result is kept. On a few processors a round of 2e7
+// events takes longer than a second.
 constexpr auto kAbortDelay = 300ms;
 constexpr auto kFinishDelay = 4000ms;
 
 constexpr const char* kNothingWritten = "nothing was written";
 
 struct ShutdownState {
-  std::mutex mutex;  // protects the members below
+  std::mutex mutex;  // protects the other members of ShutdownState
   std::vector<const std::function<void()>*> hooks;
   std::string message = kNothingWritten;
   bool command_ended = false;
   std::condition_variable changed;
 };
 
-// The shutdown state is never destroyed, since threads may still use the state while the process
-// exits.
+// The shutdown state is never destroyed, since threads may use the state while the process exits.
 ShutdownState& shutdown_state() {
   static ShutdownState& state = *new ShutdownState;
   return state;
@@ -105,16 +104,14 @@ sem_t signal_received;
   while (true) pause();
 }
 
-// The line is not written with stdio: another thread may hold the locks of stdio while that thread
-// waits for a reader.
+// Writes a line to standard error by write(2), since another thread may block while that thread
+// holds the locks of stdio.
 void write_line_without_stdio(const std::string& line) {
   const std::string text = (can_rewrite_line() ? "\r\033[K" : "") + line + '\n';
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Ends the process, unless the command has claimed the shutdown. If the command has claimed the
-// shutdown, the function returns; the command then prints the message and joins the thread of the
-// watchdog.
+// Ends the process, unless the command has claimed the shutdown.
 void shut_down_process() {
   if (shutdown_claimed) return;
   base::stop_writes_of_other_threads();

@@ -35,7 +35,6 @@ bool must_be_ok(const transform::Solution& solution, const SolveAndReportOptions
          identity.impact != problem::Impact::delta;
 }
 
-// Reasons for an exit code other than 0, one line for each reason.
 std::vector<std::string> failure_messages(const results::Run& run,
                                           const SolveAndReportOptions& control) {
   std::vector<std::string> lines;
@@ -57,10 +56,9 @@ std::vector<std::string> failure_messages(const results::Run& run,
   return lines;
 }
 
-// Collection of the completed cases of a run, for a report after a stop signal. Thread-safe.
+// Thread-safe collection of the completed cases of a run, for a report after a stop signal.
 class FinishedCases {
  public:
-  /// Adds a case, or replaces the case with the same name.
   void store_case(const results::CaseResult& case_result) {
     const std::lock_guard lock(mutex_);
     const auto before = std::ranges::find(cases_, case_result.name(), &results::CaseResult::name);
@@ -71,7 +69,6 @@ class FinishedCases {
     }
   }
 
-  /// The completed cases, in the order of the problems.
   std::vector<results::CaseResult> cases_in_order(
       const std::vector<problem::Problem>& problems) const {
     const std::lock_guard lock(mutex_);
@@ -92,7 +89,7 @@ std::string join_names(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// Text for results::Run::stopped: the cause of the stop, and the missing results.
+// The text states the cause of the stop and the missing results.
 std::string stop_summary(const std::vector<results::CaseResult>& cases,
                          const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
@@ -113,8 +110,7 @@ std::string stop_summary(const std::vector<results::CaseResult>& cases,
   return text;
 }
 
-// Writes the report of the completed cases after a stop signal, without figures, which would take
-// too long.
+// The partial report after a stop signal has no figures, since figures would take too long.
 void write_partial_report(const std::filesystem::path& directory, const results::Run& run) {
   const base::ExitBlocker in_hand;
   report::write_report(directory, run);
@@ -157,7 +153,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
          .with_backward = control.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
-               // While its fraction is 0, a method has no partial result that it could return.
+               // At the fraction 0 the running method has no partial result.
                set_interruption_policy(at.fraction > 0 ? control.interruption_policy
                                                        : InterruptionPolicy::abort);
                progress.rewrite(at);

@@ -13,35 +13,35 @@
 
 namespace fpkcheck::cli {
 
-/// Solutions that must have status `ok` for the exit code 0.
+/// Solutions whose status must be `ok` for the exit code 0.
 enum class RequiredSolutions {
-  all,        ///< all solutions
-  references  ///< finite volumes with the exact impact, and simulation. The accuracy of closures
-              ///< and first-order impacts is a result of the run, not a requirement
+  all,
+  references  ///< solutions by finite volumes with the exact impact condition, and simulations
 };
 
 /// Additional output of a command in the report of a complete run.
 struct Supplement {
   report::Supplement report;
-  std::string json;  ///< JSON text that is printed instead of the summary
-  /// Reasons for an exit code other than 0, one line each.
+  std::string json;  ///< JSON text that the command prints instead of the summary
+  /// Reasons for a nonzero exit code, one line each.
   std::vector<std::string> failures;
 };
 
 struct SolveAndReportOptions {
   RequiredSolutions required = RequiredSolutions::all;
-  /// Solution ids in the list of methods. A solution of a family or solver in the list, whose id is
-  /// not in `requested_ids`, may have the status not_offered without a failure. Empty if all
-  /// solutions were requested by id.
+  /// Ids of the solutions that the user requested by id. Other solutions of a requested family or
+  /// solver may have the status not_offered without a failure. The list `requested_ids` is empty if
+  /// all solutions were requested by id.
   std::vector<std::string> requested_ids = {};
-  int threads = 0;  ///< number of threads for methods in parallel; 0: one per processor
+  int threads = 0;  ///< number of threads for methods in parallel; 0 for one thread per processor
   InterruptionPolicy interruption_policy = InterruptionPolicy::abort;
   bool with_backward = false;  ///< compute guaranteed bounds and residual-based error estimates
-  std::function<Supplement(const results::Run&)> supplement = {};  ///< may be none
+  /// Returns the additional output; may be empty.
+  std::function<Supplement(const results::Run&)> supplement = {};
 };
 
-/// Solves the cases by the methods, prints the table (or the JSON), and with --out writes the
-/// report. The output directory is prepared before the first solution.
+/// Solves the cases by the methods and prints the table or the JSON. With --out the report is
+/// written to a directory that is prepared before the first solution.
 /// @return an ExitCode
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
                      const SolveAndReportOptions& control, const std::string& command_line);

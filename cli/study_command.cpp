@@ -26,7 +26,6 @@ std::string study_usage() {
   return text;
 }
 
-// Names of all subjects as text: "grid, order or regularisation".
 std::string subject_list() {
   std::string text;
   const auto& all = study_subjects();

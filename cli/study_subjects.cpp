@@ -40,15 +40,12 @@ void write_files(const std::filesystem::path& directory, const study::StudyRepor
   }
 }
 
-/// A call of a subject of `study`: the command line, and the time of its start.
 class StudyCall {
  public:
   explicit StudyCall(const CommandCall& call) : call_(call) {}
 
   CommonArguments common;
 
-  /// Parses the arguments; the arguments of parse_arguments() are the usage, the subject's own
-  /// options and the help text of --out.
   /// @return false if the help was printed
   bool parse(const char* usage, const boost::program_options::options_description& own,
              const char* out_help) {
@@ -56,11 +53,9 @@ class StudyCall {
                            common.cases);
   }
 
-  /// Runs the study of one case while a line of the terminal shows the progress. Prints the table
-  /// or the JSON of the study, and with --out writes the files of the study.
-  /// @param run function that returns the result of the study of a problem. The function receives
-  ///            the problem and a function that shows the progress
-  /// @return exit code of the command
+  /// Runs the study of one case, prints the table or the JSON, and with --out writes the files of
+  /// the study.
+  /// @param run function of a problem and a progress listener that returns the result of the study
   /// @throws InputError unless there is exactly one case
   template <class RunStudy>
   int run_and_write(const RunStudy& run) const {

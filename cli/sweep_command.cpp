@@ -66,7 +66,7 @@ struct SweepArguments {
   std::optional<std::size_t> points;
   std::vector<int> ranks;
   bool marginals = false, dry_run = false, merge = false;
-  base::Values given;  // options of the methods
+  base::Values given;  // options of the methods on the command line
 };
 
 boost::program_options::options_description sweep_options(SweepArguments& arguments,
@@ -102,7 +102,7 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
            [&](const std::string& list) { arguments.ranks = parse_integers("--ranks", list); }),
        "for --dry-run: also estimate the time for these numbers of processes with one thread each, "
        "e.g. 2,64,1024");
-  // The sweep uses the threads for points; each method has one thread.
+  // A sweep uses the threads for points; each method has one thread.
   own.add(make_figure_options(arguments.common.figures));
   own.add(make_run_options(registry, arguments.given));
   return own;
@@ -127,8 +127,7 @@ sweep::Axis parse_varied_key(const std::string& text) {
   return sweep::parse_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
-// Adds the method options of the plan to the method options of the command line, which take
-// precedence.
+// Adds the method options of the plan to `given`, unless the command line sets the same options.
 void add_plan_options(const std::vector<base::IniSetting>& lines, const methods::Registry& registry,
                       base::Values& given) {
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
@@ -152,8 +151,7 @@ void add_plan_options(const std::vector<base::IniSetting>& lines, const methods:
   }
 }
 
-// Returns the plan of the sweep, from the plan file or case and the command line. Options on the
-// command line take precedence.
+// Options on the command line take precedence over the plan file.
 sweep::Plan make_sweep_plan(const SweepArguments& arguments, const methods::Registry& registry) {
   if (arguments.common.cases.size() != 1) {
     throw InputError("a sweep takes one case or plan; name it");
@@ -228,7 +226,7 @@ int merge_shards(const SweepArguments& arguments, const CommandCall& call,
   return merged.results.is_complete() ? kSuccess : kFailure;
 }
 
-// Points in the journal of an earlier sweep of this plan; the forecast uses their times.
+// The forecast uses the times of the points in the journal of an earlier sweep of this plan.
 std::vector<sweep::PointResult> load_solved_points(const sweep::Plan& plan,
                                                    const std::filesystem::path& journal) {
   std::error_code ignored;
@@ -249,8 +247,8 @@ int print_forecast(const SweepArguments& arguments, const sweep::Plan& plan, int
   return kSuccess;
 }
 
-// Runs the sweep on this process. Only the process that writes the journal (rank 0 of mpirun, else
-// the only process) shows progress and writes results.
+// Only the process that writes the journal (under MPI the first rank) shows progress and writes
+// results.
 int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
               int threads, base::Communicator* ranks, const CommandCall& call,
               std::chrono::steady_clock::time_point begin) {

@@ -17,7 +17,7 @@ namespace fpkcheck::cli {
 
 void prepare_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // open() returns the lowest free descriptor: `stream`, since all lower descriptors are open.
+    // open() returns the lowest free descriptor; all descriptors below `stream` are open.
     if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", O_RDWR) != stream) std::abort();
   }
   std::signal(SIGPIPE, SIG_IGN);
@@ -35,8 +35,7 @@ void print_message(std::string_view message) {
 
 namespace {
 
-// Width of the terminal on standard error. The progress line must fit this width, because a wrapped
-// line cannot be erased.
+// A progress line wider than the terminal would be wrapped, and a wrapped line cannot be erased.
 std::size_t terminal_width() {
   constexpr std::size_t kDefaultWidth = 80;
   winsize size{};

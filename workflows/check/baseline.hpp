@@ -10,31 +10,31 @@
 
 namespace fpkcheck::check {
 
-/// A case of the baseline that is solved again: the problem, and the methods of the solutions.
+/// Case of the baseline that is solved again, with the methods of its solutions.
 struct RepeatedCase {
   problem::Problem problem;
   std::vector<methods::Method> methods;
 };
 
-/// A saved run, and the problems and methods that repeat the run.
+/// Saved run, with the problems and methods that repeat the run.
 struct Baseline {
-  results::Run run;  ///< without the solutions of external densities
+  results::Run run;  ///< saved run without the external densities
   bool has_marginals;
   std::vector<RepeatedCase> cases;
-  std::vector<std::string> notes;  ///< what is not compared and why: one sentence each
+  /// Sentences that state which quantities are not compared, and why.
+  std::vector<std::string> notes;
 };
 
-/// Reads a baseline from a directory with summary.json, or from a file with the same content under
-/// any name. The marginal densities come from marginals.csv in the same directory, if this file
-/// exists.
-/// @param option_overrides values of options, e.g. "threads", that replace the option values of the
-///        saved run; a method ignores options of other methods
-/// @throws InputError with a message of one line: in the cases of results::load_summary and
-///         load_curves; also if a case or a solution cannot be solved again
+/// Reads a baseline from a directory with summary.json, or from a file with the same content. The
+/// marginal densities are read from marginals.csv in the same directory, if this file exists.
+/// @param option_overrides values of options, e.g. "threads", that replace the values of the saved
+///        run
+/// @throws InputError with a message of one line if a file is invalid, or if a case or a solution
+///         cannot be solved again
 Baseline load_baseline(const std::filesystem::path& path, const methods::Registry& registry,
                        const base::Values& option_overrides);
 
-/// Solves each case of the baseline again by the methods that the baseline has for the case.
+/// Solves each case of the baseline again by the methods of its solutions.
 /// @param command command line, stored in the summary of the new run
 results::Run repeat_run(const Baseline& baseline, const std::string& command, int threads,
                         const methods::ProgressListener& listener);

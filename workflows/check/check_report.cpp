@@ -69,7 +69,6 @@ std::string change_text(double value) {
   return std::isfinite(value) ? fmt::format("{:.2g}", value) : kAbsent;
 }
 
-// The texts of both values with few digits; with all digits if few digits do not show the change.
 std::string value_text(const Value& value, int digits) {
   if (base::is_unset(value)) return kAbsent;
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
@@ -77,6 +76,7 @@ std::string value_text(const Value& value, int digits) {
   return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::text_of(value);
 }
 
+// The texts have few digits, or all digits if few digits would not show the change.
 std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_change) {
   constexpr int kFewDigits = 8, kAllDigits = 15;
   std::pair few{value_text(quantity_change.baseline, kFewDigits),
@@ -129,7 +129,7 @@ std::string kinds_table(const CheckResult& check, const TextFormat& format) {
   return report::table_rows_text(std::move(columns), format);
 }
 
-// The changes that are largest in units of their tolerance, in the order of the run.
+// Returns the changes that are largest in units of their tolerance, in the order of the run.
 std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& moved,
                                             std::size_t most) {
   if (moved.size() <= most) return moved;

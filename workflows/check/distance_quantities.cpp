@@ -24,8 +24,8 @@ bool has_finite_divergence(const results::CaseResult& one, const PairDistances& 
 }
 
 void add_tail(const compare::Distances& d, const PartQuantities& pair, double allowed) {
-  // The decades and their numbers of bins identify a tail: tails over different bins are not
-  // compared.
+  // The decades and their numbers of bins identify a tail. Tails over different bins are not
+  // comparable.
   std::string bins;
   for (const auto& decade : d.log10_tail) {
     bins += fmt::format("{:.3g} to {:.3g}: {} and {}; ", decade.from, decade.to, decade.bins,
@@ -90,7 +90,7 @@ namespace {
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
 
-// The parts of a budget row as text: two budget rows with different parts cannot be compared.
+// Returns the parts of a budget row as text, since rows with different parts cannot be compared.
 std::string chain(const ErrorBudgetRow& row) {
   std::string text = row.reference + ":";
   for (const ErrorBudgetPart& part : row.parts) {
@@ -99,8 +99,8 @@ std::string chain(const ErrorBudgetRow& row) {
   return text;
 }
 
-/// @param simulation the simulation to which the total distances refer, if the runs differ by
-///                   sampling; else a null pointer
+/// @param simulation simulation of the total distances if the runs differ by sampling; else a null
+///        pointer
 void add_row(const ErrorBudgetRow& row, const transform::Solution* simulation,
              const Tolerances& tolerances, Quantities& quantities) {
   const PartQuantities part{quantities, row.solution,
@@ -116,9 +116,8 @@ void add_row(const ErrorBudgetRow& row, const transform::Solution* simulation,
                            tolerances);
   };
   const auto add_tail = [&](const std::string& name, double tail) {
-    // Largest allowed factor between the tail distances of two simulations, and between the numbers
-    // of bins of these tails: each simulation selects its own bins. docs/checking.md has the
-    // measurement.
+    // Largest allowed factor between the tail distances of two simulations. Each simulation has its
+    // own bins in the tail. The measurement of the factor 5 is in docs/checking.md.
     constexpr double kMaxTailFactor = 5;
     Quantity& quantity = add(name, tail);
     quantity.allowed = simulation == nullptr ? tolerances.tail_tolerance() : kMaxTailFactor - 1;

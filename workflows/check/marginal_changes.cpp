@@ -15,11 +15,10 @@ namespace {
 using results::Curve;
 using transform::Solution;
 
-// Largest half-width of a bin's 95 % interval relative to the density. A bin with a wider interval
-// has few events, and contributes only to the L1 distance.
+// Largest half-width of a bin's 95 % interval relative to the density. Bins with wider intervals
+// have few events, and contribute only to the L1 distance.
 constexpr double kMaxRelativeHalfWidth = 0.5;
 
-// Whether both curves have the same bins up to rounding errors.
 bool has_same_bins(const Curve& one, const Curve& other) {
   constexpr double kAbscissaTolerance = 1e-9;
   if (one.abscissa.size() != other.abscissa.size() || one.abscissa.empty()) return false;
@@ -44,8 +43,8 @@ double standard_error(const Curve& curve, std::size_t k) {
   return (curve.upper[k] - curve.density[k]) / numerics::kNormal95;
 }
 
-// The bin of a marginal density with the largest change. For simulations the change is in standard
-// errors, and only bins that both runs resolve are compared.
+// Returns the bin with the largest change. For simulations only bins that both runs resolve are
+// compared.
 QuantityChange compare_bins(QuantityChange quantity_change, const Curve& was, const Curve& is,
                             bool has_sampling_error, const Tolerances& tolerances) {
   const double peak = std::ranges::max(was.density);
@@ -82,7 +81,6 @@ double l1(const Curve& was, const Curve& is) {
   return sum;
 }
 
-// The L1 distance between a simulation and the baseline, as a quantity of the simulation.
 Quantities l1_quantity(const Solution& simulation, const Curve& curve, double l1,
                        const Tolerances& tolerances) {
   Quantities quantities;
@@ -115,7 +113,8 @@ std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline
     const Curve* is = now.curve(was.solution, was.variable);
     if (is == nullptr || !has_same_bins(was, *is)) {
       changes.push_back(change_of_curve(was));
-    } else if (one != nullptr && other != nullptr) {  // else reported with the solution
+      // A curve that only one run has is reported with the solution.
+    } else if (one != nullptr && other != nullptr) {
       const bool has_sampling_error =
           one->standard_errors && !was.upper.empty() && !is->upper.empty();
       changes.push_back(

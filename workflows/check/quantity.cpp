@@ -28,7 +28,7 @@ double change(const Quantity& was, const Quantity& is) {
 
 double allowed(const Quantity& was, const Quantity& is) {
   if (was.kind != QuantityKind::simulated_l1) return was.allowed;
-  constexpr double kNormalQuantile99 = 2.326;  // of the normal law
+  constexpr double kNormalQuantile99 = 2.326;  // quantile of the standard normal law
   const double expected = std::hypot(was.error, is.error);
   const double deviation =
       (std::hypot(was.quantile_99, is.quantile_99) - expected) / kNormalQuantile99;
@@ -80,7 +80,7 @@ std::vector<QuantityChange> compare_quantities(const std::string& case_name,
   for (const Quantity& was : baseline) was_index.emplace(Key{was.solution, was.name}, &was);
   for (const Quantity& is : now) is_index.emplace(Key{is.solution, is.name}, &is);
   std::vector<QuantityChange> changes;
-  std::set<Key> excluded_parts;  // parts that differ completely, or that one run lacks
+  std::set<Key> excluded_parts;  // parts that differ completely, or that only one run has
   const auto add = [&](const Quantity& quantity, const Value& was, const Value& is,
                        double change_value, double tolerance, bool opens_part) {
     const Key key{quantity.solution, quantity.name};

@@ -17,7 +17,6 @@ namespace {
 using transform::Solution;
 
 void add_density(const Solution& s, const Tolerances& tolerances, const PartQuantities& density) {
-  // Quantities of a simulation are judged in standard errors.
   const auto add = [&](const char* name, QuantityKind otherwise, double number, double error,
                        double scale) {
     Quantity& quantity =
@@ -29,9 +28,8 @@ void add_density(const Solution& s, const Tolerances& tolerances, const PartQuan
   };
   const auto errors = s.standard_errors.value_or(transform::StandardErrors{});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // The mean velocity E[y'] is 0 in every stationary state. A value of E[y'] below 1e-3 of the
-    // standard deviation of y' is an error of the method, and the last digits of this value are
-    // rounding errors.
+    // The mean velocity E[y'] is 0 in every stationary state. Mean velocities below 1e-3 of the
+    // standard deviation of y' are errors of the method, with rounding errors in their last digits.
     const double least = moment == size ? 0 : 1e-3 * std::sqrt(s.moments.*size);
     add(symbol, QuantityKind::moment, s.moments.*moment, errors.moments.*moment,
         std::max(std::abs(s.moments.*moment), least));
@@ -51,7 +49,7 @@ void add_density(const Solution& s, const Tolerances& tolerances, const PartQuan
 void add_stated_error(const Solution& s, const Tolerances& tolerances,
                       const PartQuantities& stated) {
   const auto add = [&](const std::string& of, double error, double least) {
-    constexpr double kMinErrorScale = 0.1;  // as transform::Metric::min_scale
+    constexpr double kMinErrorScale = 0.1;  // equal to transform::Metric::min_scale
     stated.append_number("error of " + of, QuantityKind::detail, error, tolerances.deterministic,
                          std::max({std::abs(error), least, kMinErrorScale}));
   };
@@ -101,8 +99,8 @@ Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) 
   if (s.sampling) add_sampling(*s.sampling, part("sampling L1"));
   if (s.smooth_sampling) add_sampling(*s.smooth_sampling, part("sampling L1 in smooth bins"));
   add_metric_quantities(s.metrics, tolerances, whole);
-  // The tolerances are adjusted for multiple comparisons. Before this loop the member `allowed`
-  // contains the exponents (see add_metric_quantities).
+  // Before the adjustment for multiple comparisons, `allowed` contains exponents
+  // (add_metric_quantities).
   const auto errors =
       std::ranges::count(quantities, QuantityKind::simulated_error, &Quantity::kind);
   for (Quantity& quantity : quantities) {
@@ -120,14 +118,14 @@ using transform::Metric;
 using transform::MetricKind;
 using transform::Metrics;
 
-// The path of the part that contains a metric: "peaks[3]" for "peaks[3].rate", "peaks" for
-// "peaks[3]"; for other metrics the name of the whole solution.
+// Returns the part that contains a metric, e.g. "peaks[3]" for "peaks[3].rate" and "peaks" for
+// "peaks[3]".
 std::string parent_path(const std::string& path) {
   const auto end = path.find_last_of(".[");
   return end == std::string::npos ? kWholeSolution : path.substr(0, end);
 }
 
-// The path of a metric without the indices of lists: "quantiles.y[].value".
+// Returns the path of a metric without the indices of lists, e.g. "quantiles.y[].value".
 std::string without_indices(const std::string& path) {
   std::string result;
   for (const char c : path) {
@@ -176,8 +174,8 @@ class MetricQuantities {
   }
 
  private:
-  // The results with the same parent are the powers of the coefficient's term: the coefficient of
-  // x1^4 x2^2 has the name "a(4,2)".
+  // The metrics of kind `result` with the same parent are the powers of the term, e.g. "a(4,2)" for
+  // x1^4 x2^2.
   std::string coefficient_name(const Metric& o) const {
     std::vector<double> powers;
     for (const auto& sibling : metrics_) {
@@ -189,8 +187,7 @@ class MetricQuantities {
                        fmt::join(powers, ","));
   }
 
-  // The part for a group of metrics, a list of metrics or an element of a list. The first call for
-  // a part appends the first quantity of this part.
+  // The first call of part() for a name appends the first quantity of the part with this name.
   PartQuantities part(const std::string& name) {
     const PartQuantities result{whole_.quantities, whole_.solution, name};
     if (name != kWholeSolution && opened_parts_.insert(name).second) {
@@ -225,8 +222,8 @@ class MetricQuantities {
     const double standard_error =
         error == nullptr ? std::numeric_limits<double>::quiet_NaN() : number_in(error->value);
     in.append_number(o.path, QuantityKind::simulated, number_in(o.value), 0).error = standard_error;
-    // The standard error of a value that is sensitive to rounding comes from few events, and is
-    // therefore as uncertain as the value itself.
+    // The standard error of a rounding-sensitive value comes from few events, and is as uncertain
+    // as the value.
     if (error == nullptr || o.is_rounding_sensitive) return;
     in.append_number("error of " + o.path, QuantityKind::simulated_error, standard_error, 1);
   }
@@ -235,7 +232,8 @@ class MetricQuantities {
   const Tolerances& tolerances_;
   const PartQuantities& whole_;
   std::set<std::string> standard_error_paths_, coefficient_terms_, opened_parts_;
-  std::map<std::string, std::set<std::string>> list_entries_;  ///< of every list, by its path
+  /// Entries of each list, by the path of the list.
+  std::map<std::string, std::set<std::string>> list_entries_;
 };
 
 }  // namespace
@@ -251,8 +249,8 @@ Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
     if (o.kind == MetricKind::work || o.kind == MetricKind::text)
       ignored_paths.insert(without_indices(o.path));
   }
-  // A metric in a list is also ignored if the new run has an ignored metric at another index of the
-  // same list, or if an enclosing list has kind work and is empty in the new run.
+  // A metric in a list is also ignored if the new run ignores the metric at another index, or
+  // ignores the whole list.
   const auto is_ignored = [&](const std::string& path) {
     for (auto end = path.find("[]"); end != std::string::npos; end = path.find("[]", end + 1)) {
       if (ignored_paths.contains(path.substr(0, end + 2))) return true;

@@ -51,9 +51,9 @@ bool differs_by_sampling(const Solution& one, const Solution& other) {
 }
 
 double standard_error_of_mass(const Solution& solution) {
-  // A histogram of n samples with the bin probabilities p_b has the expected L1 error l1 =
-  // sqrt(2/(pi n)) sum sqrt(p_b (1 - p_b)). The expected L1 error exceeds sqrt(2/(pi n)) for many
-  // bins. Hence 1/n <= pi/2 l1^2.
+  // A histogram of n samples with bin probabilities p_b has the expected L1 error l1 = sqrt(2/(pi
+  // n)) sum sqrt(p_b (1 - p_b)). For many bins l1 exceeds sqrt(2/(pi n)), and therefore 1/n <= pi/2
+  // l1^2.
   const double l1 = solution.sampling ? solution.sampling->y.value_or(kNotANumber) : kNotANumber;
   const double one_sample = std::numbers::pi / 2 * l1 * l1;
   return std::sqrt((std::abs(1 - solution.mass) + one_sample) * one_sample);
@@ -74,8 +74,8 @@ void set_sampling_tolerance(Quantity& quantity,
 
 double allowed_error_change(const Solution& simulation, std::size_t number_of_errors, double power,
                             const Tolerances& tolerances) {
-  // The ratios of standard errors have heavier tails than the normal law: docs/checking.md has the
-  // measurement.
+  // Ratios of standard errors have heavier tails than the normal law. The measurement of the factor
+  // 1.25 is in docs/checking.md.
   constexpr double kHeavyTailFactor = 1.25;
   constexpr double kDefaultStreams = 128;
   const double streams = metric_number(simulation.metrics, kStreams).value_or(kDefaultStreams);

@@ -28,11 +28,11 @@ std::string density(const Claim& claim) {
 
 }  // namespace
 
-// {cases, panels, variables, n, relation, rival, quotation}
+// Columns: cases, panels, variables, n, relation, rival, quotation.
 const std::vector<Claim>& paper_claims() {
   using enum ClaimedRelation;
   static const std::vector<Claim> all{
-      // Section 3.1
+      // Section 3.1 of the paper
       {kAll, "abcd", kBoth, 2, is_linearisation, 0,
        "EPC (n = 2) is the same as that given by equivalent linearization method in the case of "
        "Gaussian white noise."},
@@ -74,7 +74,7 @@ const std::vector<Claim>& paper_claims() {
        0,
        "EPC (n = 4) differs from the simulation result unlike EPC (n = 2) and EPC (n = 6)."},
       {{1}, "", {}, 8, not_found, 0, kOrderEightQuote},
-      // Section 3.2
+      // Section 3.2 of the paper
       {{2},
        "ab",
        kY,
@@ -106,7 +106,7 @@ const std::vector<Claim>& paper_claims() {
       {{2}, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {{2}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {{2}, "", {}, 8, not_found, 0, kOrderEightQuote},
-      // Section 3.3
+      // Section 3.3 of the paper
       {{3},
        "ab",
        kY,
@@ -143,7 +143,7 @@ const std::vector<Claim>& paper_claims() {
       {{3}, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {{3}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {{3}, "", {}, 8, not_found, 0, kOrderEightQuote},
-      // Section 3.4
+      // Section 3.4 of the paper
       {{4},
        "ab",
        kY,
@@ -202,7 +202,7 @@ const std::vector<Claim>& paper_claims() {
       {{4}, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {{4}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {{4}, "", {}, 8, not_found, 0, kOrderEightQuote},
-      // Section 4
+      // Section 4 of the paper
       {kAll, "ab", kY, 6, agrees, 0, kConclusionQuote},
       {kAll, "cd", kYdot, 6, agrees, 0, kConclusionQuote},
   };

@@ -8,12 +8,12 @@
 #include "transform/marginal.hpp"
 
 /// Claims of the paper whose method this project checks (*Stochastic response of a vibro-impact
-/// Duffing system under external Poisson impulses*): statements about the four cases in sections 3
-/// and 4. A run decides whether the numbers support each claim. The paper's EPC (n = 2), (n = 4),
-/// (n = 6) are the closures epc-gaussian-n2, -n4, -n6; the paper's MCS is a simulation.
+/// Duffing system under external Poisson impulses*). The claims are statements about the four cases
+/// in sections 3 and 4. The paper's EPC (n = 2), (n = 4), (n = 6) are the closures epc-gaussian-n2,
+/// -n4, -n6. The paper's MCS is a simulation.
 namespace fpkcheck::paper {
 
-/// The relation between a closure and the simulation that a claim of the paper states.
+/// Relation between a closure and the simulation that a claim of the paper states.
 enum class ClaimedRelation {
   agrees,
   agrees_in_tail,
@@ -26,8 +26,7 @@ enum class ClaimedRelation {
   is_linearisation,
   not_found
 };
-/// The name of each relation in files, and the condition under which the relation holds
-/// (workflows/paper/criteria.hpp).
+/// Name of each relation in files, and condition under which the relation holds.
 inline constexpr base::EnumEntry<ClaimedRelation> kRelationNames[] = {
     {ClaimedRelation::agrees, "agrees", "L1 and tail are both within the limits of agreement"},
     {ClaimedRelation::agrees_in_tail, "agrees_in_tail",
@@ -48,34 +47,32 @@ inline constexpr base::EnumEntry<ClaimedRelation> kRelationNames[] = {
 constexpr const auto& enumerator_names(ClaimedRelation) { return kRelationNames; }
 constexpr std::string_view name(ClaimedRelation relation) { return base::name_of(relation); }
 
-/// A statement of the paper that measured numbers can support or contradict.
+/// Statement of the paper that measured numbers can support or contradict.
 struct Claim {
-  std::vector<int> cases;  ///< numbers in the paper's Table 1; the claim must hold in all of them
+  std::vector<int> cases;  ///< cases in the paper's Table 1; the claim must hold in every case
   std::string panels;      ///< panels of the case's figure, e.g. "ab"; empty for the text alone
-  std::vector<transform::Variable> variables;  ///< the claim must hold for all of them
-  int order;                                   ///< n of the closure
+  std::vector<transform::Variable> variables;  ///< the claim must hold for every variable
+  int order;                                   ///< order n of the closure
   ClaimedRelation relation;
-  int rival;          ///< n of the other closure, where the relation compares two; else 0
-  std::string quote;  ///< quotation from the paper; [..] is our addition
+  int rival;          ///< order n of the other closure if the relation compares two; else 0
+  std::string quote;  ///< quotation from the paper; our additions are in [..]
 
-  /// The number of the paper's figure (2 .. 5) that shows a case.
+  /// Returns the paper's figure (2 .. 5) that shows a case.
   static int figure(int number) { return number + 1; }
 };
 
-/// All claims of the paper, sorted by case, in the order of the paper's text.
+/// Returns all claims of the paper, sorted by case, then in the order of the paper's text.
 const std::vector<Claim>& paper_claims();
 
-/// The text of a claim, e.g. "n=6 agrees with MCS in p(y)".
+/// Returns the text of a claim, e.g. "n=6 agrees with MCS in p(y)".
 std::string claim_text(const Claim& claim);
 
-/// The id of the paper's closure of the given order.
 std::string paper_closure_id(int order);
 
-/// The methods whose solutions are required to judge all claims, in the syntax of
-/// Registry::select_methods.
+/// Methods that are required to judge all claims, in the syntax of Registry::select_methods.
 inline constexpr const char* kRequiredMethods =
     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-gaussian-n8,fd-kf,mcs";
-/// The name that problem/case_file.hpp gives a case of the paper.
+/// Returns the name of a case of the paper, as in problem/case_file.hpp.
 std::string paper_case_name(int number);
 
 }  // namespace fpkcheck::paper

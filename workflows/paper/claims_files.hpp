@@ -11,18 +11,15 @@ namespace fpkcheck::paper {
 inline constexpr const char* kClaimsCsv = "claims.csv";
 inline constexpr const char* kClaimsJson = "claims.json";
 
-/// The claims in CSV with a row for each claim:
-/// case,figure,claim,n,density,relation,rival,l1,l1_wanted,tail,
-/// tail_wanted,status,outcome,note,quote. Absent values are empty.
+/// Returns the claims as CSV with a row for each claim. Absent values are empty.
 std::string claims_csv(std::span<const Judgement> judgements);
 
-/// The contents of claims.json: the program, the criteria, and the list `claims`. An element of
-/// this list has the fields of the CSV, with numbers as JSON numbers, and the reason of the
-/// closure's status.
+/// Returns the contents of claims.json: the program, the criteria, and the list `claims`. Each
+/// element of the list has the fields of claims.csv, and the reason of the closure's status.
 std::string claims_json(std::span<const Judgement> judgements, const results::Program& program);
 
-/// The summary of the run in JSON with the additional keys `criteria` and `claims`: the output of
-/// `--json`.
+/// Returns the output of --json, the summary of the run with the additional keys `criteria` and
+/// `claims`.
 std::string summary_with_claims(std::span<const Judgement> judgements, const results::Run& run);
 
 }  // namespace fpkcheck::paper

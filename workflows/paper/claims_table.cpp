@@ -55,8 +55,8 @@ std::string table_rows(std::span<const Judgement> judgements, const report::Text
   return report::table_rows_text(std::move(columns), format);
 }
 
-// The texts of the claims with a given outcome: "n=6 agrees with MCS in p(y) (case 1, 2)". Each
-// claim occurs once, with the cases that have this outcome.
+// Each claim occurs once, with the cases that have the given outcome, e.g. "n=6 agrees with MCS in
+// p(y) (case 1, 2)".
 std::string claims_with_outcome(std::span<const Judgement> judgements, ClaimOutcome outcome) {
   std::vector<std::pair<std::string, std::string>> claims;
   for (const auto& judgement : judgements) {
@@ -106,7 +106,7 @@ std::vector<ClaimRow> claim_rows(std::span<const Judgement> judgements) {
 }
 
 std::vector<std::string> claim_notes(std::span<const Judgement> judgements) {
-  std::set<std::pair<int, int>> quoted_closures;  // case, n
+  std::set<std::pair<int, int>> quoted_closures;  // case and order n of a closure
   std::vector<std::string> lines;
   for (const auto& judgement : judgements) {
     const bool is_search = judgement.claim.relation == ClaimedRelation::not_found;

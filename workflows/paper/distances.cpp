@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The number of bins in the tail of a budget row. A row has only the bins in which its closure is
-// positive: a closure with fewer bins than other closures is 0 in a part of the tail.
+// A budget row has only the bins in which its closure is positive. A closure with fewer bins in the
+// tail than other closures is 0 in a part of the tail.
 int tail_bin_count(const results::CaseResult& one, transform::Variable variable) {
   int most = 0;
   for (const auto& row : one.budget) {
@@ -27,9 +27,8 @@ int tail_bin_count(const results::CaseResult& one, transform::Variable variable)
   return most;
 }
 
-// The total distance of a budget may refer to a Richardson limit, which is not a solution of the
-// case. If the total distance refers to a limit, the error estimate of the case's reference is
-// used.
+// A Richardson limit is no solution of the case. If the total distance refers to a Richardson
+// limit, the error estimate of the case's reference is used.
 double error_estimate(const results::CaseResult& one, const compare::ErrorBudgetRow& row) {
   const auto* reference = one.find(row.reference);
   if (reference == nullptr) reference = one.reference();
@@ -81,7 +80,8 @@ double l1_to_linearisation(const results::Curve& curve, const problem::Problem& 
   const auto linear = problem::equivalent_linearisation(problem);
   const bool is_y = curve.variable == transform::Variable::y;
   const double sigma = is_y ? linear.displacement_deviation : linear.velocity_deviation;
-  // The probability of an interval of y or y', from the density of z or z': both z and -z map to y.
+  // The density of y or y' follows from the density of z or z', where both z and -z have the image
+  // y = |z|.
   const auto probability = [&](double from, double to) {
     const double scale = 1 / (std::numbers::sqrt2 * sigma);
     return (is_y ? 1.0 : 0.5) * (std::erf(to * scale) - std::erf(from * scale));

@@ -20,7 +20,6 @@ using results::CaseResult;
 constexpr int kOrders[] = {2, 4, 6};
 constexpr const char* kSimulation = "mcs";
 
-// The ids of this program's solutions, with the names of the same methods in the paper.
 std::vector<std::pair<std::string, std::string>> paper_names() {
   std::vector<std::pair<std::string, std::string>> names;
   for (const int order : kOrders) {
@@ -30,8 +29,8 @@ std::vector<std::pair<std::string, std::string>> paper_names() {
   return names;
 }
 
-// The case with only the four solutions of the paper's figure and their curves, under the names of
-// the paper.
+// Returns the case with only the four solutions of the paper's figure, under the names of the
+// paper.
 CaseResult paper_figure_case(const CaseResult& case_result) {
   CaseResult shown{.problem = case_result.problem,
                    .solutions = {},
@@ -55,8 +54,8 @@ CaseResult paper_figure_case(const CaseResult& case_result) {
   return shown;
 }
 
-// Calls the function `use` for each figure of the paper, with the number of the figure, the case
-// with the paper's solutions, and the content of the figure.
+// Calls use(number of the figure, case with the paper's solutions, content) for each figure of the
+// paper.
 template <class Use>
 void for_each_figure(const results::Run& run, const Use& use) {
   for (int number = 1; number <= 4; ++number) {
@@ -67,7 +66,6 @@ void for_each_figure(const results::Run& run, const Use& use) {
     const CaseResult shown = paper_figure_case(*case_result);
     auto content = report::figure_content(shown);
     if (content.marginals.empty()) continue;
-    // The figures of the paper show no differences from a reference.
     content.reference.clear();
     for (auto& marginal : content.marginals) {
       for (auto& drawn : marginal.curves) drawn.difference = {};

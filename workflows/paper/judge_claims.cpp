@@ -45,8 +45,7 @@ class Judge {
     return nullptr;
   }
 
-  // The status of a claim about several cases is the status in the first case in which the closure
-  // is not ok.
+  // The status of a claim is the status in the first case in which the closure is not ok.
   void record_status() {
     for (const int number : claim().cases) {
       const CaseResult* case_result = find_case(number);
@@ -65,8 +64,7 @@ class Judge {
     }
   }
 
-  // The distance with the maximum of each number over the given cases and the variables of the
-  // claim.
+  // Returns the maximum of each number over the given cases and the variables of the claim.
   std::optional<Distance> distance(int order, const std::vector<int>& cases) {
     Distance worst;
     for (const int number : cases) {
@@ -81,15 +79,14 @@ class Judge {
     return worst;
   }
 
-  // Whether the tail distance exists; sets the reason if the tail distance does not exist.
+  // Sets the reason if the tail distance does not exist.
   bool has_tail(const Distance& distance) {
     if (!std::isnan(distance.tail)) return true;
     missing_reason_ = "no bin of the tail is positive and resolved in all solutions";
     return false;
   }
 
-  // Sets the measured numbers and their limits. Returns whether the claim holds, or nothing if a
-  // number is missing.
+  // Returns whether the claim holds; empty if a required number is missing.
   std::optional<bool> evaluate_claim() {
     using enum ClaimedRelation;
     const ClaimedRelation relation = claim().relation;
@@ -118,7 +115,8 @@ class Judge {
     if (claim().rival != 0) {
       const auto rival = distance(claim().rival, claim().cases);
       if (!rival || (uses_tail && !has_tail(*rival))) return std::nullopt;
-      // The difference between both distances must exceed the error estimate of the reference.
+      // The distances of the two compared closures must differ by more than the error estimate of
+      // the reference.
       limit = {.l1 = rival->l1 - closure_distance->l1_error,
                .tail = rival->tail - closure_distance->tail_error};
     }
@@ -147,8 +145,8 @@ class Judge {
     return judgement_.l1.satisfies_limit();
   }
 
-  // Runs of older programs lack the metric: for such runs the plain Newton steps are assumed to
-  // have converged.
+  // Runs of older programs lack the metric "plain_newton_converges", and are assumed to have
+  // converged.
   bool newton_converges() {
     const Solution* closure =
         find_case(claim().cases.front())->find(paper_closure_id(claim().order));

@@ -7,8 +7,7 @@
 namespace fpkcheck::paper {
 namespace {
 
-// Removes trailing zeros: the text "0.02000" would suggest more significant digits than a criterion
-// has.
+// Trailing zeros, as in "0.02000", would suggest more significant digits than a criterion has.
 std::string without_trailing_zeros(std::string number) {
   if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
   number.erase(number.find_last_not_of('0') + 1);

@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-/// Texts of the numbers of a judgement for tables and sentences; the text of an absent number is
-/// empty.
+/// Texts of measured numbers for tables and sentences; the text of an absent number is empty.
 namespace fpkcheck::paper {
 
 std::string l1_text(const std::optional<double>& l1);

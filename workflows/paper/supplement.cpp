@@ -42,7 +42,6 @@ std::string claims_table(std::span<const Judgement> judgements) {
   return report::table_html("The claims, and the numbers that decide them", std::move(columns));
 }
 
-// The quotations from the paper, for readers who do not have the paper.
 std::string quotes(std::span<const Judgement> judgements) {
   std::vector<std::string> lines;
   for (const auto& judgement : judgements) {
@@ -58,7 +57,7 @@ report::PageSection section(std::span<const Judgement> judgements, const results
                               .html = {},
                               .groups = paper_figure_plots(run)};
   auto sentences = outcome_summary(judgements);
-  sentences.erase(sentences.begin());  // the page begins with this sentence
+  sentences.erase(sentences.begin());  // the page already has the closing sentence at its beginning
   for (const auto& sentence : sentences) section.html += report::html_element("p", sentence);
   section.html += claims_table(judgements);
   for (const auto& sentence : criteria_sentences())

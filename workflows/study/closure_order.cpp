@@ -48,8 +48,7 @@ std::vector<MethodVariant> closures(const Registry& registry) {
   return all;
 }
 
-// The accuracy required of the closures: an L1 error that every closure satisfies, so that the
-// study shows all closures.
+// Every closure satisfies an L1 error of 10, so that the study shows all closures.
 constexpr double kUnlimitedError = 10;
 
 Method method_of_order(const Registry& registry, const MethodVariant& formulation, int order) {
@@ -62,7 +61,8 @@ Method method_of_order(const Registry& registry, const MethodVariant& formulatio
 
 void add_distances(const std::vector<compare::PairDistances>& pairs, const std::string& reference,
                    ClosureOrderRow& row) {
-  constexpr double kTailStart = 1e-5;  // the tail: this decade of the reference density
+  // The tail is the decade 1e-5 .. 1e-4 of the reference density.
+  constexpr double kTailStart = 1e-5;
   const std::string& id = row.solution.id();
   const auto y = compare::l1_distance_between(pairs, id, reference, Variable::y);
   const auto ydot = compare::l1_distance_between(pairs, id, reference, Variable::ydot);

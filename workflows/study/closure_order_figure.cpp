@@ -38,8 +38,7 @@ report::FigurePanel distance_panel(const ClosureOrderStudy& study, const char* t
           .series = series};
 }
 
-// A line for each closure with a branch, in the order of the points on the branch, and a mark at
-// each fold.
+// Each closure with a branch has a line, and each fold of a branch has a mark.
 std::vector<FigureSeries> branch_series(const ClosureOrderStudy& study) {
   std::vector<FigureSeries> all;
   FigureSeries folds{.name = "fold of a branch", .colour = "#444444", .symbol = "circle-open"};

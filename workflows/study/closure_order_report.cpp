@@ -31,7 +31,8 @@ Record make_record(const ClosureOrderRow& row) {
   record.push_back({"tail_y", transform::value_from_optional(row.tail_y)});
   record.push_back({"tail_ydot", transform::value_from_optional(row.tail_ydot)});
   for (const auto& observation : row.solution.metrics) {
-    if (observation.path == "formulation" || observation.path == "order") continue;  // added above
+    // The record already has formulation and order.
+    if (observation.path == "formulation" || observation.path == "order") continue;
     record.push_back({observation.path, observation.value});
   }
   return record;
@@ -61,8 +62,7 @@ std::string name_of(const ClosureOrderRow& row) {
   return fmt::format("{} n = {}", row.formulation, row.order);
 }
 
-// The sign of the leading form of Q_n without the confinement term, even if the confinement term
-// makes the density decay.
+// Returns the sign of the leading form of Q_n without the confinement term.
 std::string leading_form(const ClosureOrderRow& row) {
   const auto& metrics = row.solution.metrics;
   auto form = transform::metric_text(metrics, "tail.polynomial_leading_form");
@@ -103,7 +103,6 @@ std::string branch_end_text(const std::string& end) {
   return "is lost by the continuation";
 }
 
-// The text on the folds and on the end of a branch of solutions that begins at the exact density.
 std::string branch_sentence(const ClosureOrderRow& row, const SolutionBranch& branch) {
   std::vector<std::string> folds;
   for (const auto& point : branch.points) {
@@ -116,8 +115,8 @@ std::string branch_sentence(const ClosureOrderRow& row, const SolutionBranch& br
       100 * branch.largest_fraction, branch_end_text(branch.end));
 }
 
-// The mean factor by which the distances decrease if the order n increases by 2. A convergent
-// closure converges geometrically, so that a power of n does not describe the convergence.
+// A convergent closure converges geometrically, so that a power of n does not describe the
+// convergence.
 std::string convergence_rate_sentence(const ClosureOrderRow& first, const ClosureOrderRow& last) {
   const double steps = (last.order - first.order) / 2.0;
   const auto factor = [&](double MarginalL1Distances::*of) {
@@ -127,9 +126,7 @@ std::string convergence_rate_sentence(const ClosureOrderRow& first, const Closur
                      factor(&MarginalL1Distances::y), factor(&MarginalL1Distances::ydot));
 }
 
-// The summary of a formulation: the orders with status ok, and the decrease of the distances with
-// the order.
-// @param good the rows of the formulation with status ok
+// @param good rows of the formulation with status ok
 std::string convergence_sentence(const std::string& formulation,
                                  const std::vector<const ClosureOrderRow*>& good) {
   if (good.empty()) return fmt::format("{}: no order gives a density.", formulation);

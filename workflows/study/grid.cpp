@@ -18,12 +18,11 @@ namespace {
 using transform::GridLevel;
 using transform::Solution;
 
-// Largest density on the outer walls of the box, relative to the peak. The density on the walls is
-// so small that the mass outside the box does not limit the convergence.
+// Largest density on the outer walls of the box, relative to the peak. At a wall density of 1e-9
+// the mass outside the box does not limit the convergence.
 constexpr double kWallDensity = 1e-9;
 
-/// Solves the problem on all grids and by the other methods. All solves share the comparison axes,
-/// the options and the progress listener.
+/// All grids and other methods have common comparison axes, options and progress listener.
 class GridStudySolver {
  public:
   GridStudySolver(const problem::Problem& problem, const GridStudyOptions& options,
@@ -58,7 +57,7 @@ class GridStudySolver {
     row.solution = std::move(found.solution);
     row.density = density(row.solution);
     if (row.density) {
-      // All grids use one box, so that its size does not affect the convergence.
+      // All grids use one box, so that the size of the box does not affect the convergence.
       y_max_ = found.summary.x1_max;
       v_max_ = found.summary.x2_max;
     }
@@ -93,9 +92,7 @@ class GridStudySolver {
   std::optional<double> y_max_{}, v_max_{};
 };
 
-// The reason why three grids have no Richardson limit; empty if they have a limit. The finest
-// density must be ok and the grids must converge, since otherwise the extrapolation increases the
-// error.
+// Returns the reason why three grids have no Richardson limit; empty if the limit exists.
 std::string reason_without_limit(const GridRow& coarse, const GridRow& middle,
                                  const GridRow& fine) {
   for (const GridRow* grid : {&coarse, &middle, &fine}) {
@@ -123,8 +120,8 @@ std::string reason_without_limit(const GridRow& coarse, const GridRow& middle,
       fine.observed->l1, transform::kMinOrderForLimit);
 }
 
-// Sets the observed orders of convergence of the grids of one scheme, and returns the Richardson
-// limit of these grids.
+// Sets the observed orders of convergence, and returns the Richardson limit of the grids of one
+// scheme.
 GridLimit limit(std::vector<GridRow>& grids) {
   for (std::size_t k = 2; k < grids.size(); ++k) {
     const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
@@ -153,8 +150,7 @@ std::optional<MarginalL1Distances> l1(const std::optional<GridLevel>& one,
                              transform::l1(one->ydot, other->ydot)};
 }
 
-// The solution on a single grid has no error estimate: the distance to the limit serves as error
-// estimate.
+// The distance to the limit serves as error estimate of the solution on a single grid.
 void set_error_estimate(GridRow& row) {
   if (row.l1) {
     row.solution.error = transform::ErrorEstimate{.y_l1 = row.l1->y, .ydot_l1 = row.l1->ydot};
@@ -213,7 +209,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
     set_error_estimate(row);
   }
   for (auto& one : study.limits) one.l1 = l1(one.density, reference_limit);
-  if (!reference_limit) return study;  // other methods would have no reference
+  if (!reference_limit) return study;  // the other methods would have no reference
   if (study.limits.size() > 1) study.limit_accuracy = study.limits.end()[-2].l1;
   for (const auto& method : others) {
     auto solution = solving.solve(method);

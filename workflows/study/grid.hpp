@@ -14,90 +14,84 @@
 
 namespace fpkcheck::study {
 
-/// The grids of a grid study: equation, impact condition, orders of the scheme and levels of
-/// refinement.
 struct GridStudyOptions {
   problem::Equation equation = problem::Equation::kf;
   problem::Impact impact = problem::Impact::map;
-  std::vector<int> orders{3, 5, 7};           ///< orders of the scheme
-  int levels = 5;                             ///< number of grids for each order, at least 3
-  double coarsest = 0.5;                      ///< refinement of the first level
-  std::optional<double> origin_refinement{};  ///< as in fd_fpk::Options
-  /// Options of the simulation that is compared with the grids; options that are not listed have
-  /// their default values.
+  std::vector<int> orders{3, 5, 7};  ///< orders of the scheme
+  int levels = 5;                    ///< number of grids for each order, at least 3
+  double coarsest = 0.5;             ///< refinement of the coarsest grid
+  /// Refinement towards the origin, as in fd_fpk::Options.
+  std::optional<double> origin_refinement{};
+  /// Options of the simulation that is compared with the grids; other options have default values.
   base::Values simulation{};
 };
 
-/// @throws InputError naming the option, its value and its range
+/// @throws InputError with the option, its value and its range
 void validate(const GridStudyOptions& options);
 
-/// A row of a grid study: the solution on one grid, and the distance of this solution to the limit.
 struct GridRow {
-  int order = 0;  ///< of the scheme
+  int order = 0;  ///< order of the scheme
   int level = 1;
   double refinement = 1, origin_refinement = 1;
   int nx = 0, nv = 0;  ///< numbers of cells in y and y'
   transform::Solution solution;
-  std::optional<transform::GridLevel> density = {};  ///< empty without a density
-  std::optional<transform::ObservedConvergenceOrders> observed =
-      {};                                      ///< from this level and two before
-  std::optional<MarginalL1Distances> l1 = {};  ///< distance to the limit
+  /// Density on the grid; empty without a density.
+  std::optional<transform::GridLevel> density = {};
+  /// Observed orders of convergence, from this level and the two coarser levels.
+  std::optional<transform::ObservedConvergenceOrders> observed = {};
+  std::optional<MarginalL1Distances> l1 = {};  ///< L1 distances to the Richardson limit
 };
 
-/// The Richardson limit of the grids of one order of the scheme, extrapolated from the three finest
-/// grids.
+/// Richardson limit of the grids of one scheme order, extrapolated from the three finest grids.
 struct GridLimit {
   int order = 0;
-  std::string failure = {};  ///< reason why there is no limit; empty where there is a limit
+  std::string failure = {};  ///< reason why there is no limit; empty if the limit exists
   std::optional<transform::GridLevel> density = {};
-  transform::Moments error = {};  ///< differences of the moments to the finest grid, absolute
-  std::optional<MarginalL1Distances> l1 = {};  ///< distance to the limit of the highest order
+  /// Absolute differences of the moments between the limit and the finest grid.
+  transform::Moments error = {};
+  std::optional<MarginalL1Distances> l1 = {};  ///< L1 distances to the limit of the highest order
 };
 
-/// A closure or a simulation that is compared with the grids.
 struct ComparedMethodRow {
   transform::Solution solution;
   std::optional<MarginalL1Distances> l1 = {};
 };
 
-/// The result of a grid study. The Richardson limit at the highest order is the reference of all
-/// distances.
+/// The Richardson limit at the highest order is the reference of all distances of a grid study.
 struct GridStudy {
   static constexpr const char* kName = "grid";
   problem::Problem problem;
-  transform::SolutionIdentity grids;      ///< equation and impact of the finite volumes
-  std::vector<GridRow> rows;              ///< by order, then by level
-  std::vector<GridLimit> limits;          ///< by order
-  std::vector<ComparedMethodRow> others;  ///< empty without a limit
-  /// The accuracy of the limit at the highest order: the L1 distance to the limit at the next lower
-  /// order.
+  transform::SolutionIdentity grids;      ///< equation and impact condition of the finite volumes
+  std::vector<GridRow> rows;              ///< rows sorted by order, then by level
+  std::vector<GridLimit> limits;          ///< Richardson limits sorted by order
+  std::vector<ComparedMethodRow> others;  ///< closures and simulations; empty without a limit
+  /// L1 distance of the limit at the highest order to the limit at the next lower order.
   std::optional<MarginalL1Distances> limit_accuracy = {};
 
   const GridLimit& reference_limit() const { return limits.back(); }
 };
 
 /// Solves a problem by finite volumes on grids of every order and level, one grid after another.
-/// The stationary density is computed as the null vector of the discrete operator only. All grids
-/// use the box of the first grid. Then the closures and simulations of the same equation
-/// (comparison_methods) solve the problem. The Richardson limit at the highest order is the
-/// reference of all distances. A Richardson limit does not exist if a density is missing or its
-/// status is not ok, or if the observed order of convergence is below transform::kMinOrderForLimit.
-/// Without a Richardson limit at the highest order no closure or simulation is run.
-/// @throws InputError in the same cases as validate
+/// All grids use the box of the first grid, and the null vector of the discrete operator as
+/// density. A Richardson limit exists if the three finest grids have densities and the finest
+/// solution is ok. For a Richardson limit the observed order must also satisfy
+/// transform::has_richardson_limit(). If the limit at the highest order exists, the methods of
+/// comparison_methods() also solve the problem.
+/// @throws InputError in the same cases as validate()
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
                      const methods::Registry& registry, const methods::ProgressListener& listener);
 
-/// Whether the grid study has a Richardson limit, and the solver did not fail on the finest grid of
-/// any order. Solutions on coarser grids may fail.
+/// Returns whether the Richardson limit exists and no solver failed on the finest grid of an order.
+/// Solutions on coarser grids may fail.
 bool has_converged(const GridStudy& study);
 
-/// The files and texts of a grid study, from which make_report() makes a StudyReport.
+/// Files and texts of a grid study, from which make_report() makes a StudyReport.
 std::string json(const GridStudy& study, const std::string& command);
 std::string csv(const GridStudy& study);
-/// The tables of grids, limits and other methods, and the fastest method for each accuracy.
+/// Returns the tables of grids, limits and other methods, and the fastest method for each accuracy.
 std::string table(const GridStudy& study, const report::TextFormat& format);
-/// The L1 distances against the refinement of the grid for each order of the scheme, and against
-/// the wall-clock time for all methods; without panels if no distance is known.
+/// Returns panels of the L1 distances against the grid refinement, and against the wall-clock time
+/// of all methods. The figure has no panels if no distance is known.
 report::Figure figure(const GridStudy& study);
 
 Record make_record(const GridRow& row);

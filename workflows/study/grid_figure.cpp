@@ -55,8 +55,7 @@ std::string method_label(const ComparedMethodRow& row) {
                      identity.order ? ", n = 2, 4, .." : "");
 }
 
-// A dashed line with the slope of each scheme's nominal order, through the first point of the
-// scheme.
+// A dashed line through the first point of each scheme has the slope of the scheme's nominal order.
 std::vector<FigureSeries> order_slopes(const GridStudy& study, Distance distance) {
   std::vector<FigureSeries> slopes;
   for (auto row = study.rows.begin(); row != study.rows.end();) {

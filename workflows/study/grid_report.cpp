@@ -158,7 +158,6 @@ std::string name_of(const GridRow& row) {
 }
 std::string name_of(const ComparedMethodRow& row) { return row.solution.id(); }
 
-/// A method with its wall-clock time.
 struct TimedMethod {
   std::string name;
   double seconds;

@@ -18,8 +18,7 @@ using problem::Impact;
 using transform::SolutionIdentity;
 using transform::SolutionRole;
 
-// Finds the method of an id with the given options. The result is empty if no solver has a method
-// of this id, or if an option is invalid.
+// Returns the method of an id with the given options; empty for an unknown id or an invalid option.
 std::optional<Method> find_method(const Registry& registry, const std::string& id,
                                   const base::Values& given = {}) {
   try {
@@ -29,8 +28,7 @@ std::optional<Method> find_method(const Registry& registry, const std::string& i
   }
 }
 
-// The default members of a solver's families, then the variants that differ from a default member
-// by one choice of an option.
+// The variants that differ from a default member by one option follow the default members.
 std::vector<Method> members_and_variants(const Registry& registry, const methods::Solver& solver,
                                          const std::vector<std::string>& usual) {
   std::vector<Method> found;
@@ -91,7 +89,7 @@ std::vector<MethodVariant> method_variants(const Registry& registry, SolutionRol
 std::vector<Method> comparison_methods(const Registry& registry, Equation equation, Impact impact,
                                        const base::Values& simulation) {
   std::vector<Method> all;
-  std::set<std::string> families;  // with a variant in `all`; default variants come first
+  std::set<std::string> families;  // families with a variant in `all`; default variants come first
   for (const auto& variant : method_variants(registry, SolutionRole::closure)) {
     const SolutionIdentity& identity = variant.identity();
     const bool approximates_full_problem =

@@ -5,36 +5,34 @@
 
 #include "methods/registry.hpp"
 
-/// The registered methods that a study compares, including variants that are in no family's list of
-/// members.
+/// Registered methods that a study compares, including variants that no family lists as members.
 namespace fpkcheck::study {
 
-/// A set of methods that differ only in their order n, e.g. a formulation of a closure.
+/// Set of methods that differ only in their order n, e.g. a formulation of a closure.
 struct MethodVariant {
-  /// The name for users: the stem of the ids; for methods of the first solver without the name of
-  /// the solver: "moment-white".
+  /// Name of the variant for users, e.g. "moment-white": the stem of the ids. For the first solver
+  /// of a role the name omits the prefix "SOLVER-".
   std::string name;
-  std::string stem;       ///< the ids are STEM-nN, or STEM without an order
-  bool usual;             ///< the default variant of its family
-  methods::Method first;  ///< one of these methods
+  std::string stem;       ///< common stem of the ids STEM-nN, or id of a method without an order
+  bool usual;             ///< whether the variant is a default variant of its family
+  methods::Method first;  ///< first method of the variant in the registry
 
   const transform::SolutionIdentity& identity() const { return first.identity; }
-  bool solves_full_problem() const;  ///< equation `kf` with the exact impact
+  bool solves_full_problem() const;  ///< returns whether the equation is `kf` with the exact impact
 };
 
-/// The method variants of a role, by increasing trust. The default variants of each family come
-/// first. The variants that differ from a default variant by one choice of an option (another
-/// equation, another tail of the exponent) follow.
+/// Returns the method variants of a role, by increasing trust. The default variants of each family
+/// come before variants with another value of one option (equation, tail of the exponent).
 std::vector<MethodVariant> method_variants(const methods::Registry& registry,
                                            transform::SolutionRole role);
 
-/// The closures and simulations that are compared with finite volumes for one equation. A family of
-/// closures contributes its default variant if this variant solves the equation, or if the equation
-/// is that of the full problem, which every closure approximates. Otherwise the family contributes
-/// a variant that solves the equation. The orders are 2, 4, .. 12. For the impact to first order
-/// the orders are 2, 4, 6, since closures of higher orders rarely have a density.
+/// Returns the closures and simulations that are compared with finite volumes for one equation, by
+/// increasing trust. A family of closures contributes its default variant if this variant solves
+/// the equation. For the equation of the full problem every family contributes its default variant,
+/// since every closure approximates the full problem. For other equations the family contributes a
+/// variant that solves the equation. The orders are 2, 4, .. 12. For the impact to first order the
+/// orders are 2, 4, 6, since closures of higher orders rarely have a density.
 /// @param simulation values that replace the default options of simulations
-/// @return methods by increasing trust
 /// @throws InputError if a value of an option is invalid
 std::vector<methods::Method> comparison_methods(const methods::Registry& registry,
                                                 problem::Equation equation, problem::Impact impact,

@@ -7,20 +7,16 @@
 
 namespace fpkcheck::study {
 
-/// The report of a study: the contents of its files, and the text for the terminal.
 struct StudyReport {
   std::string file_stem;      ///< stem of the file names, e.g. "study-order"
-  std::string json;           ///< contents of STEM.json; null for missing numbers
-  std::string csv;            ///< contents of STEM.csv, with a header; empty for missing numbers
+  std::string json;           ///< contents of STEM.json, with null for missing numbers
+  std::string csv;            ///< contents of STEM.csv with a header; missing numbers are empty
   std::string text;           ///< tables, and sentences that summarise the numbers
-  std::string figure_script;  ///< a gnuplot script that draws STEM.png; empty without a figure
+  std::string figure_script;  ///< gnuplot script that draws STEM.png; empty without a figure
 };
 
-/// Makes the report of a study.
-/// @param command command line of the run
-/// @param format format of the text; less important columns are omitted if the rows exceed the
-///               width
-/// @param width medium and width of the figure
+/// Makes the report of a study. Less important columns are omitted if table rows exceed the width
+/// of `format`.
 template <class Study>
 StudyReport make_report(const Study& study, const std::string& command,
                         const report::TextFormat& format,

@@ -8,10 +8,8 @@
 
 namespace fpkcheck::study {
 
-/// Makes a series from each group of neighbouring rows with the same name. The plot style of the
-/// series is the style of the group's middle row.
-/// @param name function that returns the name of a row
-/// @param point function that returns the optional point of a row
+/// Makes a plot series from each group of neighbouring rows with the same name(row), with the
+/// points point(row). The plot style of the series is the style of the group's middle row.
 template <class Row, class Name, class Point>
 std::vector<report::FigureSeries> make_series(const std::vector<Row>& rows, Name name,
                                               Point point) {

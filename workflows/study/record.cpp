@@ -24,8 +24,7 @@ Value value_at(const Record& record, const std::string& path) {
   return found == record.end() ? Value() : found->value;
 }
 
-// The text of a value: words and integers unchanged, other numbers in the given format, "" for an
-// absent value.
+// Only numbers that are not integers have the given format; an absent value is "".
 std::string text(const Value& value, const char* format) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
@@ -66,7 +65,7 @@ std::string csv_text(const std::vector<Record>& rows, const std::string& columns
   std::istringstream words(columns);
   for (std::string word; words >> word;) {
     headers.push_back(word.substr(0, word.find('=')));
-    paths.push_back(word.substr(word.find('=') + 1));  // the whole word without '='
+    paths.push_back(word.substr(word.find('=') + 1));  // a word without '=' is header and path
   }
   std::string lines = fmt::format("{}\n", fmt::join(headers, ","));
   for (const auto& row : rows) {

@@ -68,7 +68,8 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
 Record make_record(const RegularisationRow& row) {
   Record record{{"scheme", row.scheme},
                 {"step", row.step},
-                {"length", row.length > 0 ? Value(row.length) : Value()},  // none for pade
+                // The scheme `pade` has no length.
+                {"length", row.length > 0 ? Value(row.length) : Value()},
                 {"nx", value_from_count(row.nx)},
                 {"nv", value_from_count(row.nv)},
                 {"symbol_rate", value(row.symbol, &FastestGrowingWave::rate)},
@@ -101,8 +102,7 @@ namespace {
 
 using report::wrap_text;
 
-// The text of the growth rate of the symbol. If no wave grows, the rate is 0, since the rate of
-// long waves tends to 0.
+// If no wave grows the growth rate is 0, since the rate of long waves tends to 0.
 std::string symbol_text(const RegularisationRow& row, double fd_fpk::FastestGrowingWave::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
   return row.symbol && of == &fd_fpk::FastestGrowingWave::rate ? "0" : "";
@@ -161,7 +161,7 @@ std::string rows(const RegularisationStudy& study, const report::TextFormat& for
                     format);
 }
 
-// The text of a list of velocity steps, e.g. "h = 0.158, 0.0791 and 0.0395".
+// Returns the text of a list of velocity steps, e.g. "h = 0.158, 0.0791 and 0.0395".
 std::string step_list(const std::vector<RegularisationRow>& rows) {
   std::vector<std::string> steps;
   for (const auto& row : rows) steps.push_back(step_text(row));
@@ -180,8 +180,8 @@ std::vector<RegularisationRow> rows_of_scheme(const RegularisationStudy& study,
   return chosen;
 }
 
-// The sentence that states on which steps disturbances of the unregularised scheme grow. The
-// exponent a in growth rate ~ h^a is computed from the two smallest steps h on which a wave grows.
+// The exponent a in growth rate ~ h^a is computed from the two smallest steps h on which a wave
+// grows.
 std::string literal_sentence(const RegularisationStudy& study) {
   const auto growing = rows_of_scheme(study, "literal", true);
   if (growing.empty()) return "The literal scheme grows on none of these steps.";
@@ -241,7 +241,7 @@ std::string threshold_sentence(const RegularisationStudy& study) {
   return text;
 }
 
-// The remarks of all rows. Each remark occurs once, with the rows to which the remark applies.
+// Each remark occurs once, with the rows to which the remark applies.
 std::string remarks(const RegularisationStudy& study, std::size_t width) {
   std::map<std::string, std::vector<std::string>> rows_with;
   std::vector<std::string> order;

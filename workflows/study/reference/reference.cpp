@@ -39,7 +39,7 @@ fd_fpk::Options fifth_order_options(const ReferenceOptions& options) {
 }
 
 mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOptions& options) {
-  constexpr double kTime = 1e7;  // decay times
+  constexpr double kTime = 1e7;  // time in decay times of the slowest mode
   const auto axes = compare::comparison_axes(problem);
   mcs::Options simulation;
   simulation.time =
@@ -50,15 +50,13 @@ mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOpt
   return simulation;
 }
 
-// The density p(x), computed as the average over a narrow bin: because of the curvature, the
-// average differs from p(x) by less than 1e-6.
+// Returns the average of p over a narrow bin around x, which differs from p(x) by less than 1e-6.
 double density_at(const Solution& solution, Variable variable, double x, double deviation) {
   const double half = 1e-3 * deviation;
   const double edges[] = {x - half, x + half};
   return transform::marginal(*solution.density, variable, edges).density.front();
 }
 
-// Rounds a number to two significant digits.
 double round_to_two_digits(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return std::round(x / unit) * unit;
@@ -85,7 +83,7 @@ double covered_fraction(const Solution& exact, const transform::Marginal& simula
   const auto reference = transform::marginal(*exact.density, variable, simulated.edges);
   int within = 0, counted = 0;
   for (std::size_t b = 0; b < simulated.size(); ++b) {
-    if (!(simulated.upper[b] > simulated.lower[b])) continue;  // an empty bin
+    if (!(simulated.upper[b] > simulated.lower[b])) continue;  // an empty bin has no interval
     ++counted;
     within +=
         reference.density[b] >= simulated.lower[b] && reference.density[b] <= simulated.upper[b];
@@ -97,7 +95,6 @@ double covered_fraction(const Solution& exact, const transform::Marginal& simula
 
 int ReferenceValue::agreed_digits(int most) const {
   const double difference = std::abs(seventh - fifth) / std::abs(seventh);
-  // The number of digits to which both values agree within half a unit of the last digit.
   const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
   // The number of digits is a double, since the number may be infinite, or NaN from 0/0.
   return digits > 1 ? static_cast<int>(std::min<double>(digits, most)) : 1;
@@ -145,7 +142,7 @@ namespace {
 constexpr int kMomentDigits = 7;
 constexpr int kDensityDigits = 5;
 
-// The text of a number with the given number of significant digits, including trailing zeros.
+// Trailing zeros count as significant digits of the text.
 std::string digits(double x, int significant) {
   if (x == 0) return "0";
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));

@@ -15,11 +15,11 @@ namespace {
 
 using fd_fpk::Snapshot;
 
-// The numbers of pixels of a colour map, which equal the resolution of the drawn figure.
+// Numbers of pixels of a colour map, equal to the resolution of the drawn figure.
 constexpr int kMaxColumns = 400;
 constexpr int kPixelRows = 200;
 
-// Interpolates the cell averages linearly between the cells' centres.
+// Interpolates the cell averages linearly between the centres of cells.
 double interpolate(std::span<const double> edges, std::span<const double> averages, double x) {
   const auto centre = [&](std::size_t b) { return (edges[b] + edges[b + 1]) / 2; };
   std::size_t b = std::upper_bound(edges.begin() + 1, edges.end() - 1, x) - edges.begin() - 1;
@@ -33,7 +33,8 @@ double interpolate(std::span<const double> edges, std::span<const double> averag
 report::FigurePanel density_panel(const TransientRun& run, const char* title,
                                   const std::string& symbol, const std::vector<double>& edges,
                                   std::vector<double> Snapshot::*marginal) {
-  constexpr double kVisible = 2e-3;  // fraction of the largest density that is drawn
+  // Fraction of the largest density above which densities are drawn.
+  constexpr double kVisible = 2e-3;
   const auto& snapshots = run.result.snapshots;
   double largest = 0, from = edges.back(), to = edges.front();
   for (const auto& s : snapshots) largest = std::max(largest, std::ranges::max(s.*marginal));
@@ -44,8 +45,8 @@ report::FigurePanel density_panel(const TransientRun& run, const char* title,
       to = std::max(to, edges[b + 1]);
     }
   }
-  // The snapshots are evenly spaced in time. If the run has more snapshots than the map has columns
-  // of pixels, the columns are interpolated.
+  // If a run has more snapshots than the map has columns of pixels, the columns are interpolated in
+  // time.
   const int last = static_cast<int>(snapshots.size()) - 1;
   const int steps = std::min(last, kMaxColumns - 1);
   const double until = snapshots.back().time, half_step = until / steps / 2;

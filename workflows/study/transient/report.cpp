@@ -30,7 +30,7 @@ using report::wrap_text;
 
 constexpr const char* kFile = "transient.nc";
 
-// Replaces a value that rounds to 0 in five digits by 0, so that the text is not "-0.00000".
+// Replaces a value that rounds to 0 in five digits by 0, to avoid the text "-0.00000".
 double without_negative_zero(double value) {
   constexpr double kHalfADigit = 5e-6;
   return std::abs(value) < kHalfADigit ? 0 : value;
@@ -171,7 +171,6 @@ std::vector<double> values_over_time(const TransientRun& run, Of of) {
   return values;
 }
 
-// The values of a marginal density p(time, x), row by row.
 std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::*marginal) {
   std::vector<double> values;
   for (const Snapshot& s : run.result.snapshots) {
@@ -180,8 +179,6 @@ std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::
   return values;
 }
 
-/// Writes the cell centres of a coordinate, the cell edges, and the marginal density over this
-/// coordinate.
 void write_marginal(results::NetCdfWriter& file, const TransientRun& run, const std::string& name,
                     const std::string& meaning, int time, int bounds,
                     const std::vector<double>& edges, std::vector<double> Snapshot::*marginal) {

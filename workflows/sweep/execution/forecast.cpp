@@ -17,9 +17,9 @@
 namespace fpkcheck::sweep {
 namespace {
 
-constexpr double kMinSeconds = 1e-6;  // lower bound, so that the logarithm exists
+constexpr double kMinSeconds = 1e-6;  // lower bound, so that the logarithm of the time exists
 
-/// The values of the basis functions of the quadratic polynomial for a point.
+/// Values of the basis functions of the quadratic polynomial at a point.
 class BasisFunctions {
  public:
   explicit BasisFunctions(const Plan& plan) : plan_(plan) {
@@ -77,8 +77,7 @@ CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
   if (measured.empty()) return;
   const BasisFunctions terms(plan);
   const Eigen::Index unknowns = terms.at(0).size();
-  // The fit is a ridge regression, so that all coefficients are determined even if few points are
-  // measured.
+  // A ridge regression determines all coefficients even if few points are measured.
   constexpr double kRidge = 0.03;
   Eigen::MatrixXd normal = kRidge * Eigen::MatrixXd::Identity(unknowns, unknowns);
   normal(0, 0) = 0;
@@ -89,8 +88,8 @@ CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
     right += row * std::log(std::max(seconds, kMinSeconds));
   }
   const Eigen::VectorXd coefficients = normal.ldlt().solve(right);
-  // The exponential of the fitted mean logarithm underestimates the mean: the expected times are
-  // scaled to the sum of the measured times.
+  // The exponential of the fitted mean logarithm underestimates the mean, and is scaled to the
+  // measured times.
   double sum = 0, fitted = 0;
   for (const auto& [point, seconds] : measured) {
     sum += seconds;
@@ -104,7 +103,7 @@ CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
 
 std::vector<std::size_t> evenly_spread_sample(const std::vector<std::size_t>& candidates,
                                               std::size_t count) {
-  // The golden ratio as step avoids resonance with the periods of a Cartesian product of axes.
+  // Steps of the golden ratio avoid resonance with the periods of a Cartesian product of axes.
   constexpr double kGolden = 0.6180339887498949;
   std::vector<std::size_t> chosen;
   const std::size_t most = std::min(count, candidates.size());
@@ -119,8 +118,7 @@ std::vector<std::size_t> evenly_spread_sample(const std::vector<std::size_t>& ca
 
 namespace {
 
-// The number of points in the sample: sufficient for the fit, but small in comparison with the
-// plan.
+// Number of points in the sample: sufficient for the fit, but small relative to the plan.
 constexpr std::size_t kMinSample = 24, kMaxSample = 64;
 constexpr double kSampleFraction = 0.06;
 
@@ -129,8 +127,8 @@ std::size_t sample_size(std::size_t points) {
                     kMinSample, kMaxSample);
 }
 
-// The relative standard error of the predicted sum, by leave-one-out cross-validation: the root of
-// the sum of squares of the prediction errors, divided by the sum of the seconds.
+// Leave-one-out cross-validation gives the relative standard error: the root of the sum of squared
+// prediction errors, divided by the sum of the seconds.
 double relative_standard_error(const Plan& plan,
                                const std::vector<CostModel::Measurement>& sample) {
   if (sample.size() < 3) return 1;

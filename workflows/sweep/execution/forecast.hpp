@@ -10,21 +10,21 @@
 
 namespace fpkcheck::sweep {
 
-/// A model of the wall-clock times of all points of a plan, fitted to the times of measured points.
-/// The logarithm of the seconds is a quadratic polynomial of the values of the varied keys, or of
-/// the logarithms of these values on logarithmic axes, and is fitted by least squares.
+/// Model of the wall-clock times of all points of a plan, fitted to measured times by least
+/// squares. The logarithm of the seconds is a quadratic polynomial of the varied values, or of
+/// their logarithms on logarithmic axes.
 class CostModel {
  public:
-  /// A solved point and the measured wall-clock time of its solves.
+  /// Solved point with the measured wall-clock time of its solves.
   struct Measurement {
     std::size_t point;
     double seconds;
   };
 
-  /// @param measured measured points; if there are none, all points have the same expected time
+  /// @param measured measured points; if empty, all points have the same expected time
   CostModel(const Plan& plan, std::span<const Measurement> measured);
 
-  /// The expected seconds of a point; for a measured point the measured seconds.
+  /// Returns the expected seconds of a point; for a measured point the measured seconds.
   double expected_seconds(std::size_t point) const { return expected_[point]; }
   const std::vector<double>& all_expected_seconds() const { return expected_; }
 
@@ -32,35 +32,32 @@ class CostModel {
   std::vector<double> expected_;
 };
 
-/// Selects about `count` points that are evenly distributed over the candidates. The selected
-/// points are the sample whose times are measured first.
+/// Selects about `count` points that are evenly distributed over the candidates.
 /// @param candidates numbers of the candidate points in increasing order
 std::vector<std::size_t> evenly_spread_sample(const std::vector<std::size_t>& candidates,
                                               std::size_t count);
 
-/// The rule by which points are assigned to workers.
 enum class DispatchRule {
-  longest_first,  ///< to the next free worker, the longest expected point first
-  in_order,       ///< to the next free worker, in order
-  shards          ///< in advance, every N-th point to the same worker
+  longest_first,  ///< the longest expected point goes to the next free worker
+  in_order,       ///< the next point in the order of the plan goes to the next free worker
+  shards          ///< every N-th point goes to the same worker, in advance
 };
 
-/// The wall-clock time until the last worker has solved its last point.
-/// @param seconds wall-clock time of each point
+/// Returns the wall-clock time until the last worker has solved its last point.
 double makespan(std::span<const double> seconds, std::size_t workers, DispatchRule dispatch);
 
-/// The expected wall-clock times of a plan, estimated from a sample of points.
+/// Expected wall-clock times of a plan, estimated from a sample of points.
 struct Forecast {
   std::vector<CostModel::Measurement> sample{};
-  std::vector<double> seconds{};  ///< expected, for each point
-  double uncertainty = 0;         ///< relative standard error of their sum
-  double megabytes = 0;  ///< largest resident set, all threads together; 0 where nothing was solved
+  std::vector<double> seconds{};  ///< expected seconds of each point
+  double uncertainty = 0;         ///< relative standard error of the sum of `seconds`
+  double megabytes = 0;  ///< largest resident set of all threads together; 0 if no point was solved
 };
 
-/// Solves a sample of the points of a plan, and predicts the times of the other points from the
-/// sample and from `solved`. No file is written.
-/// @param solved points that were solved before; if these points suffice for the prediction, no
-///               further point is solved
+/// Solves a sample of the points of a plan, and predicts the times of the other points. The
+/// forecast writes no file.
+/// @param solved points that were solved before; if these points suffice, no further point is
+///        solved
 /// @param threads number of threads; 0 for one thread per processor
 /// @throws any exception of a solver
 Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int threads);

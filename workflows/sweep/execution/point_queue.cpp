@@ -11,9 +11,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// The number of points in the initial sample, and the smaller number of measured points that
-// suffices to sort the other points. With the smaller number, no thread has to wait for the last
-// point of the sample.
+// The queue is sorted after kMinMeasurements measured points, so that no thread waits for the last
+// point of the initial sample.
 constexpr std::size_t kInitialSample = 24, kMinMeasurements = 16;
 
 }  // namespace
@@ -88,7 +87,7 @@ std::string JournaledQueue::resumption_text() const {
   std::string text =
       fmt::format("resumed from {}: {} of {} points kept, {} to solve",
                   base::sanitise((directory_ / journal_name_).string()), done, total, total - done);
-  // A damaged line of the journal does not show which point the line contains.
+  // A damaged line of the journal does not show the point to which the line belongs.
   if (damaged == 1) text += ", including the point of 1 damaged line";
   if (damaged > 1) text += fmt::format(", including the points of {} damaged lines", damaged);
   return text;

@@ -25,9 +25,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-/// Exponential backoff between two polls for messages, since each poll takes processor time from
-/// the solver threads. The waiting time delays no solver thread, since a point is in reserve on
-/// each rank.
+/// Waits between two polls for messages, since polling takes processor time from the solver
+/// threads. The waiting time delays no solver thread, since each rank has one point in reserve.
 class Backoff {
  public:
   void wait() {
@@ -44,9 +43,9 @@ class Backoff {
 // The first letter of a worker's message is its type. The coordinator replies to each request and
 // to each result with the number of the worker's next point, or with kNoPointsLeft.
 constexpr char kRequest = 'w';   // request for a point
-constexpr char kSolved = 's';    // result of a point, and the next request
-constexpr char kFailed = 'f';    // text of an exception; final message
-constexpr char kFinished = 'b';  // final message
+constexpr char kSolved = 's';    // result of a point, and next request
+constexpr char kFailed = 'f';    // text of an exception; final message of the worker
+constexpr char kFinished = 'b';  // final message of a worker without an exception
 constexpr const char* kNoPointsLeft = "none";
 
 std::optional<std::size_t> point_of_reply(const std::string& text) {
@@ -55,8 +54,7 @@ std::optional<std::size_t> point_of_reply(const std::string& text) {
   return error == std::errc() ? std::optional(point) : std::nullopt;
 }
 
-/// The solver threads of a rank, on which the points are solved while the thread of the owner
-/// exchanges messages with the other ranks.
+/// Solver threads of a rank. The calling thread meanwhile exchanges messages with the other ranks.
 class BackgroundSolver {
  public:
   BackgroundSolver(const Plan& plan, PointSource& points, int threads)
@@ -78,8 +76,8 @@ class BackgroundSolver {
   std::future<void> solving_;
 };
 
-/// The points that the coordinator has assigned to a worker, and the results that the worker has
-/// not yet sent.
+/// Points that the coordinator has assigned to a worker, and results that the worker has not yet
+/// sent.
 class AssignedPoints final : public PointSource {
  public:
   AssignedPoints(const Plan& plan, std::filesystem::path directory)
@@ -110,7 +108,7 @@ class AssignedPoints final : public PointSource {
     waiting_.push_back(point);
     changed_.notify_one();
   }
-  /// Removes the messages with the results that have not been sent.
+  /// Removes and returns the messages with unsent results.
   std::vector<std::string> take_results() {
     const std::lock_guard lock(mutex_);
     return std::exchange(results_, {});
@@ -126,11 +124,11 @@ class AssignedPoints final : public PointSource {
   bool closed_ = false;
 };
 
-// Replies to the messages of the workers until each worker has sent its final message and the
-// solver threads of this rank have ended.
-// @param points the source of points; a null pointer if no point can be assigned
-// @param solver the solver threads of this rank; a null pointer if there are none
-// @return the first failure of a worker or of the journal; a null pointer without a failure
+// Replies to messages until each worker has sent its final message and the solver threads of this
+// rank have ended.
+// @param points source of points; a null pointer if no point can be assigned
+// @param solver solver threads of this rank; a null pointer without solver threads
+// @return first failure of a worker or of the journal; a null pointer without a failure
 std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
                                  const BackgroundSolver* solver) {
   std::exception_ptr failure;
@@ -184,8 +182,8 @@ void run_worker(const Plan& plan, const std::filesystem::path& directory, base::
   constexpr int kCoordinator = 0;
   AssignedPoints points(plan, directory);
   BackgroundSolver solver(plan, points, threads);
-  // The number of open requests, which have no reply yet, exceeds the number of threads by one, so
-  // that one point is in reserve and no thread waits for a reply.
+  // The number of open requests exceeds the number of solver threads by one. One point is in
+  // reserve, so that no thread waits for a reply.
   int open_requests = base::number_of_threads(threads) + 1, unsolved = 0;
   for (int k = 0; k < open_requests; ++k) ranks.send(kCoordinator, std::string(1, kRequest));
   Backoff backoff;

@@ -74,8 +74,6 @@ MethodResult make_method_result(const Solution& solution) {
   return result;
 }
 
-// The L1 distances of both marginal densities to the reference; empty if one of these distances is
-// missing.
 std::optional<MarginalL1Pair> distance(const compare::Comparison& comparison,
                                        const Solution& solution, const Solution& reference) {
   const auto l1 = [&](Variable variable) {

@@ -16,8 +16,8 @@ struct MapNeighbour {
   const MappedPoint* point;
 };
 
-// The points of the map with the same impulse law and the same relative mean as the problem; the
-// closest point comes first.
+// The neighbours have the impulse law and the relative mean of the problem; the closest point comes
+// first.
 std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
                                             const ValidityMap& map) {
   std::vector<MapNeighbour> neighbours;
@@ -29,8 +29,8 @@ std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
   return neighbours;
 }
 
-// Selects the methods that take at most 1.5 times as long as the fastest method, and moves the most
-// accurate of these methods to the front. The factor is the accuracy of wall-clock times.
+// Among the promised methods that take at most 1.5 times the shortest time, moves the most accurate
+// method to the front. The factor 1.5 is the accuracy of wall-clock times.
 void move_most_accurate_first(std::vector<NearbyMethodResults>& methods) {
   constexpr double kSimilarTimeRatio = 1.5;
   if (methods.empty() || !methods.front().promised) return;
@@ -42,8 +42,8 @@ void move_most_accurate_first(std::vector<NearbyMethodResults>& methods) {
   std::rotate(methods.begin(), best, best + 1);
 }
 
-// An upper bound of the L1 error of a result: the L1 distance to the reference plus the error
-// estimate of the reference. For the reference itself the bound is the error estimate alone.
+// The upper bound of the L1 error is the L1 distance plus the error estimate of the reference. For
+// the reference itself the bound is the error estimate alone.
 double error_bound(const MappedResult& answer, const MappedResult& reference) {
   return *answer.l1 + (&answer == &reference ? 0 : *reference.l1);
 }

@@ -63,8 +63,7 @@ std::vector<std::string_view> split_at(std::string_view text, char separator) {
                                base::in_quotes(text)));
 }
 
-// Parses a finite number that is not negative. All numbers of the map are fractions, ratios,
-// distances or times.
+// All numbers of the map are fractions, ratios, distances or times, and therefore not negative.
 double parse_number(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -99,14 +98,13 @@ MappedPoint parse_point(std::string_view line, std::size_t methods) {
                                     .law = std::string(cells[4]),
                                     .relative_mean = parse_number(cells[5])},
                     .method_results = {}};
-  // The distance between problems contains the logarithms of impulses per decay time and damping
-  // ratio.
+  // The map distance contains the logarithms of impulses per decay time and damping ratio.
   const auto& groups = point.coordinates.groups;
   if (groups.impulses_per_decay_time == 0 || groups.damping_ratio == 0) refuse(line);
   for (std::size_t m = 0; m < methods; ++m) {
     point.method_results.push_back(parse_result(cells[kCoordinateColumns.size() + m]));
   }
-  // The last method is the reference.
+  // The last method is the reference, which must have an error estimate.
   if (!point.method_results.back() || !point.method_results.back()->l1) refuse(line);
   return point;
 }

@@ -10,22 +10,20 @@
 
 namespace fpkcheck::sweep {
 
-/// The dimensionless groups of a problem. Two problems with the same groups, restitution
-/// coefficient and law of the impulse amplitudes have the same density up to the units of length
-/// and time. The dimensionless groups determine the density only for problems of the base class
-/// (problem/features.hpp); other problems have more groups.
+/// In the base class (problem/features.hpp), the groups, the restitution coefficient and the
+/// amplitude law determine the density up to units. Problems outside the base class have more
+/// dimensionless groups.
 struct DimensionlessGroups {
   double impulses_per_decay_time;  ///< lambda / kappa (problem::impulses_per_decay_time)
-  double damping_ratio;            ///< c / (2 sqrt(k_eq)), k_eq of equivalent linearisation
-  /// The cubic fraction of the stiffness, 1 - k / k_eq: 0 for a linear spring, 1 for a purely cubic
-  /// spring; NaN for problems outside the base class.
+  double damping_ratio;            ///< c / (2 sqrt(k_eq)), with k_eq of equivalent linearisation
+  /// Cubic fraction of the stiffness, 1 - k / k_eq: 0 for a linear spring, 1 for a purely cubic
+  /// spring, NaN for problems outside the base class.
   double cubic_share;
 };
 
 DimensionlessGroups dimensionless_groups(const problem::Problem& problem);
 
-/// The coordinates of a problem in the validity map: the dimensionless parameters that determine
-/// the density up to the units of length and time.
+/// Dimensionless parameters that determine the density up to the units of length and time.
 struct MapCoordinates {
   DimensionlessGroups groups;
   double restitution;
@@ -35,42 +33,41 @@ struct MapCoordinates {
 
 MapCoordinates map_coordinates(const problem::Problem& problem);
 
-/// The distance between two problems in the validity map:
+/// Returns the distance between two problems in the validity map,
 ///
 ///     sqrt( (ln N1/N2)^2 + (ln zeta1/zeta2)^2 + ((r1 - r2)/0.1)^2 + ((s1 - s2)/0.2)^2 ),
 ///
 /// where N is the number of impulses per decay time, zeta the damping ratio, r the restitution
 /// coefficient, and s the cubic fraction of the stiffness. A distance of 1 corresponds to a factor
-/// e in N or zeta, to 0.1 in r, or to 0.2 in s. docs/validity.md shows the effect of such changes
-/// on the errors. The distance is infinite if the laws or the relative means of the impulse
-/// amplitudes differ.
+/// e in N or zeta, to 0.1 in r, or to 0.2 in s. The effect of changes of the groups on the errors
+/// is in docs/validity.md. The distance is infinite if the laws or the relative means of the
+/// impulse amplitudes differ.
 double map_distance(const MapCoordinates& one, const MapCoordinates& other);
 
-/// The result of one method at a point of the validity map.
 struct MappedResult {
   transform::Status status;
-  /// The larger of the L1 distances of both marginal densities to the reference; for the reference
-  /// itself its error estimate. The L1 distance is empty if the method gives no density.
+  /// Larger of the L1 distances of both marginal densities to the reference; for the reference, its
+  /// error estimate. The L1 distance is empty if the method gives no density.
   std::optional<double> l1;
-  /// Whether the method underestimates its error: the status is `ok`, but the L1 distance exceeds
-  /// twice the stated error plus the error estimate of the reference.
+  /// Whether the method underestimates its error. An error is underestimated if the status is `ok`,
+  /// but the L1 distance exceeds twice the stated error plus the error estimate of the reference.
   bool underestimated;
   double seconds;
 
   bool is_ok() const { return status == transform::Status::ok; }
 };
 
-/// A point of the validity map: a problem that was solved by many methods.
 struct MappedPoint {
   MapCoordinates coordinates;
-  std::vector<std::optional<MappedResult>>
-      method_results;  ///< in the order of ValidityMap::methods; empty: not tried
+  /// Result of each method, in the order of ValidityMap::methods; empty if the method was not
+  /// tried.
+  std::vector<std::optional<MappedResult>> method_results;
 };
 
-/// The validity map: results of many methods for problems over a range of parameters
-/// (docs/validity.md).
+/// Results of many methods for problems over a range of parameters (docs/validity.md).
 struct ValidityMap {
-  std::vector<std::string> methods;  ///< ids; the last one is the reference of every point
+  /// Ids of the methods; the last method is the reference of every point.
+  std::vector<std::string> methods;
   std::vector<MappedPoint> points;
 };
 
@@ -78,14 +75,14 @@ struct ValidityMap {
 ///
 ///     impulses_per_decay_time, damping_ratio, cubic_share, restitution, law, mean_share, ID, ..
 ///
-/// Each following line is a point. Its cell under the id of a method has the L1 distance, the
-/// letter of the status, and milliseconds: ".0042o310", or "i5.1" without a density. The cell is
-/// empty if the method was not tried. The letters are o ok, x ok but error underestimated, i
+/// Each following line is a point. The cell under the id of a method has the L1 distance, the
+/// letter of the status, and milliseconds, e.g. ".0042o310", or "i5.1" without a density. The cell
+/// is empty if the method was not tried. The letters are o ok, x ok but error underestimated, i
 /// inaccurate, a inadmissible, n not_converged, p ill_posed, f failed, u not_offered.
 /// @throws InputError with a message of one line
 ValidityMap read_validity_map(std::string_view text);
 
-/// The validity map that is compiled into the program: workflows/sweep/map/validity.csv, made by
+/// Returns the validity map that is compiled into the program: validity.csv, made by
 /// scripts/validity.
 const ValidityMap& shipped_validity_map();
 

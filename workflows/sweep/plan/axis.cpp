@@ -22,8 +22,8 @@ using base::Value;
 constexpr std::size_t kMaxValues = 1'000'000;
 constexpr std::string_view kLogarithmic = "log:";
 
-// The values are rounded, since 0.57 is easier to read than 0.5700000000000001. Twelve digits are
-// more accurate than every solver.
+// A rounded value, e.g. 0.57, is easier to read than 0.5700000000000001. Twelve digits are more
+// accurate than every solver.
 double round_to_twelve_digits(double number) {
   double rounded = number;
   const std::string text = fmt::format("{:.12g}", number);
@@ -38,10 +38,9 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
   return parts;
 }
 
-/// The key whose values are parsed, and the label of the key in error messages.
 struct AxisParser {
   const base::Parameter& parameter;
-  std::string label;  ///< e.g. "--vary system.restitution"
+  std::string label;  ///< label of the key in error messages, e.g. "--vary system.restitution"
 
   Value value(const std::string& text) const {
     const Value found = base::parse_value(parameter, text, label);
@@ -135,7 +134,8 @@ Axis parse_axis(std::string_view key, std::string_view values, const std::string
     }
   };
   if (axis.spacing != Spacing::listed) {
-    require_distinct(axis.values);  // a range is sorted; a copy of a million values takes 40 MB
+    // A range is sorted; a copy of a million values would take 40 MB.
+    require_distinct(axis.values);
   } else {
     auto sorted = axis.values;
     std::ranges::sort(sorted);

@@ -65,7 +65,7 @@ Points list(const std::vector<Axis>& axes) {
   return points;
 }
 
-// The Sobol sequence without its first point, which is a corner of the box (Sobol 1967; direction
+// The first point of the Sobol sequence, a corner of the box, is omitted (Sobol 1967; direction
 // numbers of Joe and Kuo 2008).
 Points sobol(const std::vector<Axis>& axes, std::size_t count) {
   if (count == 0) {
@@ -129,7 +129,7 @@ problem::Problem Plan::problem_at(std::size_t point) const {
     }
     auto value =
         std::ranges::find(section->values, key.substr(dot + 1), &base::NamedParameterValue::name);
-    if (value == section->values.end()) {  // an optional key that the base case leaves out
+    if (value == section->values.end()) {  // the base case lacks this optional key
       value = section->values.insert(value, {.name = key.substr(dot + 1), .value = {}});
     }
     value->value = points[point][a];
@@ -155,7 +155,6 @@ std::size_t parse_point_count(const IniSetting& line) {
                                in_quotes(line.text), kMaxPoints));
 }
 
-/// The lines of the section [sweep], by key.
 using SweepLines = std::map<std::string, IniSetting>;
 
 SweepLines sweep_lines(const std::vector<IniSetting>& all) {

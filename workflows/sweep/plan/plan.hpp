@@ -15,7 +15,6 @@
 
 namespace fpkcheck::sweep {
 
-/// The design of a plan: the rule by which the axes determine the points.
 enum class PlanDesign {
   product,  ///< Cartesian product of the axes; the last axis varies fastest
   list,     ///< point k has the k-th value of every axis
@@ -30,43 +29,39 @@ constexpr std::string_view name(PlanDesign design) { return base::name_of(design
 
 inline constexpr std::size_t kMaxPoints = 1'000'000;
 
-/// The points of a plan. A point has a value of each axis, in the order of the axes.
+/// Each point of a plan has a value of each axis, in the order of the axes.
 using Points = std::vector<std::vector<base::Value>>;
 
-/// Makes the points of a plan from axes and design.
 /// @param sobol_points number of points for the design sobol; 0 for other designs
-/// @throws InputError with a message of one line if axes and design are inconsistent, or if the
-///         plan has more than kMaxPoints points
+/// @throws InputError if axes and design are inconsistent, or if the plan has more than kMaxPoints
+///         points
 Points make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points);
 
-/// The source of the error estimates of closures in a sweep.
 enum class ClosureErrorSource {
   reference,  ///< distance to the point's reference, plus the error estimate of the reference
-  residuals   ///< residuals in the backward equation, as for a run; needs no other solution
+  residuals   ///< residuals in the backward equation, as in a run; no reference is required
 };
 inline constexpr base::EnumEntry<ClosureErrorSource> kClosureErrorSourceNames[] = {
     {ClosureErrorSource::reference, "reference"}, {ClosureErrorSource::residuals, "residuals"}};
 constexpr const auto& enumerator_names(ClosureErrorSource) { return kClosureErrorSourceNames; }
 constexpr std::string_view name(ClosureErrorSource errors) { return base::name_of(errors); }
 
-/// The plan of a sweep: a base case, the varied keys with their values, and the methods that solve
-/// each point.
+/// Base case, varied keys with their values, and methods that solve each point of a sweep.
 struct Plan {
   problem::Problem base;
   std::vector<Axis> axes;
   PlanDesign design = PlanDesign::product;
-  std::size_t sobol_points = 0;            ///< 0 for other designs
-  std::vector<methods::Method> methods{};  ///< by increasing trust
+  std::size_t sobol_points = 0;  ///< number of points for the design sobol; 0 for other designs
+  std::vector<methods::Method> methods{};  ///< methods of the plan by increasing trust
   bool marginals = false;                  ///< whether the marginal densities are stored
   ClosureErrorSource closure_errors = ClosureErrorSource::reference;
-  Points points{};  ///< make_points() of the axes
+  Points points{};  ///< points that make_points() makes from the axes
 
-  /// The problem at a point: the base case with the values of the point.
-  /// @throws InputError if the values are inconsistent
+  /// @throws InputError if the values of the point are inconsistent
   problem::Problem problem_at(std::size_t point) const;
 };
 
-/// A parsed plan with the names of methods; a registry makes the methods from these names.
+/// Parsed plan with the names of methods, from which a registry makes the methods.
 struct PlanSpecification {
   problem::Problem base;
   std::vector<Axis> axes{};
@@ -77,8 +72,8 @@ struct PlanSpecification {
   std::vector<base::IniSetting> options{};  ///< options of the methods: all other lines of [sweep]
 };
 
-/// Reads a case (as problem::load_case) or a plan. A plan is a case file with two additional
-/// sections:
+/// Reads a case (as problem::load_case) or a plan. A plan is a case file with the additional
+/// sections [sweep] and [vary]:
 ///
 ///     [sweep]
 ///     case = case1            ; instead of [system] and [impulse]

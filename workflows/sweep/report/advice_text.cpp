@@ -47,7 +47,6 @@ std::string nearest_sentence(const Advice& advice) {
                      advice.nearest_distance, advice.nearby_points);
 }
 
-// The table of the results of the shown methods at nearby points of the validity map.
 std::string nearby_table(const std::vector<NearbyMethodResults>& methods,
                          const report::TextFormat& format) {
   TextColumn id{"", "method", true, report::kAlwaysShown},
@@ -65,9 +64,9 @@ std::string nearby_table(const std::vector<NearbyMethodResults>& methods,
   return report::table_rows_text({id, points, ok, worst, seconds}, format);
 }
 
-// The text of methods for approximate problems: "fd-white (solves white/map, error up to 0.11 at 31
-// of 31 points), ..". The status `ok` refers to the equation and the impact condition that the
-// method solves; therefore the text states equation and impact condition.
+// The status `ok` of a method refers to the method's own equation and impact condition. The text
+// states the equation and the impact condition, e.g. "fd-white (solves white/map, error up to 0.11
+// at 31 of 31 points)".
 std::string underestimated_sentence(const Advice& advice, const methods::Registry& registry) {
   std::vector<std::string> items;
   for (const auto& one : advice.methods) {

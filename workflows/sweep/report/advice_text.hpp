@@ -9,22 +9,21 @@
 
 namespace fpkcheck::sweep {
 
-/// The context of a recommendation: the name of the problem, and the commands that the user can
-/// type.
 struct AdviceContext {
-  std::string name;                                           ///< of the problem
-  std::function<std::string(const std::string& id)> command;  ///< command for a method's id
-  /// Commands for methods with error estimates, which are shown if no method is recommended.
+  std::string name;  ///< name of the problem
+  /// Returns the command for the id of a method.
+  std::function<std::string(const std::string& id)> command;
+  /// Commands for methods with error estimates; shown if no method is recommended.
   std::vector<std::string> fallback_commands;
   const methods::Registry& registry;
 };
 
-/// The recommendation as text for the terminal: the recommended command, the results at nearby
-/// points of the validity map, and warnings.
+/// Returns the recommended command, the results at nearby points of the validity map, and warnings
+/// as text.
 std::string advice_text(const Advice& advice, const AdviceContext& context,
                         const report::TextFormat& format);
 
-/// The recommendation in JSON, for --json.
+/// Returns the recommendation as JSON, the output of --json.
 std::string advice_json(const Advice& advice, const AdviceContext& context,
                         const std::string& command_line);
 

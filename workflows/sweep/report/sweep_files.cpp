@@ -15,8 +15,7 @@ namespace {
 
 constexpr const char* kPage = "report.html";
 
-// Reads the drawn pictures for the page. The page embeds an SVG, which is sharp at any size, or a
-// PNG if the SVG file is large.
+// The page embeds an SVG, which is sharp at any size, or a PNG if the SVG file is large.
 std::vector<EmbeddedPicture> drawn_pictures(const fs::path& figures,
                                             const std::vector<SweepPicture>& pictures) {
   constexpr std::uintmax_t kLargestSvg = 1'000'000;
@@ -54,7 +53,8 @@ std::vector<std::string> write_report(const fs::path& directory, const SweepResu
   const auto pictures = sweep_pictures(results, options.width);
   const fs::path figures = directory / "figures";
   report::FigureOptions drawn = options;
-  for (const auto format : {report::FigureFormat::png, report::FigureFormat::svg}) {  // of the page
+  // The page needs PNG and SVG.
+  for (const auto format : {report::FigureFormat::png, report::FigureFormat::svg}) {
     if (std::ranges::count(drawn.formats, format) == 0) drawn.formats.push_back(format);
   }
   auto warnings = draw_sweep(figures, pictures, drawn, gnuplot);

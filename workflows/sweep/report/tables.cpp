@@ -14,10 +14,9 @@ namespace {
 
 using report::TextColumn;
 
-/// The summary of the results of one method over all points.
 struct MethodSummary {
   std::map<transform::Status, int> statuses{};
-  std::vector<double> l1{};  // of `ok` solutions, the larger of both marginals, sorted
+  std::vector<double> l1{};  // larger L1 distance of both marginals for each `ok` solution, sorted
   int references = 0;
   double seconds = 0;
 };
@@ -105,7 +104,7 @@ std::string duration_text(double seconds) {
 std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_t threads,
                           const std::vector<int>& ranks, const report::TextFormat& format) {
   const double all = std::accumulate(forecast.seconds.begin(), forecast.seconds.end(), 0.0);
-  constexpr double kTwoStandardErrors = 200;  // in per cent
+  constexpr double kTwoStandardErrors = 200;
   const bool measured = forecast.sample.size() >= plan.points.size();
   std::string text = report::wrap_text(
       fmt::format("{} points, {} method{}: {} by one thread ({}), the longest point {}. On this "

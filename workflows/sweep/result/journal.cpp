@@ -21,12 +21,12 @@ using base::sanitise;
 using results::Json;
 
 constexpr int kJournalSchema = 1;
-constexpr std::size_t kChecksum = 8;  // number of its digits
+constexpr std::size_t kChecksum = 8;  // number of digits of a checksum
 constexpr std::size_t kMaxBytes = std::size_t{4} << 30;
 
 std::string with_checksum(const std::string& text) { return results::crc32(text) + ' ' + text; }
 
-// The text of a line after the checksum; empty if the checksum is wrong.
+// Returns the text of a line after the checksum; empty if the checksum is wrong.
 std::optional<std::string> without_checksum(const std::string& line) {
   if (line.size() <= kChecksum + 1 || line[kChecksum] != ' ') return std::nullopt;
   std::string text = line.substr(kChecksum + 1);
@@ -45,7 +45,6 @@ Json header(const Json& plan) {
           {"plan", plan}};
 }
 
-// Reads the plan in the first line of a journal.
 Json plan_json_of_line(const std::string& line, const std::filesystem::path& file) {
   const auto text = without_checksum(line);
   const std::string name = sanitise(file.string());

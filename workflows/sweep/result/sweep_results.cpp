@@ -19,12 +19,12 @@
 namespace fpkcheck::sweep {
 namespace {
 
-/// A number of each method's result: a column of sweep.csv and a variable of sweep.nc.
+/// Column of sweep.csv and variable of sweep.nc: a number of each method's result.
 struct ResultColumn {
-  std::string header;    ///< of the column of sweep.csv
+  std::string header;    ///< header of the column of sweep.csv
   std::string variable;  ///< name of the variable of sweep.nc
   std::string meaning;   ///< description of the variable of sweep.nc
-  /// The number of a result; empty if the result has no such number.
+  /// Returns the number of a result; empty if the result has no such number.
   std::function<std::optional<double>(const MethodResult&)> number;
 };
 
@@ -39,8 +39,7 @@ std::vector<ResultColumn> moment_columns() {
   return columns;
 }
 
-// The columns of the two marginal densities.
-// @param header, variable the names with "{}" in the place of the variable y or ydot
+// @param header, variable names with "{}" in place of the variable y or ydot
 std::vector<ResultColumn> marginal_columns(
     const std::string& header, const std::string& variable, const std::string& meaning,
     const std::function<std::optional<MarginalL1Pair>(const MethodResult&)>& pair) {
@@ -60,7 +59,6 @@ std::vector<ResultColumn> distance_columns() {
                           [](const MethodResult& one) { return one.l1; });
 }
 
-// The columns of the error estimates, and of the parts of the error budgets.
 std::vector<ResultColumn> error_columns(const SweepResults& results) {
   auto columns = marginal_columns("error_{}", "error_{}", "L1 error estimate",
                                   [](const MethodResult& one) { return one.error; });
@@ -93,7 +91,7 @@ std::string value_cell(const base::Value& value) {
                            : results::csv_field(std::get<std::string>(value));
 }
 
-// The cells are empty if the values of the point are inconsistent.
+// The cells of the dimensionless groups are empty if the values of the point are inconsistent.
 std::string groups_cells(const Plan& plan, std::size_t point) {
   try {
     const DimensionlessGroups groups = dimensionless_groups(plan.problem_at(point));
@@ -106,7 +104,6 @@ std::string groups_cells(const Plan& plan, std::size_t point) {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// A writer of a netCDF file that has the dimensions of a plan.
 class SweepNetcdfFile {
  public:
   SweepNetcdfFile(results::NetCdfWriter& file, const SweepResults& results)
@@ -131,7 +128,7 @@ class SweepNetcdfFile {
     file_.write_labels("solution", solution_, ids);
   }
 
-  /// @return the variable's id
+  /// @return id of the variable
   int write_variable(const ResultColumn& column, double missing_value = kMissing) {
     const std::size_t methods = results_.plan.methods.size();
     std::vector<double> values(results_.plan.points.size() * methods, missing_value);
@@ -177,7 +174,7 @@ class SweepNetcdfFile {
 
   results::NetCdfWriter& file_;
   const SweepResults& results_;
-  std::vector<int> dimensions_;  // dimensions of the points
+  std::vector<int> dimensions_;  // netCDF dimensions of the points
   int solution_ = 0;
 };
 

@@ -23,20 +23,21 @@ using transform::Moments;
 using transform::Variable;
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-constexpr double kMarkRowHeight = 0.045;  // height of a row of marks, 1 being the panel's
+// Height of a row of marks, as a fraction of the panel height.
+constexpr double kMarkRowHeight = 0.045;
 
 double value_of(const MarginalL1Pair& pair, Variable variable) {
   return variable == Variable::y ? pair.y : pair.ydot;
 }
 
-/// A slice of a plan: the points of one row of panels, in the order of the key on the abscissa.
+/// Slice of a plan: the points of one row of panels, in the order of the key on the abscissa.
 struct PlanSlice {
   std::string name;  ///< value of the other key, e.g. "gaussian"; may be empty
   std::vector<std::size_t> points;
 };
 
-/// The curves of all methods along one key. The curves of a plan with two keys are along the
-/// numeric key, with a slice for each value of the categorical key.
+/// If a plan has two keys, the curves are along the numeric key, with a slice for each value of the
+/// other key.
 class SweepCurves {
  public:
   explicit SweepCurves(const SweepView& view)
@@ -68,16 +69,16 @@ class SweepCurves {
   double abscissa(std::size_t point) const {
     return along_.coordinate(view_.plan().points[point][place_]);
   }
-  /// The abscissa of a method's result. On a categorical axis the methods are side by side at each
-  /// category.
+  /// On a categorical axis the methods are side by side at each category.
   double abscissa(std::size_t point, std::size_t m) const {
-    constexpr double kSpread = 0.7;  // width over which the methods are spread, 1 being a word's
+    // Width over which the methods of a category are spread, relative to the category.
+    constexpr double kSpread = 0.7;
     const auto count = static_cast<double>(method_count());
     const double beside = (static_cast<double>(m) - (count - 1) / 2) * kSpread / count;
     return abscissa(point) + (has_words() ? beside : 0);
   }
 
-  /// A figure with a row of panels for each slice: displacement and velocity, without series.
+  /// Returns a figure with a row of empty panels (displacement and velocity) for each slice.
   report::Figure panels() const {
     report::Figure figure{.title = view_.title(), .panel_height = slices_.size() > 1 ? 250 : 350};
     for (const auto& slice : slices_) {
@@ -92,11 +93,12 @@ class SweepCurves {
     return figure;
   }
 
-  /// The curve of a method over a slice. On a categorical axis a curve has marks without a line.
+  /// On a categorical axis a curve has marks without a line.
   /// @param value function that returns the optional ordinate of a method's result
   template <class Value>
   FigureSeries curve(const PlanSlice& slice, std::size_t m, Value value) const {
-    constexpr double kThin = 1.5, kBroad = 2.5;  // neighbouring curves need moderate widths
+    // Limits of the line width, since wide neighbouring curves would overlap.
+    constexpr double kThin = 1.5, kBroad = 2.5;
     const auto& identity = view_.plan().methods[m].identity;
     FigureSeries series = report::make_series(identity.id, identity.plot_style);
     if (has_words()) series.dash = "";
@@ -123,7 +125,6 @@ class SweepCurves {
   std::vector<PlanSlice> slices_;
 };
 
-/// The series of a figure of distances.
 class DistanceSeries {
  public:
   DistanceSeries(const SweepView& view, const SweepCurves& curves, const PlanSlice& slice,
@@ -144,15 +145,12 @@ class DistanceSeries {
   }
 
  private:
-  // The L1 distance of a method's marginal density to the point's reference; empty for the
-  // reference itself.
   std::optional<double> l1(std::size_t point, std::size_t m, const MethodResult& result) const {
     if (!result.l1 || view_.is_reference(point, m)) return std::nullopt;
     return value_of(*result.l1, variable_);
   }
 
-  // The error estimates of the reference. On a categorical axis each category has a bar of its own,
-  // which nearly touches the next bar.
+  // On a categorical axis each category has its own bar, which nearly touches the next bar.
   FigureSeries reference_error() const {
     FigureSeries series{.name = "error of the reference",
                         .colour = "#AAAAAA",
@@ -166,7 +164,7 @@ class DistanceSeries {
         series.points.push_back({x, y});
         continue;
       }
-      constexpr double kHalf = 0.48;  // half-width of a bar, 1 being the width of a word
+      constexpr double kHalf = 0.48;  // half-width of a bar, relative to the width of a category
       for (const auto& place : {FigurePoint{x - kHalf, y}, {x + kHalf, y}, {x, kGap}}) {
         series.points.push_back(place);
       }
@@ -174,8 +172,7 @@ class DistanceSeries {
     return series;
   }
 
-  // The error estimates of a method where the method has a distance. On a categorical axis a line
-  // connects the distance and the error estimate.
+  // On a categorical axis a line connects the L1 distance and the error estimate of a method.
   FigureSeries error_estimate(std::size_t m, const FigureSeries& distances) const {
     FigureSeries series{.name = "error estimate",
                         .colour = distances.colour,
@@ -201,15 +198,15 @@ class DistanceSeries {
   Variable variable_;
 };
 
-// Whether the point has a reference, but the method has no density that can be compared with the
-// reference.
+// Returns whether a point has a reference, but the method has no density at this point.
 bool lacks_density(const SweepView& view, std::size_t point, std::size_t m) {
   const auto* result = view.method_result(point, m);
   return result != nullptr && !result->l1 && !view.is_reference(point, m) &&
          result->status != transform::Status::ok && !view.point_result(point)->reference.empty();
 }
 
-// The crosses at the top of a panel, a series for each method without a density at some point.
+// Returns crosses at the top of a panel for points without a density, with a series for each
+// method.
 std::vector<FigureSeries> no_density_series(const SweepView& view, const SweepCurves& curves,
                                             const PlanSlice& slice,
                                             const std::vector<std::size_t>& methods,
@@ -229,8 +226,8 @@ std::vector<FigureSeries> no_density_series(const SweepView& view, const SweepCu
   return all;
 }
 
-// The axis that contains the solutions that are ok, if there are any: outliers among the other
-// solutions would compress the curves.
+// The axis contains the solutions that are ok, since outliers among other solutions would compress
+// the curves.
 report::FigureAxis moment_axis(const std::string& label,
                                const std::vector<const FigurePanel*>& panels) {
   std::vector<FigureSeries> ok, all;
@@ -263,7 +260,7 @@ report::FigureAxis distance_axis(const std::string& label, const std::vector<Fig
     }
   }
   if (high == 0) low = 1e-3, high = 1;
-  constexpr double kLargest = 20, kDecades = 1e8;  // L1 of two densities is at most 2
+  constexpr double kLargest = 20, kDecades = 1e8;  // the L1 distance of two densities is at most 2
   high = 1.5 * std::min(high, kLargest);
   low = std::max(low / 1.5, high / kDecades);
   const double rows = kMarkRowHeight * static_cast<double>(rows_above);
@@ -314,7 +311,6 @@ report::Figure moments_figure(const SweepView& view) {
     std::vector<const FigurePanel*> panels;
     for (std::size_t k = first; k < figure.panels.size(); k += 2) {
       FigurePanel& panel = figure.panels[k];
-      // The least trusted curve is drawn last.
       for (std::size_t m = curves.method_count(); m-- > 0;) {
         panel.series.push_back(curves.curve(
             curves.slices()[k / 2], m,

@@ -9,9 +9,8 @@
 
 namespace fpkcheck::sweep {
 
-/// A varied key as an axis of figures. The axis of a numeric key is linear, or logarithmic if the
-/// values are spaced logarithmically. A key whose values are words has a categorical axis with
-/// equidistant positions.
+/// Varied key as an axis of figures. The axis is logarithmic if the values are spaced
+/// logarithmically, and categorical with equidistant positions if the values are words.
 class KeyAxis {
  public:
   /// @param place index of the key in the plan's axes
@@ -20,23 +19,20 @@ class KeyAxis {
   const std::string& key() const { return key_; }
   bool has_words() const { return is_words_; }
   bool is_logarithmic() const { return is_logarithmic_; }
-  /// The distinct values of the key over all points: numbers in increasing order, words in the
-  /// order of the list.
+  /// Returns the distinct values over all points: numbers in increasing order, words in the order
+  /// of the list.
   const std::vector<base::Value>& values() const { return values_; }
-  /// The text of a value on the axis: "0.8", "gaussian".
+  /// Returns the text of a value on the axis, e.g. "0.8" or "gaussian".
   static std::string value_text(const base::Value& value);
 
-  /// The coordinate of a value on the axis.
   double coordinate(const base::Value& value) const;
-  /// The coordinate of a value relative to the axis: 0 for the first of values(), 1 for the last.
+  /// Returns the position of a value on the axis: 0 for the first of values(), 1 for the last.
   double relative_coordinate(const base::Value& value) const;
-  /// The axis with label, scale, range and tics.
   report::FigureAxis axis() const;
 
-  /// The index of a value in values(), which is the position of the value's cell in a map with
-  /// cells of equal width.
+  /// Returns the position of the value's cell in a map with cells of equal width.
   std::size_t cell_index(const base::Value& value) const;
-  /// The axis of cells with equal widths.
+  /// Returns the axis of a map with cells of equal width.
   report::FigureAxis cell_axis() const;
 
  private:

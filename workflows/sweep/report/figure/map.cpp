@@ -20,11 +20,9 @@ using report::FigureSeries;
 using transform::Status;
 
 constexpr double kNoDistance = std::numeric_limits<double>::quiet_NaN();
-// The smallest L1 distance with a distinct colour; all smaller distances have the colour of this
-// distance.
+// Smallest L1 distance with its own colour; all smaller distances have the colour of this distance.
 constexpr double kMinColourDistance = 1e-4;
 
-/// A contour level of the maps, with its line style.
 struct ContourLevel {
   double l1;
   const char* name;
@@ -33,12 +31,12 @@ struct ContourLevel {
 };
 constexpr ContourLevel kContourLevels[] = {{0.01, "1 %", 2, "solid"}, {0.05, "5 %", 2.6, "(8,5)"}};
 
-/// A kind of mark in the maps: for a status other than ok, or for the reference, which has no
-/// distance to itself. The symbols differ in shape, so that grey print distinguishes them.
+/// Marks show a status other than ok, or the reference, which has no distance to itself. The
+/// symbols differ in shape, so that grey print distinguishes the symbols.
 struct StatusMark {
   const char* symbol;
   std::string name;
-  std::optional<Status> status;  ///< nothing for the reference
+  std::optional<Status> status;  ///< status of the marked points; empty for the reference
 };
 
 std::vector<StatusMark> status_marks() {
@@ -48,7 +46,7 @@ std::vector<StatusMark> status_marks() {
       case Status::ok:
         break;
       case Status::not_converged:
-        return "cross";  // a plus
+        return "cross";  // gnuplot draws the cross as a plus sign
       case Status::ill_posed:
         return "triangle-up-open";
       case Status::inaccurate:
@@ -69,8 +67,8 @@ std::vector<StatusMark> status_marks() {
   return marks;
 }
 
-/// The map of one method over the two varied keys. The map of the design product has cells, with
-/// the indices of the values as coordinates; the map of another design has discs at the points.
+/// The map of the design product has cells, with the indices of the values as coordinates. The map
+/// of another design has discs at the points.
 class MethodMap {
  public:
   MethodMap(const SweepView& view, std::size_t m)
@@ -107,27 +105,26 @@ class MethodMap {
   std::size_t columns() const { return x_.values().size(); }
   std::size_t rows() const { return y_.values().size(); }
 
-  // The number of marks that fit side by side into a length in pixels.
+  // Returns the number of marks that fit side by side into a length in pixels.
   static std::size_t tiles(int pixels) {
     constexpr int kMarkSpacing = 15;
     return static_cast<std::size_t>(std::max(1, pixels / kMarkSpacing));
   }
 
-  // The size of discs in gnuplot's unit of point sizes. The size decreases with the number of
-  // points, so that discs do not overlap.
+  // The size of discs decreases with the number of points, so that discs do not overlap.
   double disc_size(int columns_of_panels) const {
     const auto points = static_cast<double>(view_.plan().points.size()) * columns_of_panels;
     return std::clamp(36 / std::sqrt(points), 0.5, 1.6);
   }
 
-  // The distance of a point; at least a lower bound, so that the logarithm is finite.
+  // The distance has a lower bound, so that its logarithm is finite.
   double distance(std::size_t point) const {
     const auto l1 = view_.larger_l1(point, m_);
     return l1 ? std::max(*l1, kMinColourDistance / 10) : kNoDistance;
   }
 
-  // The colours range from light (but not white) to dark, so that grey print keeps the order of the
-  // values. All colours are light enough for black marks.
+  // The colours range from light (but not white) to dark, so that grey print preserves the order of
+  // the values. Black marks are visible on all colours.
   report::FigureHeatMap heat_map(double disc_size) const {
     report::FigureHeatMap map{
         .x_range = {-0.5, static_cast<double>(columns()) - 0.5},
@@ -152,8 +149,8 @@ class MethodMap {
     return map;
   }
 
-  // The marks of one kind. The plane is divided into tiles with at most one mark, since overlapping
-  // marks are illegible. A map with few points shows all marks.
+  // The plane is divided into tiles with at most one mark, since overlapping marks are illegible. A
+  // map with few points shows all marks.
   FigureSeries marks(const StatusMark& mark, std::size_t tiles_across, std::size_t tiles_up,
                      double size) const {
     constexpr std::size_t kFewPoints = 300;
@@ -161,7 +158,7 @@ class MethodMap {
                         .colour = "#000000",
                         .line_width = 1.2,
                         .symbol = mark.symbol,
-                        // A large filled mark would hide the colour.
+                        // A large filled mark would hide the colour of the map.
                         .mark_size = mark.status == Status::inaccurate ? size / 2 : size};
     const bool is_few = !has_cells() && view_.plan().points.size() <= kFewPoints;
     std::set<std::array<std::size_t, 2>> taken;
@@ -193,7 +190,7 @@ class MethodMap {
     series.points.push_back({to[0], kNoDistance});
   }
 
-  // The borders between cells that are ok and cells that are not ok.
+  // Returns the borders between cells that are ok and cells that are not ok.
   FigureSeries outline() const {
     FigureSeries series{
         .name = "outline: not ok", .colour = "#000000", .dash = "solid", .line_width = 0.8};
@@ -216,8 +213,8 @@ class MethodMap {
     return series;
   }
 
-  // The contour of a level of the distance, by linear interpolation of the logarithms along the
-  // edges of the squares of four neighbouring cells (marching squares).
+  // Marching squares: the logarithms of the distances are interpolated linearly along the edges of
+  // squares of four neighbouring cells.
   FigureSeries contour(const ContourLevel& level) const {
     FigureSeries series{.name = level.name,
                         .colour = "#08306B",
@@ -227,7 +224,7 @@ class MethodMap {
     constexpr std::array<std::array<std::size_t, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     for (std::size_t i = 0; i + 1 < columns(); ++i) {
       for (std::size_t j = 0; j + 1 < rows(); ++j) {
-        std::array<double, 4> above;  // logarithm of the distance, relative to the level
+        std::array<double, 4> above;  // logarithm of the distance relative to the level
         for (std::size_t k = 0; k < above.size(); ++k) {
           above[k] =
               std::log10(distance(cells_[i + kCorners[k][0]][j + kCorners[k][1]]) / level.l1);

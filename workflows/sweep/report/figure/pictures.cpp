@@ -84,8 +84,7 @@ std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
     warnings.push_back(fmt::format(
         "no pictures: {} (install gnuplot, then the same command draws them)", missing.what()));
   }
-  // After a stop request the interrupted last picture gives no warning, since the user requested
-  // the stop.
+  // A picture that a stop request interrupted gives no warning.
   return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 

@@ -9,20 +9,18 @@
 
 namespace fpkcheck::sweep {
 
-/// A figure of a sweep with caption and gnuplot script.
 struct SweepPicture {
-  std::string stem;     ///< stem of its files, e.g. "sweep-map"
-  std::string caption;  ///< description in sentences
-  std::string script;   ///< gnuplot script
+  std::string stem;     ///< stem of the file names, e.g. "sweep-map"
+  std::string caption;  ///< description of the figure in sentences
+  std::string script;
 };
 
-/// The figures of a sweep: curves for one varied key, maps for two varied keys, and scatter plots
-/// against each key for more keys.
+/// Returns curves for one varied key, maps for two varied keys, and scatter plots for more keys.
 std::vector<SweepPicture> sweep_pictures(const SweepResults& results,
                                          report::FigureWidth width = report::FigureWidth::screen);
 
-/// Writes the script STEM.gp of each figure, and draws the figure in the given formats. Figures of
-/// other plans are removed.
+/// Writes the script STEM.gp of each figure, draws the figure, and removes the figures of other
+/// plans.
 /// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing
 std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
                                     const std::vector<SweepPicture>& pictures,

@@ -18,11 +18,12 @@ namespace {
 using report::FigureSeries;
 
 constexpr std::size_t kMaxBins = 8;
-constexpr std::size_t kMinPointsForMedian = 3;  // for the median in a section of a range
-constexpr double kWordSpread = 0.6;             // width of the spread of methods, 1 being a word's
+// Smallest number of points for the median in a section of a range.
+constexpr std::size_t kMinPointsForMedian = 3;
+// Width over which the methods of a word are spread, relative to the word.
+constexpr double kWordSpread = 0.6;
 
-/// A varied key with the bins over which medians are taken: single values if the key has few
-/// values, else sections of the range.
+/// The bins of medians are single values if the key has few values, else sections of the range.
 class BinnedKey {
  public:
   BinnedKey(const Plan& plan, std::size_t place) : axis_(plan, place), place_(place) {
@@ -58,11 +59,10 @@ class BinnedKey {
   KeyAxis axis_;
   std::size_t place_;
   double low_ = 0, high_ = 0;
-  std::size_t sections_ = 0;  // number of sections; 0 where each value is a bin
+  std::size_t sections_ = 0;  // number of sections; 0 if each value is a bin
 };
 
-// The results of a method, with open marks if not ok, and the medians over the bins of the results
-// that are ok.
+// Returns the results of a method, with open marks if not ok, and the medians over the bins.
 std::vector<FigureSeries> method_series(const SweepView& view, const BinnedKey& key, std::size_t m,
                                         double offset) {
   const auto& identity = view.plan().methods[m].identity;

@@ -11,8 +11,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// The texts of the parameters that are not varied and differ from their default values: "c = 0.1",
-// "k = 1", ..
+// Returns the parameters that are not varied and differ from their default values, e.g. "c = 0.1".
 std::vector<std::string> fixed_parameter_list(const Plan& plan) {
   std::vector<std::string> list;
   for (const auto& parameter : problem::displayed_parameters(plan.base)) {

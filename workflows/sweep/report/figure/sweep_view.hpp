@@ -8,8 +8,8 @@
 
 namespace fpkcheck::sweep {
 
-/// A view of the results of a sweep with the queries that the figures need. A SweepView object
-/// keeps a reference to the results.
+/// Results of a sweep with the queries that the figures need. A SweepView keeps a reference to the
+/// results.
 class SweepView {
  public:
   explicit SweepView(const SweepResults& results);
@@ -17,26 +17,25 @@ class SweepView {
   const SweepResults& results() const { return results_; }
   const Plan& plan() const { return results_.plan; }
 
-  /// The result of a point; a null pointer if the point was not solved.
+  /// Returns the result of a point; a null pointer if the point was not solved.
   const PointResult* point_result(std::size_t number) const { return by_number_[number]; }
   const MethodResult* method_result(std::size_t number, std::size_t m) const;
   bool is_reference(std::size_t number, std::size_t m) const;
-  /// The error estimate of the reference of a point; empty if the reference has no error estimate.
+  /// Returns the error estimate of a point's reference; empty if the reference has no error
+  /// estimate.
   std::optional<MarginalL1Pair> reference_error(std::size_t number) const;
-  /// The larger of the L1 distances of both marginal densities to the point's reference.
+  /// Returns the larger of the L1 distances of both marginal densities to the point's reference.
   std::optional<double> larger_l1(std::size_t number, std::size_t m) const;
 
-  /// Whether at least one method has a distance to a reference.
   bool has_distances() const;
-  /// The id of the reference that all points share, or "" if the points have different references.
+  /// Returns the id of the reference that all points share; "" if the references differ.
   std::string common_reference() const;
-  /// Whether the method is the reference of every point that has a reference.
+  /// Returns whether the method is the reference of every point that has a reference.
   bool is_always_reference(std::size_t m) const;
-  /// The indices of the methods whose distances are drawn: all methods except a method that is
-  /// always the reference.
+  /// Returns the indices of all methods except a method that is always the reference.
   std::vector<std::size_t> compared_methods() const;
 
-  /// The parts of a figure's title: the parameters that are not varied.
+  /// Returns the parts of a figure's title: the parameters that are not varied.
   std::vector<std::string> title() const;
 
  private:
@@ -44,7 +43,7 @@ class SweepView {
   std::vector<const PointResult*> by_number_;
 };
 
-/// The text of the parameters that are the same at all points, in one line: "c = 0.1, k = 1".
+/// Returns the parameters with equal values at all points as a line of text, e.g. "c = 0.1, k = 1".
 std::string fixed_parameters(const Plan& plan);
 
 }  // namespace fpkcheck::sweep

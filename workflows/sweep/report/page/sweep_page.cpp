@@ -20,8 +20,7 @@ namespace {
 using report::escape_html;
 using report::html_element;
 
-// CSS rules in addition to the style of a run's page. On a narrow screen a picture scrolls instead
-// of shrinking.
+// On a narrow screen a picture scrolls instead of shrinking.
 constexpr const char* kPictureStyle =
     "figure { margin: 1.2rem 0; }\n"
     ".picture { overflow-x: auto; }\n"
@@ -76,7 +75,7 @@ std::string introduction(const SweepResults& results) {
   return text;
 }
 
-// The HTML table of the methods, with the same columns as the text table for the terminal.
+// Returns the HTML table of the methods, with the same columns as the text table for the terminal.
 std::string methods_table(const SweepResults& results) {
   std::vector<report::HtmlColumn> columns;
   for (auto& column : method_columns(results)) {
@@ -158,7 +157,6 @@ namespace {
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// The index after the last character of the number that begins at a given index.
 std::size_t end_of_number(const std::string& text, std::size_t at) {
   while (at < text.size() && is_digit(text[at])) ++at;
   if (at + 1 < text.size() && text[at] == '.' && is_digit(text[at + 1])) {
