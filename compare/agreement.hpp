@@ -7,42 +7,41 @@
 #include "transform/solution.hpp"
 
 /// The statistical test of whether two solutions of the same problem agree. All tables and
-/// sentences use this test.
+/// sentences of the output use this statistical test.
 namespace fpkcheck::compare {
 
-/// Significance level of the test over both densities: the probability that sampling errors alone
-/// make a pair of solutions disagree.
+/// Significance level of the test over both marginal densities: the probability that sampling
+/// errors alone make two solutions disagree.
 inline constexpr double kAgreementSignificance = 1e-3;
 
-/// Critical L1 distance of two marginal densities that differ by sampling errors only, at the
-/// significance level kAgreementSignificance. Each of the two marginals is tested at half the
-/// significance level (Bonferroni). The sampling errors are Gaussian vectors, the L1 distance is a
-/// norm, and N is standard normal. Hence P(L1 <= t q) >= P(|N| <= t 2.576) for t >= 1, with q the
-/// 99 % quantile of the L1 distance (the S-inequality: Latala, Oleszkiewicz, Ann. Probab. 27 (1999)
-/// 1922). P(|N| <= 3.481) = 1 - kAgreementSignificance / 2, and 3.481 / 2.576 = 1.351. Hence
-/// 1.351 q is an upper bound of the critical distance.
+/// Returns an upper bound, 1.351 q, of the critical L1 distance of two marginal densities that
+/// differ only by sampling errors. Each of the two marginal densities is tested at half of
+/// kAgreementSignificance (Bonferroni). The sampling errors are Gaussian vectors and the L1
+/// distance is a norm. The S-inequality (Latala and Oleszkiewicz, Annals of Probability 27 (1999)
+/// 1922) therefore gives P(L1 <= t q) >= P(|N| <= 2.576 t) for t >= 1 and a standard normal N. With
+/// P(|N| <= 3.481) = 1 - kAgreementSignificance / 2 the factor is t = 3.481 / 2.576 = 1.351.
 /// @param quantile_99 99 % quantile q of the L1 distance
 double critical_sampling_l1_distance(double quantile_99);
 
-/// 99 % quantile of the L1 sampling error of a marginal. If a solution states only the expected L1
-/// sampling error, the result is twice the expected value: the L1 errors of single runs nearly
-/// reach twice the expected value. Empty if the solution states neither.
+/// Returns the 99 % quantile of the L1 sampling error of a marginal density. If only the expected
+/// L1 error is known, the result is twice the expected error, which L1 errors of single runs nearly
+/// reach. The result is empty if both the quantile and the expected error are unknown.
 std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sampling,
                                               transform::Variable variable);
 
-/// Critical L1 distance of two solutions in one marginal density: the largest distance that the
-/// errors of both solutions explain. The critical distance is a sum of two terms: the critical
-/// distance under independent sampling errors at kAgreementSignificance, and the error estimates of
-/// both solutions times kErrorSafetyFactor. The result is empty if neither solution has a sampling
-/// error or an error estimate. Sampling errors over smooth bins are far smaller; there the result
-/// is empty if either solution has neither.
-/// @param over_smooth_bins whether the distance is over smooth bins
+/// Returns the critical L1 distance of two solutions: the largest distance that their errors
+/// explain. The critical distance is the sum of two terms: the critical distance for independent
+/// sampling errors, and kErrorSafetyFactor times the error estimates of both solutions. The result
+/// is empty if neither solution has a sampling error or an error estimate. For distances over
+/// smooth bins, with their far smaller sampling errors, the result is empty unless both solutions
+/// have a sampling error or an error estimate.
+/// @param over_smooth_bins whether the distance is over smooth bins (B-spline weights)
 std::optional<double> critical_l1_distance(const transform::Solution& first,
                                            const transform::Solution& second,
                                            transform::Variable variable, bool over_smooth_bins);
 
-/// Whether the errors of two solutions explain their L1 distances in both marginal densities. In a
-/// marginal without a distance or without an error estimate the solutions count as agreeing.
+/// Returns whether the errors of two solutions explain their L1 distances in p(y) and in p(y'). A
+/// missing distance or error estimate counts as agreement.
 bool has_agreement(const transform::Solution& first, const transform::Solution& second,
                    std::span<const PairDistances> pairs);
 

@@ -38,7 +38,7 @@ std::optional<Confirmation> confirmation_of(const Solution& reference,
   return Confirmation{second->id(), has_agreement(reference, *second, pairs)};
 }
 
-// Whether the distances are at most the error estimate of the reference, and thus not significant.
+// Returns whether both distances are at most the error estimate of the reference.
 bool is_within_reference_error(const Assessment& assessment, const SolutionAssessment& solution) {
   const auto within = [](const std::optional<double>& l1, double error) {
     return !l1 || (std::isfinite(error) && *l1 <= error);

@@ -24,10 +24,9 @@ bool has_marginal_over_bins(const Solution& solution, Variable variable,
          });
 }
 
-/// The distances of two marginals of the same variable.
-/// @param sharp marginals over uniform bins
-/// @param smooth the same marginals over smooth bins, or empty
-/// @param a, b indices of the two marginals
+/// @param sharp, smooth marginal densities over uniform bins and over smooth bins; `smooth` may be
+///        empty
+/// @param a, b indices of the two marginal densities
 /// @param with_sampling_error ids of the solutions with sampling errors over uniform bins
 PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
                            const std::vector<SolutionMarginal>& smooth, std::size_t a,
@@ -46,9 +45,8 @@ PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
                             *transform::find_smooth_bin_estimate(*smooth_reference, variable))};
 }
 
-// Replaces negative densities by 0 in ok solutions of discretised equations. Negative densities
-// occur in the tails of such solutions and are of the size of the discretisation error
-// (`min_density` reports them).
+// Replaces negative densities by 0 in `ok` solutions of discretised equations. The negative
+// densities are as large as the discretisation error, and `min_density` reports them.
 void clip_negative_densities(std::span<const Solution> solutions,
                              std::vector<SolutionMarginal>& marginals) {
   for (auto& [id, variable, marginal] : marginals) {

@@ -11,20 +11,20 @@
 
 namespace fpkcheck::compare {
 
-/// The results of comparing the solutions of a case with each other.
+/// The distances of the solutions of a case from each other, and their error budgets.
 struct Comparison {
-  /// Marginal densities over the comparison bins: all solutions in y, then all solutions in y'.
+  /// Marginal densities over the comparison bins: first p(y) of all solutions, then p(y').
   std::vector<SolutionMarginal> marginals;
-  /// The same marginals over smooth bins, if a solution has smooth estimates; else empty.
+  /// The same marginal densities over smooth bins, if a solution has smooth estimates; else empty.
   std::vector<SolutionMarginal> smooth;
-  std::vector<PairDistances> pairs;    ///< distances of all pairs of solutions, in both variables
-  std::vector<ErrorBudgetRow> budget;  ///< error budgets of the closures
+  std::vector<PairDistances> pairs;  ///< distances of all pairs of solutions in p(y) and p(y')
+  std::vector<ErrorBudgetRow> budget;
 };
 
-/// Computes the marginals of all solutions with a density, the distances of all pairs of solutions
-/// in both variables, and the error budgets of the closures. If there is a smooth reference, the
-/// budgets and most distances from the smooth reference are over smooth bins (PairDistances).
-/// @param solutions by increasing trust: the second solution of a pair is the more trusted one
+/// Computes the marginal densities of all solutions with a density, the distances of all pairs, and
+/// the error budgets of the closures. If a smooth reference exists, the budgets and most distances
+/// from the smooth reference are over smooth bins (PairDistances).
+/// @param solutions by increasing trust; the second solution of a pair is the more trusted solution
 Comparison compare_solutions(const ComparisonAxes& axes,
                              std::span<const transform::Solution> solutions);
 

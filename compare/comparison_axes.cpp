@@ -11,15 +11,15 @@
 namespace fpkcheck::compare {
 namespace {
 
-// A bin of y' has a tenth of a standard deviation as its width, a bin of y a twentieth. The density
-// is nearly linear over bins of these widths.
+// Bins of y' are a tenth of a standard deviation wide, and bins of y a twentieth. A marginal
+// density is nearly linear over a bin of this width.
 constexpr int kBins = 140;
 constexpr int kDivisions = 3;
 constexpr double kDivisionRatio = 4;
 
-// Whether the marginal densities are unbounded at the state of rest, in the equilibrium on a wall
-// at 0 (problem/equivalent_linearisation.hpp): the oscillator decays to rest before the next
-// impulse.
+// Returns whether the marginal densities are unbounded at the equilibrium on a wall at 0. The
+// densities are unbounded if the oscillator decays to rest before the next impulse
+// (problem/equivalent_linearisation.hpp).
 bool has_unbounded_marginals(const problem::Problem& problem, const problem::MotionScales& scales) {
   return problem::has_equivalent_linearisation(problem) &&
          problem::impulses_per_decay_time(problem, scales) < 1;
@@ -32,9 +32,9 @@ std::vector<double> make_uniform_bins(double from, double to) {
   return edges;
 }
 
-// Edges of bins over [0, end], or over [-end, end] if `symmetric`. Symmetric edges are equal in
-// magnitude to the last digit. The middle edge is exactly 0, where p(y, y') is discontinuous in y'
-// at the wall.
+// Returns edges of bins over [0, end], or over [-end, end] if `symmetric`. Symmetric edges have
+// exactly equal magnitudes. The middle edge is exactly 0, since p(y, y') at the wall is
+// discontinuous at y' = 0.
 std::vector<double> make_divided_bins(double end, bool symmetric, int divisions) {
   std::vector<double> edges;
   const double width = end * (symmetric ? 2 : 1) / kBins;
@@ -84,8 +84,7 @@ transform::Marginal merge_divided_bins(const ComparisonAxes& axes, transform::Va
                                        const transform::Marginal& marginal) {
   if (axes.divisions == 0) return marginal;
   transform::Marginal even{bin_edges(uniform_axes(axes), variable), {}, {}, {}};
-  // Half-width of the confidence interval of the mass in a merged bin: the root of the sum of the
-  // squared half-widths of its parts.
+  // The squared half-widths of the confidence intervals of the parts are added.
   const auto interval_half_width = [&](const std::vector<double>& ends, std::size_t from,
                                        std::size_t to) {
     double sum = 0;

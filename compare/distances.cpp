@@ -29,7 +29,7 @@ bool is_finite(const Marginal& m) {
   return std::ranges::all_of(m.density, [](double p) { return std::isfinite(p); });
 }
 
-// b log(b/a) - b + a, with the limits at 0.
+// The limits for a = 0 and b = 0 are included.
 double kullback_leibler_term(double a, double b) {
   if (b == 0) return a;
   return a == 0 ? kInfinity : b * std::log(b / a) - b + a;

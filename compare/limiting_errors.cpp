@@ -12,21 +12,18 @@ namespace {
 
 using transform::Solution;
 
-// L1 error of the reference of a budget: the 99 % quantile of the sampling error if the reference
-// is a simulation, the discretisation error if the reference is a Richardson limit, 0 if unknown.
+// Returns the L1 error of the reference of a budget: the 99 % quantile of the sampling error of a
+// simulation, the discretisation error of a Richardson limit, or 0 if the error is unknown.
 double reference_error(const ErrorBudgetRow& row) {
   const ErrorBudgetPart& last = row.parts.back();
   return last.quantile_99.value_or(last.uncertainty.value_or(0));
 }
 
-/// The compared solutions and their distances.
 struct ComparedSolutions {
   std::span<const Solution> solutions;
   std::span<const PairDistances> pairs;
 };
 
-// Whether the finite-volume solution and the simulation, the models of the part `sampling`,
-// disagree.
 bool has_reference_disagreement(const ErrorBudgetRow& row, const ComparedSolutions& compared) {
   const ErrorBudgetPart& last = row.parts.back();
   if (last.approximations != std::vector{Approximation::sampling}) return false;

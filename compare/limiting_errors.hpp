@@ -11,22 +11,21 @@ namespace fpkcheck::compare {
 
 /// Closures of a case with the same limiting error.
 struct LimitingErrorGroup {
-  /// Name of the limiting error, the largest part of the error budget of each closure, summed over
-  /// both variables. Empty for closures without a limiting error: their distances from the
-  /// reference of the budget are within the error of this reference.
+  /// Name of the limiting error: the largest part of the error budget of each closure, summed over
+  /// y and y'. The name is empty if the distances of the closures from the reference are within the
+  /// error of the reference.
   std::string part;
-  std::vector<std::string> closures;  ///< ids
-  /// Smallest and largest fraction of this part in the sum of all parts, over the closures.
+  std::vector<std::string> closures;
+  /// Smallest and largest fraction of the limiting error in the sum of all parts, over the
+  /// closures.
   double least_fraction = 1, greatest_fraction = 0;
 
   bool operator==(const LimitingErrorGroup&) const = default;
 };
 
-/// The limiting errors of the closures of a case.
 struct LimitingErrors {
   std::vector<LimitingErrorGroup> groups = {};  ///< empty without an error budget
-  /// Whether the part `sampling` of a budget exceeds the sampling error: the finite-volume solution
-  /// and the simulation disagree (compare/agreement.hpp).
+  /// Whether the finite-volume solution and the simulation disagree (has_agreement).
   bool has_reference_disagreement = false;
 
   bool operator==(const LimitingErrors&) const = default;

@@ -27,8 +27,7 @@ const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const
   return nullptr;
 }
 
-/// Builds a chain of models, model by model. Collects the approximations since the last model that
-/// was appended, for the next model.
+/// Collects the approximations of omitted models for the next model of the chain.
 class ModelChainBuilder {
  public:
   ModelChainBuilder(const ComparisonAxes& axes, std::span<const Solution> solutions,
@@ -70,7 +69,7 @@ class ModelChainBuilder {
 
   void append_simulation() {
     if (smooth_reference_ == nullptr) pending_approximations_.push_back(Approximation::sampling);
-    // Without a solution of a density equation, no part of the budget is a discretisation error.
+    // Without a solution of a density equation no part of the budget is a discretisation error.
     if (nodes_.size() == 1) std::erase(pending_approximations_, Approximation::discretisation);
     for (const auto& s : solutions_) {
       if (s.identity.role != SolutionRole::simulation || s.identity.equation != Equation::kf)
@@ -116,7 +115,7 @@ class ModelChainBuilder {
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginal> marginals_;
   Variable variable_;
-  /// Smooth reference, whose smooth bins are the bins of all marginals; null if there is none.
+  /// Smooth reference, or null. Its smooth bins are the bins of all marginal densities.
   const Solution* smooth_reference_;
   std::vector<ChainModel> nodes_;
   std::vector<Approximation> pending_approximations_;
@@ -132,7 +131,7 @@ std::vector<ChainModel> model_chain(const ComparisonAxes& axes, std::span<const 
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
   const Equation equation = closure.identity.equation.value_or(Equation::kf);
-  // A closure that reflects trajectories exactly solves the equation with the impact condition
+  // A closure with exact reflection of trajectories solves the equation with the impact condition
   // `map`.
   const bool to_first_order = closure.identity.impact == Impact::delta;
   const Impact impact = to_first_order ? Impact::delta : Impact::map;

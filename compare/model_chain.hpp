@@ -13,26 +13,25 @@
 
 namespace fpkcheck::compare {
 
-/// Suffix of the id of a model that is the Richardson limit of a solution's grids: "fd-kf limit".
+/// Suffix of the id of the Richardson limit of the grids of a solution: "fd-kf limit".
 inline constexpr std::string_view kGridLimitSuffix = " limit";
 
-/// One model in the chain of models from a closure to the reference, with the marginal of the model
-/// in one variable.
+/// One model in the chain of models from a closure to the reference, in one variable.
 struct ChainModel {
   std::string id;  ///< id of a solution, or "fd-kf limit"
-  /// Approximations that the previous model makes and this model does not; empty for the closure.
+  /// Approximations of the previous model that this model avoids; empty for the closure.
   std::vector<Approximation> approximations;
-  transform::Marginal marginal;  ///< marginal density of the model
-  /// L1 distance of the model from the Richardson limit of its grids. The distance is 0 for a model
-  /// without a grid, and empty if unknown.
+  transform::Marginal marginal;
+  /// L1 distance of the model from the Richardson limit of its grids; 0 for a model without a grid,
+  /// empty if unknown.
   std::optional<double> discretisation_error;
   std::optional<transform::SamplingError> sampling = {};  ///< sampling error of a simulation
   /// Smooth estimates of the smooth reference; null for other models.
   const transform::SmoothBinEstimate* smooth = nullptr;
 };
 
-/// The chain of models from a closure to the reference. Each model makes one approximation less
-/// than the previous model (right column):
+/// Returns the chain of models from a closure to the reference. Each model avoids one approximation
+/// (right column) of the previous model:
 ///
 ///     closure -> the closure's equation and impact, discretised        closure
 ///             -> the same equation, exact impact                       impact
@@ -40,15 +39,15 @@ struct ChainModel {
 ///             -> Richardson limit of its grids                         discretisation
 ///             -> simulation                                            sampling
 ///
-/// If a simulation has smooth estimates (compare/smooth_reference.hpp), all marginals of the chain
-/// are over smooth bins. The distance between the full jump integral and the simulation is then the
-/// measured discretisation error. The chain omits a model that is missing, not ok or equal to the
-/// previous model. The approximation of an omitted model is added to those of the next model. The
-/// last model is the simulation; without a simulation, the Richardson limit; without both, the
-/// finite-volume solution for the full jump integral.
+/// If a simulation has smooth estimates (compare/smooth_reference.hpp), all marginal densities of
+/// the chain are over smooth bins. The distance between the full jump integral and the simulation
+/// is then the measured discretisation error. The chain omits a model that is missing, not `ok` or
+/// equal to the previous model. The approximations of an omitted model are added to those of the
+/// next model. The last model is the simulation, else the Richardson limit, else the finite-volume
+/// solution for the full jump integral.
 /// @param closure one of the solutions
-/// @return at least two models. The list is empty if the closure has no marginal, or if there is
-///         neither a simulation nor a finite-volume solution for the full jump integral
+/// @return at least two models. The list is empty if the closure has no marginal density, or
+///         without a solution of the full jump integral
 std::vector<ChainModel> model_chain(const ComparisonAxes& axes,
                                     std::span<const transform::Solution> solutions,
                                     std::span<const SolutionMarginal> marginals,

@@ -10,32 +10,32 @@
 
 namespace fpkcheck::compare {
 
-/// A marginal density of a solution on the comparison axes.
+/// A marginal density of a solution over the comparison bins.
 struct SolutionMarginal {
-  std::string solution;  ///< id of the solution
+  std::string solution;
   transform::Variable variable;
   transform::Marginal marginal;
 };
 
-/// Distances between the marginals of two solutions in one variable. The distances are over smooth
-/// bins if one of the two solutions is the smooth reference (compare/smooth_reference.hpp) and the
-/// other solution has no sampling error. The L1 distance, but no other distance, includes the
-/// distance of the rest atoms (compare/rest_atoms.hpp).
+/// Distances between the marginal densities of two solutions in one variable. The distances are
+/// over smooth bins if one solution is the smooth reference (compare/smooth_reference.hpp) and the
+/// other solution has no sampling error. Only the L1 distance includes the distance of the rest
+/// atoms (compare/rest_atoms.hpp).
 struct PairDistances {
-  std::string a;  ///< id of the less trusted solution
-  std::string b;  ///< id of the more trusted solution
+  std::string a;
+  std::string b;  ///< the more trusted solution
   transform::Variable variable;
   Distances distances;
-  /// Standard error of the L1 distance, if the distances are over smooth bins; else empty.
+  /// Standard error of the L1 distance over smooth bins; empty for distances over uniform bins.
   std::optional<double> l1_standard_error = {};
 };
 
-/// The distances between two solutions, given in either order; null if there are none.
+/// Returns the distances between two solutions in either order, or null.
 const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
                                          std::string_view first, std::string_view second,
                                          transform::Variable variable);
 
-/// The L1 distance between two solutions; empty if the distance is missing or not finite.
+/// Returns the L1 distance of two solutions; empty if the distance is missing or not finite.
 std::optional<double> l1_distance_between(std::span<const PairDistances> pairs,
                                           std::string_view first, std::string_view second,
                                           transform::Variable variable);

@@ -20,8 +20,7 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
   const auto poll = [&] {
     if (settings.poll) settings.poll();
   };
-  // The methods and the moment error estimates of all solutions share these estimators, so that
-  // each backward equation is solved once.
+  // The shared estimators solve each backward equation only once.
   const auto estimators = make_error_estimators(problems);
   auto cases = run_cases(problems, methods, settings.threads, settings.progress, estimators,
                          settings.case_listener);
@@ -64,7 +63,6 @@ namespace {
 using results::CaseResult;
 using transform::Moments;
 
-/// The moment error estimates and error sources of one solution.
 struct SolutionErrors {
   results::MomentErrorEstimate error;
   std::vector<results::ErrorSource> sources;
@@ -81,7 +79,7 @@ results::ErrorSource error_source(const backward::DensityResiduals& residuals,
   if (frame.mirrored) values = values.reverse().eval();
   results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
-    // The values are rounded to single precision, the precision of the files.
+    // The files have single precision.
     for (const double value : row) {
       result.density.averages.push_back(static_cast<float>(value));
     }
@@ -89,7 +87,7 @@ results::ErrorSource error_source(const backward::DensityResiduals& residuals,
   return result;
 }
 
-/// @param cells of the error sources; null for none
+/// @param cells cells of the error sources, or null
 std::optional<SolutionErrors> estimate_moment_errors(const backward::DensityResiduals& residuals,
                                                      const problem::Frame& frame,
                                                      const transform::Solution& solution,

@@ -59,8 +59,8 @@ transform::Solution solve(const problem::Problem& problem, const mcs::Options& o
   return mcs::solve(problem, axis_options).solution;
 }
 
-// In a list of methods the simulation serves as the reference, and uses control variates if they
-// are available: for the equation kf.
+// In a list of methods the simulation serves as the reference. With the equation `kf` the
+// simulation therefore uses control variates, which are not available for other equations.
 std::optional<mcs::Options> options_with_control_variates(std::string_view id) {
   auto options = mcs::options_of(id);
   if (options) options->controlled = options->equation == mcs::Equation::kf;

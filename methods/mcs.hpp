@@ -8,17 +8,16 @@
 
 namespace fpkcheck::methods {
 
-/// Settings of a simulation that are not stored in files: checkpoints, interruption, processes.
+/// Settings of a simulation that are not stored in files: checkpoints, interruption and processes.
 struct SimulationRuntimeSettings {
-  std::string checkpoint = {};  ///< file to write checkpoints to; empty for no checkpoints
+  std::string checkpoint = {};  ///< checkpoint file to write; empty for no checkpoints
   std::string resume = {};      ///< checkpoint file to resume from; empty for a new simulation
-  /// Function that returns whether the simulation must end with its result so far.
+  /// Returns whether the simulation must stop and return its result so far.
   std::function<bool()> stop = {};
   std::function<void(const std::string&)> warn = {};  ///< receives warnings about failed writes
   mcs::ProcessGroup team = {};                        ///< processes that share the simulation
 };
 
-/// A copy of a simulation method with settings for checkpoints, interruption and processes.
 /// @param simulation a method of mcs_solver()
 Method with_runtime_settings(Method simulation, const SimulationRuntimeSettings& settings);
 

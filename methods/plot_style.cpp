@@ -15,14 +15,15 @@ constexpr const char* kSkyBlue = "#56B4E9";
 constexpr const char* kBlue = "#0072B2";
 constexpr const char* kGreen = "#009E73";
 
-// Dash patterns by increasing order of the closure. The fraction of the line that is drawn
-// increases with the order.
+// Dash patterns by increasing order of the closure. The drawn fraction of a dashed line increases
+// with the closure order.
 constexpr std::array kDashes{"(2,4)",          "(10,4)",     "(10,4,2,4)",
                              "(10,4,2,4,2,4)", "(20,4,2,4)", "(20,6)"};
 
 constexpr const char* kEquationMarker = "triangle-down";
 
-// Index of a closure order in the list 2, 4, .. 12, at most the last index of kDashes.
+// Returns the index of a closure order in the list 2, 4, .. 12, or the last index for higher
+// orders.
 std::size_t order_index(int order) {
   return std::min(static_cast<std::size_t>(std::max(2, order) / 2 - 1), kDashes.size() - 1);
 }

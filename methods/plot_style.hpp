@@ -5,16 +5,15 @@
 
 #include "transform/identity.hpp"
 
-/// The plot styles of all methods, for all figures and for the page of the report. Families of
-/// methods differ by hue and, for grey print, by marker shape. The hues are the palette of Okabe
-/// and Ito, which colour-blind readers can distinguish. Members of a family differ by shade and
-/// dash pattern. The marker shapes are those that both plotly.js and gnuplot provide filled and
-/// open. A test (tests/methods/plot_style_test.cpp) requires that every pair of styles is
-/// distinguishable in grey and in simulated deuteranopia.
+/// The plot styles of all methods, for figures and for the page of the report. Families of methods
+/// differ by hue and marker shape. The hues are the palette of Okabe and Ito, which colour-blind
+/// readers can distinguish. Members of a family differ by shade and dash pattern. Both plotly.js
+/// and gnuplot provide the marker shapes filled and open. The test
+/// tests/methods/plot_style_test.cpp requires that all pairs of styles are distinguishable in grey
+/// and in simulated deuteranopia.
 namespace fpkcheck::methods {
 
-/// Six shades of one hue, for closures of the orders 2, 4, .. 12. A higher order has a darker
-/// shade.
+/// Six shades of one hue, from light to dark, for closures of the orders 2, 4, .. 12.
 using ColourRamp = std::array<const char*, 6>;
 inline constexpr ColourRamp kOrange{"#E69F00", "#D55E00", "#A63603",
                                     "#7F2704", "#5C1A02", "#3D1000"};
@@ -23,30 +22,27 @@ inline constexpr ColourRamp kPurple{"#E3A8C8", "#CC79A7", "#B3558C",
 inline constexpr ColourRamp kOlive{"#C9C46A", "#A8A23A", "#87811F",
                                    "#66610F", "#4A4606", "#2E2B00"};
 
-/// The plot style of a closure. Each formulation has one hue and one marker. A higher order of the
-/// closure has a darker shade and longer dashes. Closures are drawn above density equations.
+/// Returns the plot style of a closure. Each formulation has one hue and one marker. A closure of
+/// higher order has a darker shade and longer dashes. Closures are drawn above density equations.
 /// @param ramp shades of the hue of the formulation
 /// @param symbol name of the marker in plotly.js
 transform::PlotStyle closure_style(const ColourRamp& ramp,
                                    const transform::SolutionIdentity& identity,
                                    const std::string& symbol);
 
-/// The plot style of a density equation: a line. The equation with the full jump integral has a
-/// broad solid line on the lowest layer.
+/// Returns the plot style of a density equation: a line. The equation with the full jump integral
+/// has a broad solid line on the lowest layer.
 transform::PlotStyle equation_style(const transform::SolutionIdentity& identity);
 
-/// The plot style of a finite-volume scheme, for studies that compare schemes of several orders of
-/// accuracy.
-/// @param rank index of the scheme, by increasing order of accuracy, from 0
+/// @param rank index of the finite-volume scheme by increasing order of accuracy, from 0
 transform::PlotStyle scheme_style(std::size_t rank);
 
-/// The plot style of a simulation: points on a layer above the lines.
+/// Returns the plot style of a simulation: points on a layer above the lines.
 transform::PlotStyle simulation_style(const transform::SolutionIdentity& identity);
 
-/// The plot style of an external density: a dashed line on the top layer.
+/// Returns the plot style of an external density: a dashed line on the top layer.
 /// @param rank index of the density among all external densities, from 0
 transform::PlotStyle external_style(std::size_t rank);
-/// The plot style of an external density in a family of external densities.
 /// @param rank index of the family among all external densities, from 0
 /// @param order order of the closure
 transform::PlotStyle external_family_style(std::size_t rank, int order);

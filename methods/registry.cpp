@@ -34,8 +34,7 @@ Values with_overrides(Values options, const Values& overrides) {
   return options;
 }
 
-// The ids that an item of a list of methods selects: the default ids if the item is a family or a
-// solver, else the item as an id.
+// Returns the default ids of a family or a solver, or the item itself.
 std::vector<std::string> selected_ids(const Registry& registry, const std::string& item) {
   std::vector<std::string> ids;
   for (const auto& solver : registry.solvers()) {
@@ -86,8 +85,8 @@ void Registry::complete_identity(SolutionIdentity& identity) const {
   identity.role = family.role;
   identity.family = family.name;
   identity.meaning = family.meaning;
-  // Trust increases with the index of the family. Within a family, trust increases with the order
-  // of the closure, or with the index among the default ids.
+  // Trust increases with the index of the family. Within a family, trust increases with the closure
+  // order, or with the index among the default ids.
   constexpr int kMaxFamilySize = 1000;
   const auto place =
       std::ranges::find(family.default_ids, identity.id) - family.default_ids.begin();

@@ -68,7 +68,6 @@ std::optional<backward::DensityErrors> weighted_residuals(const ResidualErrorEst
   return std::nullopt;  // the density has no mean
 }
 
-// The reason for the status of a solution whose error estimate is missing.
 std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,
                                     const std::optional<backward::DensityErrors>& weighted) {
   if (weighted) {
@@ -81,8 +80,8 @@ std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,
                          : estimator.unsupported_reason());
 }
 
-// The reason for the status of a solution whose error estimate exceeds the required accuracy.
-// Either the density is inaccurate, or the estimate is only an upper bound of the error.
+// A large estimate has two possible reasons: an inaccurate density, or an estimate that is only an
+// upper bound of the error.
 std::string large_estimate_reason(const backward::DensityErrors& weighted,
                                   const transform::ErrorEstimate& error, double accuracy) {
   const double found = backward::DensityErrors::kSubBinFactor *

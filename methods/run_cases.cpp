@@ -104,8 +104,7 @@ class CaseTable {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// The L1 distances of the marginals of a solution from the marginals of the reference. The distance
-// is empty for a variable in which the solution or the reference has no marginal.
+// A distance is empty if the solution or the reference lacks the marginal density.
 struct Distance {
   std::optional<double> y, ydot;
 
@@ -137,8 +136,8 @@ Solution solve_with(const Method& method, const problem::Problem& problem,
   }
   solution.identity = method.identity;
   solution.options = method.options;
-  // The error estimates of closures and external densities may be computed later, from the distance
-  // to the reference (complete_error_estimates).
+  // Error estimates of closures and external densities may follow later, from the distance to the
+  // reference (complete_error_estimates).
   const auto role = method.identity.role;
   if (role == transform::SolutionRole::equation || role == transform::SolutionRole::simulation) {
     transform::require_error_estimate(solution);

@@ -8,14 +8,12 @@
 
 namespace fpkcheck::report {
 
-/// The solutions of one family of methods, in the order of the input.
 struct SolutionFamily {
   std::string name;
   std::vector<const transform::Solution*> solutions;
 };
 
-/// The solutions grouped by family. The families have the order of their first members in the
-/// input.
+/// Groups solutions by family. The families have the order of their first members in the input.
 std::vector<SolutionFamily> group_by_family(
     const std::vector<const transform::Solution*>& solutions);
 std::vector<SolutionFamily> group_by_family(std::span<const transform::Solution> solutions);

@@ -45,13 +45,11 @@ std::optional<double> l1_standard_error(const CaseResult& one, const Solution& a
   return pair == nullptr ? std::nullopt : pair->l1_standard_error;
 }
 
-/// Whether the distances of both marginal densities are over smooth bins: only distances over
-/// smooth bins have standard errors.
+/// Only distances over smooth bins have standard errors.
 bool has_smooth_distances(const CaseResult& one, const Solution& a, const Solution& b) {
   return l1_standard_error(one, a, b, Variable::y) && l1_standard_error(one, a, b, Variable::ydot);
 }
 
-// The words that describe a solution of the full problem in a sentence.
 std::string solution_description(const Solution& solution) {
   return fmt::format(
       "the {} ({})",
@@ -136,13 +134,12 @@ void add_residual_based_errors(const CaseResult& one, Sentences& sentences) {
     largest_gap = std::max({largest_gap, std::abs(solution.moments.y2 - first->corrected.y2),
                             std::abs(solution.moments.v2 - first->corrected.v2)});
   }
-  // The number of significant digits that the simulation confirms; the default number without a
-  // simulation.
+  // Returns the number of significant digits that the simulation confirms, or the default number
+  // without a simulation.
   const auto digits = [&](double value) {
     constexpr int kDefaultDigits = 7, kMaxDigits = 10;
     if (!(largest_gap > 0)) return kDefaultDigits;
-    // The number of digits is clamped before its conversion to an integer, since the number may be
-    // infinite.
+    // The number of digits may be infinite before the clamp.
     const double confirmed_digits = 1 + std::trunc(std::log10(std::abs(value) / largest_gap));
     return confirmed_digits > 2 ? static_cast<int>(std::min<double>(confirmed_digits, kMaxDigits))
                                 : 2;
@@ -174,8 +171,8 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
                     distances_text(MarginalDistances{nearest->y, nearest->ydot})));
     return;
   }
-  // For each family and formulation: the closure closest to the reference, and all closures that
-  // are indistinguishable from the closest closure.
+  // Each group has the closest closure to the reference and all closures that are indistinguishable
+  // from this closure, for one family and formulation.
   std::map<std::pair<std::string, std::string>, std::vector<const compare::SolutionAssessment*>>
       groups;
   bool several = false;
@@ -210,14 +207,13 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
           : ""));
 }
 
-/// Expected L1 sampling errors of both marginal densities of a solution.
 /// @param smooth whether the distance is over smooth bins
 MarginalDistances sampling_errors(const Solution& solution, bool smooth = false) {
   const auto& stated = smooth ? best_sampling_error(solution) : solution.sampling;
   return stated ? MarginalDistances{stated->y, stated->ydot} : MarginalDistances{};
 }
 
-// Sampling errors of the difference between two independent estimates, whose variances add.
+// The variances of independent estimates add.
 MarginalDistances combined_errors(const MarginalDistances& one, const MarginalDistances& other) {
   const auto sum = [](const auto& a, const auto& b) {
     return a || b ? std::optional(std::hypot(a.value_or(0), b.value_or(0))) : std::nullopt;
@@ -230,9 +226,8 @@ MarginalDistances critical_l1_distance(const Solution& one, const Solution& othe
           compare::critical_l1_distance(one, other, Variable::ydot, smooth)};
 }
 
-// The clause on the errors that explain a distance, with a given source of the error and the
-// expected error: "; source expected; all errors explain up to .. (exceeded by chance in 1 run of
-// 1000): the densities agree".
+// Returns the clause on the errors of a distance: "; source expected; all errors explain up to ..,
+// exceeded by chance in 1 run of 1000: the densities agree".
 std::string agreement_text(const MarginalDistances& gap, const MarginalDistances& expected,
                            const MarginalDistances& explained, const std::string& error_source) {
   const auto within = [](const auto& difference, const auto& most) {
@@ -246,13 +241,13 @@ std::string agreement_text(const MarginalDistances& gap, const MarginalDistances
       1 / compare::kAgreementSignificance, agree ? "agree" : "disagree");
 }
 
-/// The L1 error of one marginal relative to a simulation with control variates.
+/// The L1 error of one marginal density, measured by the distance from a simulation with control
+/// variates.
 struct MeasuredL1Error {
   double l1, error, chance, stated;
-  bool explained;  ///< l1 is within the errors of both solutions (compare/agreement.hpp)
+  bool explained;  ///< whether the errors of both solutions explain l1 (compare/agreement.hpp)
 
-  /// Whether the distance is significant: a distance that is not significant is mostly the sampling
-  /// error of the simulation.
+  /// A smaller distance is mostly the sampling error of the simulation.
   bool is_significant() const { return l1 > 3 * chance; }
   bool exceeds_stated_error() const { return std::isfinite(stated) && !explained; }
 };
@@ -268,7 +263,7 @@ MeasuredL1Error measured_error(const CaseResult& one, const Solution& solution,
           .explained = !most || l1 <= *most};
 }
 
-// The text of an L1 error with its standard error: "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)".
+// Returns the text of an error: "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)".
 std::string measured_error_text(const MeasuredL1Error& marginal_error, Variable variable) {
   const std::string stated = std::isfinite(marginal_error.stated)
                                  ? fmt::format(" (estimate {:.2g})", marginal_error.stated)
@@ -331,8 +326,8 @@ void add_distances_of_external_densities(const CaseResult& one, Sentences& sente
     for (const Solution* reference : all) {
       const MarginalDistances gap = l1_distances(one, given, *reference);
       if (!gap.has_any_distance()) continue;
-      // The comparison covers only those marginals of the external density that have standard
-      // errors.
+      // The comparison covers only those marginal densities for which the external density has
+      // standard errors.
       const bool smooth = has_smooth_distances(one, given, *reference);
       const MarginalDistances own = sampling_errors(given);
       MarginalDistances other = sampling_errors(*reference, smooth);
@@ -358,7 +353,7 @@ void add_distances_of_external_densities(const CaseResult& one, Sentences& sente
 void add_solver_notes(const CaseResult& one, Sentences& sentences) {
   constexpr std::string_view kNotes = "notes[";
   for (const auto& solution : one.solutions) {
-    std::map<std::string, Sentences> notes;  // by the prefix of the path
+    std::map<std::string, Sentences> notes;  // by the prefix of the path of the metric
     for (const auto& observation : solution.metrics) {
       const auto mark = observation.path.rfind(kNotes);
       const auto* note = std::get_if<std::string>(&observation.value);

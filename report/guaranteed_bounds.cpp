@@ -48,8 +48,9 @@ std::vector<std::string> guaranteed_bounds_findings(const results::CaseResult& c
     sentences.push_back(contradiction_text(violation));
   }
   for (const BoundViolation& violation : compare::bound_violations(bounds, case_result.solutions)) {
-    // A violation by a solution of the full problem is either a contradiction, which the loop above
-    // reports, or smaller than the error estimate, and thus consistent with the bounds.
+    // The loop above reports contradictions by solutions of the full problem. Other violations by
+    // solutions of the full problem are below the error estimate, and are thus consistent with the
+    // bounds.
     if (compare::is_solution_of_full_problem(*violation.solution)) continue;
     if (ids.empty() || ids.back() != violation.solution->id())
       ids.push_back(violation.solution->id());

@@ -35,7 +35,6 @@ bool any_cell(const std::vector<TextColumn>& columns, std::string_view header,
   });
 }
 
-// The names of the values of an enum that occur in the cells, with the meanings of these values.
 template <class Enum>
 std::string enum_legend(const std::vector<TextColumn>& results, const std::string& before,
                         const std::string& after) {
@@ -113,7 +112,7 @@ std::string budget_legend(const std::vector<TextColumn>& budgets) {
   }
   for (const auto& [approximation, name, meaning] : compare::kApproximationNames) {
     const std::string header = budget_part_header(std::string(name));
-    // Approximations without a solution between them share a column: closure + impact.
+    // Approximations without an intermediate solution share a column: closure + impact.
     if (!any_header(budgets, header) && !any_header(budgets, name)) continue;
     text += fmt::format("; {}: {}", header, meaning);
     if (approximation == Approximation::closure) text += ", against its own equation discretised";

@@ -8,12 +8,12 @@
 
 namespace fpkcheck::report {
 
-/// The solutions of the full problem, with which tables and sentences compare all other solutions.
-/// The reference of the case is the first element; the remaining solutions have the order of the
-/// case. The list of solutions is empty if the case has no reference.
+/// Returns the solutions of the full problem, with which tables and sentences compare all other
+/// solutions. The first element is the reference of the case; the other solutions have the order of
+/// the case. The list is empty if the case has no reference.
 std::vector<const transform::Solution*> references(const results::CaseResult& case_result);
 
-/// A sentence on the id of the reference and the reason for its selection.
+/// Returns a sentence on the reference and the reason for its selection.
 std::string reference_text(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

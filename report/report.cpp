@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPageFile = "report.html";
 
-// The run saved in the directory; nothing if the directory has no readable summary. Without a
-// readable summary the pictures in the directory may belong to another program, and are therefore
+// Returns the run saved in the directory, or nothing if the directory has no readable summary.
+// Without a summary the pictures in the directory may belong to another program, and are therefore
 // kept.
 std::optional<results::Run> earlier_run(const fs::path& directory) {
   std::error_code ignored;
@@ -55,7 +55,7 @@ std::string terminal_text(const results::Run& run, const Supplement& supplement,
 RebuiltReport rebuild_report(const fs::path& directory, const results::Run& run,
                              const TextFormat& format, const FigureOptions& figures,
                              const Supplement& supplement) {
-  // The text is made before any file is written, so that an exception leaves all files unchanged.
+  // The text is made before any file is written: an exception then leaves all files unchanged.
   RebuiltReport again{terminal_text(run, supplement, format), {}};
   base::PendingFiles files;
   files.add(directory / kPageFile, page(run, supplement));

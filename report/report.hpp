@@ -11,35 +11,29 @@
 
 namespace fpkcheck::report {
 
-/// Writes marginals.csv, joint.nc (if a solution has a joint density), summary.json, report.html
-/// and figures/ into a directory that results::prepare_output_directory prepared. Either all files
-/// of an earlier run are replaced, or none; pictures and joint densities of the earlier run are
-/// removed. After a stop request (base/process/stop_request.hpp) pictures are omitted without a
-/// warning.
-/// @param supplement additional files, which replace the files of an earlier run together with all
-///                   other files
+/// Writes marginals.csv, joint.nc, summary.json, report.html and figures/ into a directory that
+/// results::prepare_output_directory() prepared. Either all files of an earlier run are replaced,
+/// or none. Pictures and joint densities of the earlier run are removed. After a stop request
+/// (base/process/stop_request.hpp) pictures are omitted without a warning.
+/// @param supplement additional files, replaced together with the files of the run
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory,
                                       const results::Run& run, const FigureOptions& figures = {},
                                       const Supplement& supplement = {});
 
-/// The terminal output of a run: the summary of the supplement, the tables, the text of the
-/// supplement.
+/// Returns the summary of the supplement, the tables of the run and the text of the supplement.
 std::string terminal_text(const results::Run& run, const Supplement& supplement,
                           const TextFormat& format = {});
 
-/// A report rebuilt from the files of a saved run.
 struct RebuiltReport {
-  std::string text;                   ///< terminal_text
+  std::string text;
   std::vector<std::string> warnings;  ///< about pictures, one line each
 };
 
 /// Rebuilds the terminal text of a saved run, and writes the page, the pictures and the files of
-/// the supplement again, without solving the problems again.
-/// @param directory directory of the saved run
-/// @param run       the run that results::load_run read from this directory
-/// @param format format of the terminal text
+/// the supplement again. The problems are not solved again.
+/// @param run run from results::load_run() for the directory
 /// @throws std::runtime_error if a file cannot be written
 RebuiltReport rebuild_report(const std::filesystem::path& directory, const results::Run& run,
                              const TextFormat& format = {}, const FigureOptions& figures = {},

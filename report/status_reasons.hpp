@@ -7,10 +7,10 @@
 
 namespace fpkcheck::report {
 
-/// The reason why one or several solutions of a case have a status other than ok. Solutions with
-/// status not_offered and equal reasons share one StatusReason.
+/// The reason why solutions of a case have a status other than `ok`. Solutions with status
+/// `not_offered` and equal reasons share one StatusReason.
 struct StatusReason {
-  std::vector<std::string> solutions;  ///< ids, in the order of the case
+  std::vector<std::string> solutions;  ///< ids in the order of the case
   transform::Status status;
   std::string text;
 };

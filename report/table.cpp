@@ -36,11 +36,10 @@ std::string seconds_text(double x) {
 std::vector<TextColumn> columns(const results::CaseResult& case_result) {
   constexpr int kEnergy = 1, kOtherReference = 2, kSeconds = 3, kSolves = 4, kMoments = 5;
   std::vector<TextColumn> all;
-  // Adds a column if the column has a value: the column of the distances to the only solution, for
-  // example, has none.
+  // Omits a column without a value, such as the distances from the only solution of a case.
   const auto add = [&](TextColumn column, const auto& cell) {
     for (const auto& solution : case_result.solutions) {
-      // The solution has no row: a line with the reason replaces the row.
+      // A line with the reason replaces the row of a solution that is not applicable.
       if (solution.status == transform::Status::not_offered) continue;
       column.cells.push_back(cell(solution));
     }

@@ -22,12 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Sufficient for hundreds of cases.
+// Hundreds of cases have less data than kMaxBytes.
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
-const std::string kSourcePrefix = "source_";  // prefix of variables with error sources
+const std::string kSourcePrefix = "source_";
 
-// The ids of the solutions of all cases, in the order of first occurrence.
 std::vector<std::string> solution_ids(const Run& run) {
   std::vector<std::string> ids;
   for (const auto& case_result : run.cases) {
@@ -43,7 +42,8 @@ void write_problem(NetCdfWriter& file, const problem::Problem& problem, int vari
   write_problem_attributes(file, problem, variable);
 }
 
-/// The values of a variable of a case, shape (solution, cells); NaN for solutions without values.
+/// Values of a netCDF variable of a case, shape (solution, cells); NaN for solutions without
+/// values.
 class SolutionArray {
  public:
   SolutionArray(const std::vector<std::string>& solutions, std::size_t cells)
@@ -64,8 +64,8 @@ class SolutionArray {
   std::vector<float> values_;
 };
 
-// The probabilities of rest in contact as text: "mcs: 0.0303 at y = -0.5, 0.0301 at y = 0.5". The
-// integral of a density is 1 minus these probabilities. Empty if all of them are zero.
+// Returns the probabilities of rest in contact as text: "mcs: 0.0303 at y = -0.5, 0.0301 at y =
+// 0.5". The text is empty if all these probabilities are zero.
 std::string atoms_text(const CaseResult& case_result) {
   std::vector<std::string> solutions;
   for (const auto& solution : case_result.solutions) {
@@ -114,7 +114,7 @@ void write_case(NetCdfWriter& file, const CaseResult& case_result,
   }
 }
 
-/// Calls use(case, solution, density) for every solution that has values in a netCDF variable.
+/// Calls use(case, solution, density) for each solution with values in a netCDF variable.
 template <class Use>
 void read_variable(NetCdfReader& file, const std::string& name,
                    const std::vector<std::string>& solutions, Use use) {

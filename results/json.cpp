@@ -20,14 +20,13 @@ using transform::Metric;
 using transform::MetricKind;
 using transform::Metrics;
 
-// Largest depth of nesting. Every file of this program is less deep, and a stack has the capacity
-// for far deeper nesting.
+// Files of this program have a smaller nesting depth, and the stack has capacity for far more.
 constexpr int kMaxDepth = 32;
-// Largest number of values: sufficient for hundreds of cases, and far below the capacity of memory.
+// Hundreds of cases have fewer JSON values, and the memory has capacity for far more.
 constexpr std::size_t kMaxJsonValues = 2'000'000;
 constexpr std::size_t kMaxTextLength = 1 << 20;  // sufficient for a very long command line
 
-// The JSON value at a path; creates missing objects and lists along the path.
+// Returns the JSON value at a path, and creates missing objects and lists along the path.
 Json& resolve_path(Json& object, std::string_view path) {
   Json* at = &object;
   while (!path.empty()) {
@@ -50,8 +49,7 @@ Json& resolve_path(Json& object, std::string_view path) {
   return *at;
 }
 
-// Tests that a key contains no separator of a path. With a separator in the key, resolve_path()
-// could not find the value under its path.
+// A key with a separator of paths could not be found by resolve_path().
 void require_valid_key(const std::string& key) {
   if (!key.empty() && key.find_first_of(".[]") == key.npos) return;
   throw InputError(fmt::format("key {} (must not be empty or contain dots or brackets); run again",
@@ -171,7 +169,7 @@ double number_in(const Json& object, const char* key) {
 }
 
 int integer_in(const Json& object, const char* key) {
-  // get<int>() of the JSON library would also convert 1e300 and integers out of range.
+  // get<int>() of the JSON library would silently convert 1e300 and integers out of range.
   const base::Value value = value_from_json(object.at(key));
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (whole == nullptr || !std::in_range<int>(*whole)) {
@@ -218,7 +216,7 @@ Json parse_json(std::istream& in, const std::string& where) {
       throw InputError(fmt::format("{} has more than {} values: not a file of this program", where,
                                    kMaxJsonValues));
     }
-    // Texts are sanitised: any text may be printed, and a terminal executes control characters.
+    // Texts are sanitised, since a terminal would execute control characters in a printed text.
     const bool text = event == Json::parse_event_t::key || event == Json::parse_event_t::value;
     if (text && value.is_string()) {
       auto& text_value = value.get_ref<std::string&>();
@@ -234,7 +232,7 @@ Json parse_json(std::istream& in, const std::string& where) {
     return Json::parse(in, accept_event);
   } catch (const Json::parse_error& error) {
     throw InputError(fmt::format("{} is not JSON: error at byte {}; run again", where, error.byte));
-  } catch (const Json::exception& error) {  // a number out of the range of double
+  } catch (const Json::exception& error) {  // a number is out of the range of double
     throw InputError(fmt::format("{} is not JSON: {}; run again", where, exception_text(error)));
   }
 }

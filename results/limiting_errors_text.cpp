@@ -11,7 +11,8 @@ namespace {
 
 using compare::LimitingErrorGroup;
 
-// The ids of the closures of a group as text: "epc-gaussian-n2, -n4 (inadmissible) and -n6".
+// Returns the ids of the closures of a group as text: "epc-gaussian-n2, -n4 (inadmissible) and
+// -n6".
 std::string closure_id_list(const CaseResult& case_result, const LimitingErrorGroup& group) {
   std::vector<std::string> ids;
   std::string stem_before;
@@ -43,8 +44,8 @@ std::string fractions_text(const LimitingErrorGroup& group) {
                            : fmt::format("{} to {} %", least, greatest);
 }
 
-// Text of a group of closures. Only the first percentage of the sentence has the explanation "of
-// the sum of the parts".
+// Returns the text of a group of closures. Only the first percentage of the sentence gets the
+// explanation "of the sum of the parts".
 std::string closure_group_text(const CaseResult& case_result, const LimitingErrorGroup& group,
                                bool& explained) {
   const std::string closures = closure_id_list(case_result, group);

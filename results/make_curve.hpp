@@ -5,7 +5,7 @@
 
 namespace fpkcheck::results {
 
-/// Converts the marginal density of a solution to a curve, the form in which a run stores it.
+/// Converts a marginal density of a solution to the form in which runs store marginal densities.
 Curve make_curve(compare::SolutionMarginal&& found);
 
 }  // namespace fpkcheck::results

@@ -12,15 +12,14 @@
 
 namespace fpkcheck::results {
 
-/// Writes the marginal densities of all cases as CSV. The header is
-/// `case,solution,variable,abscissa,density,lower,upper`; every bin of every curve is one row. The
-/// numbers have sufficient digits to be read back without rounding errors.
-/// @param curves the curves to write: &CaseResult::curves, or &CaseResult::smooth for curves over
-///        smooth bins
+/// Writes the marginal densities of all cases as CSV with the header
+/// `case,solution,variable,abscissa,density,lower,upper`. Each bin of a curve is one row. Numbers
+/// have enough digits to be read back exactly.
+/// @param curves member with the curves: &CaseResult::curves, or &CaseResult::smooth for smooth
+///        bins
 void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
                          std::vector<Curve> CaseResult::*curves = &CaseResult::curves);
 
-/// A curve with the name of its case.
 struct CaseCurve {
   std::string case_name;
   Curve curve;
@@ -30,16 +29,15 @@ struct CaseCurve {
 using NonFinitePredicate =
     std::function<bool(const std::string& case_name, const std::string& solution)>;
 
-/// Reads a file that write_marginals_csv() wrote. All numbers must be finite, except the densities
-/// and confidence intervals of the solutions that `allows_non_finite` selects.
+/// Reads a file that write_marginals_csv() wrote.
 /// @param source name of the file, for messages
-/// @param allows_non_finite function that selects solutions; if empty, all numbers must be finite
-/// @throws InputError with a message of one line: source, line number and problem
+/// @param allows_non_finite selects the solutions whose densities and confidence intervals may be
+///        infinite or NaN; if empty, all numbers must be finite
+/// @throws InputError with a message of one line that has the source and the line number
 std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view source,
                                           const NonFinitePredicate& allows_non_finite = {});
 
-/// The field of a CSV file for a text. A text with separators, quotes or line breaks is quoted
-/// (RFC 4180).
+/// Encloses a text in quotes if the text contains separators, quotes or line breaks (RFC 4180).
 std::string csv_field(const std::string& text);
 
 }  // namespace fpkcheck::results

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The missing directories of a path, outermost first.
+// Returns the directories of a path that do not exist, outermost first.
 std::vector<fs::path> missing_directories(const fs::path& directory) {
   std::vector<fs::path> missing;
   std::error_code error;
@@ -31,8 +31,8 @@ void recover_interrupted_run(const fs::path& directory) {
   base::remove_abandoned_partial_files(directory);
 }
 
-// Creates an empty hidden file, to test that the directory is writable. First removes a hidden file
-// of the same name, which an earlier process with the same process id may have left.
+// Creates an empty hidden file to test that the directory is writable. An existing file of the same
+// name, from an earlier process with the same process id, is removed first.
 fs::path create_probe_file(const fs::path& directory) {
   fs::path file = base::partial_file_path(directory / "run");
   fs::remove(file);
@@ -43,7 +43,7 @@ fs::path create_probe_file(const fs::path& directory) {
 OutputDirectoryLock try_prepare_directory(const fs::path& directory) {
   const fs::path figures = directory / "figures";
   std::vector<fs::path> missing = missing_directories(directory);
-  const OutputDirectoryLock made({}, missing);  // removes empty directories if the next lines throw
+  const OutputDirectoryLock made({}, missing);  // removes empty directories after an exception
   fs::create_directories(directory);
   recover_interrupted_run(directory);
   OutputDirectoryLock held(create_probe_file(directory), std::move(missing));
@@ -77,8 +77,8 @@ OutputDirectoryLock::~OutputDirectoryLock() {
 OutputDirectoryLock prepare_output_directory(const fs::path& directory) {
   if (directory.empty()) throw InputError("--out is empty; give a directory");
   try {
-    // Another run may end now and remove the directories that it created. Only the hidden file of
-    // this run prevents the removal. Hence the attempts are repeated until the hidden file exists.
+    // Another run may remove its empty directories at the same time. The loop therefore repeats the
+    // attempt until the hidden file of this run exists.
     for (int attempt = 0; attempt < 20; ++attempt) {
       try {
         return try_prepare_directory(directory);

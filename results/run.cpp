@@ -20,7 +20,7 @@ const Curve* find_curve(const std::vector<Curve>& curves, std::string_view solut
   return found == curves.end() ? nullptr : &*found;
 }
 
-// The common width of all bins; empty if the widths differ.
+// Returns the common width of all bins; empty if the widths differ.
 std::optional<double> common_width(const std::vector<double>& centres) {
   if (centres.size() < 2) return std::nullopt;
   constexpr double kRounding = 1e-6;
@@ -37,7 +37,7 @@ std::vector<double> bin_widths(const Curve& curve) {
   const auto& centres = curve.abscissa;
   if (const auto width = common_width(centres)) return std::vector(centres.size(), *width);
   std::vector<double> widths(centres.size());
-  // On either side of the edge at 0, compute the widths outwards, bin by bin.
+  // The widths are computed outwards from the edge at 0, separately on each side.
   const auto outwards = [](auto centre, auto end, auto width) {
     for (double edge = 0; centre != end; ++centre, ++width) {
       *width = 2 * (std::abs(*centre) - edge);

@@ -29,8 +29,7 @@ std::vector<AgreementRow> agreement_rows(const results::Run& run) {
         place = known + 1;
         continue;
       }
-      // A new row is inserted behind the row of the preceding solution in the first case that has
-      // the new solution.
+      // A new row follows the row of the preceding solution in the same case.
       place = all.insert(place, AgreementRow{&solution.identity, {}}) + 1;
     }
   }
@@ -39,7 +38,7 @@ std::vector<AgreementRow> agreement_rows(const results::Run& run) {
       row.entries.push_back(agreement_entry(one, row.identity->id));
     }
   }
-  // A solution that is not applicable to any case has no row.
+  // A solution that is not applicable in any case gets no row.
   std::erase_if(all, [](const AgreementRow& row) {
     return std::ranges::all_of(row.entries, [](const AgreementEntry& entry) {
       return entry.solution == nullptr || entry.solution->status == transform::Status::not_offered;

@@ -152,8 +152,8 @@ Variable variable_from_json(const Json& object) {
   return *variable;
 }
 
-// The number in a JSON value; `default_value` if the JSON value is null. Null represents a number
-// that is not finite.
+// Returns the number in a JSON value, or `default_value` for null, which represents a non-finite
+// number.
 double number_or_default(double default_value, const Json& value) {
   return value.is_null() ? default_value : value.get<double>();
 }
@@ -169,8 +169,8 @@ PairDistances pair_from_json(const Json& json) {
   d.l2 = number_or_default(kNotANumber, json.at("l2"));
   d.sup = number_or_default(kNotANumber, json.at("sup"));
   d.hellinger = number_or_default(kNotANumber, json.at("hellinger"));
-  // The file has null for both infinity and NaN. If both densities are finite (l1 is finite), kl
-  // cannot be NaN, and null represents infinity.
+  // The file has null for both infinity and NaN. If l1 is finite, both densities are finite. With a
+  // finite l1 the divergence kl cannot be NaN, and null represents infinity.
   d.kl = number_or_default(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
   for (const auto& tail : json.at("log10_tail")) {
     d.log10_tail.push_back({.from = tail.at("from"),
@@ -235,7 +235,7 @@ compare::LimitingErrorGroup limiting_error_from_json(const Json& json,
   return group;
 }
 
-// The assessment of exactly the solutions of the case, in the same order.
+// Reads an assessment and requires exactly the solutions of the case, in the same order.
 compare::Assessment assessment_from_json(const Json& json, const CaseResult& case_result) {
   const auto id_in = [&](const Json& object) {
     auto id = object.at("solution").get<std::string>();

@@ -10,18 +10,18 @@ namespace fpkcheck::results {
 /// Version of the schema of summary.json.
 inline constexpr int kSummarySchema = 1;
 
-/// The text of summary.json: the result of a run without curves and joint densities. Null replaces
-/// numbers that are not finite. Null also replaces the moments, the mass, the minimum density and
-/// the energy residual of a solution without a density.
-/// @param files checksums of the other files that are saved in the same directory
+/// Returns the text of summary.json: the result of a run without curves and joint densities. A JSON
+/// null replaces non-finite numbers. A JSON null also replaces the moments, mass, minimum density
+/// and energy residual of a solution without a density.
+/// @param files checksums of the other files of the saved run
 std::string summary_text(const Run& run, std::span<const FileChecksum> files = {});
 
-/// Reads a summary.json, the text of summary_text(). The solutions of the result have no densities.
-/// The kind of each metric follows from its JSON type (metrics_from_json). A run of an older
-/// version has solutions without an identity; the `family` of these solutions is empty.
+/// Reads a summary.json. The solutions of the result have no densities. The JSON type of a metric
+/// determines its kind (metrics_from_json). Solutions from files of an older version have an empty
+/// `family`.
 /// @param where name of the file, for messages
-/// @throws InputError with a message of one line, if the text is not JSON, is not a summary, has
-///         another schema, or has a missing or invalid field
+/// @throws InputError with a message of one line, if the text is not a summary of this schema, or
+///         has a missing or invalid field
 Run read_summary(std::istream& in, const std::string& where);
 
 }  // namespace fpkcheck::results

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 using base::in_quotes;
 using base::sanitise;
 
-// Largest size of a file of a run: sufficient for hundreds of cases.
+// The size limit of a file of a run suffices for hundreds of cases.
 constexpr std::size_t kMaxTextBytes = 64 << 20;
 
 std::istringstream open_saved_file(const fs::path& file) {
@@ -55,7 +55,8 @@ CaseResult* find_case(Run& run, const std::string& name) {
   return found == run.cases.end() ? nullptr : &*found;
 }
 
-// Tests the checksum of a file. Older runs have no checksums: then there is no test.
+// Throws if the checksum of a file differs from the checksum in the summary of the run. Runs of
+// older versions have no checksums.
 void require_same_run(const fs::path& file, std::string_view contents, const Run& run) {
   const auto recorded = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
   if (recorded != run.files.end() && recorded->crc32 != crc32(contents)) refuse_other_run(file);
@@ -64,9 +65,8 @@ void require_same_run(const fs::path& file, std::string_view contents, const Run
 void read_curves(const fs::path& file, Run& run, std::vector<Curve> CaseResult::*curves) {
   auto csv = open_saved_file(file);
   require_same_run(file, csv.view(), run);
-  // Trajectories of a simulation may exceed the range of numbers. The simulation then has the
-  // status `failed`, and its density may not be finite. The density of an `ok` solution is finite
-  // everywhere.
+  // Simulated trajectories may overflow. A simulation with an overflow has the status `failed`, and
+  // its density may be infinite or NaN. The density of an `ok` solution is finite.
   const auto allows_non_finite = [&run](const std::string& case_name, const std::string& solution) {
     const CaseResult* case_result = find_case(run, case_name);
     const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
@@ -80,7 +80,7 @@ void read_curves(const fs::path& file, Run& run, std::vector<Curve> CaseResult::
   }
 }
 
-// Whether exactly the solutions with a density have curves.
+// Returns whether exactly the solutions with a density have curves.
 bool has_matching_curves(const CaseResult& case_result) {
   std::set<std::string> with_curves, with_density;
   for (const auto& curve : case_result.curves) with_curves.insert(curve.solution);
@@ -96,7 +96,6 @@ bool has_any_element(const Run& run, std::vector<Element> CaseResult::*list) {
       run.cases, [&](const CaseResult& case_result) { return !(case_result.*list).empty(); });
 }
 
-// Adds files to the pending files of a run and stores their checksums.
 class SavedFiles {
  public:
   SavedFiles(base::PendingFiles& files, const fs::path& directory)
@@ -207,7 +206,7 @@ std::string crc32(std::string_view bytes) {
 }
 
 std::vector<std::pair<std::string, std::string>> library_versions() {
-  // "4.9.0 of Oct 15 2022 22:59:31 $"
+  // Example of the returned text: "4.9.0 of Oct 15 2022 22:59:31 $".
   const std::string netcdf = nc_inq_libvers();
   return {{"netCDF", netcdf.substr(0, netcdf.find(' '))},
           {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,

@@ -21,11 +21,11 @@ using transform::Moments;
 using transform::Solution;
 using transform::SolutionIdentity;
 
-// The texts that represent the unknown equation and impact condition of an external density.
+// The following texts represent the unknown equation and impact condition of an external density.
 constexpr const char* kUnknownEquation = "given";
 constexpr const char* kUnknownImpact = "-";
 
-// The keys of a solution that every solver shares; all other keys are metrics of the solver.
+// Keys that all solvers share. All other keys of a solution are metrics of its solver.
 constexpr std::array<std::string_view, 17> kCommonKeys{"id",
                                                        "method",
                                                        "equation",
@@ -43,8 +43,7 @@ constexpr std::array<std::string_view, 17> kCommonKeys{"id",
                                                        "standard_errors",
                                                        "sampling_l1",
                                                        "smooth_sampling_l1"};
-// The keys of "error" that every solver shares; all other keys of "error" are metrics of the
-// solver.
+// Keys of "error" that all solvers share. All other keys of "error" are metrics of the solver.
 constexpr std::array<std::string_view, 3> kCommonErrorKeys{"y_l1", "ydot_l1", "moments"};
 
 template <std::size_t N>
@@ -164,7 +163,7 @@ void read_solution_numbers(const Json& json, Solution& s) {
   }
 }
 
-// A copy of the JSON object of a solution with the metrics of the solver only.
+// Returns the metrics of the solver from the JSON object of a solution.
 Json solver_metrics_part(const Json& json) {
   Json rest = Json::object();
   for (const auto& [key, value] : json.items()) {

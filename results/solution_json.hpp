@@ -7,12 +7,12 @@
 
 namespace fpkcheck::results {
 
-/// An element of "solutions" in summary.json: the keys that every solution has, then the metrics of
-/// its solver.
-/// @throws std::logic_error when a metric has the name of one of the common keys
+/// Returns an element of "solutions" in summary.json: the common keys of all solutions, then the
+/// metrics of the solver.
+/// @throws std::logic_error if a metric has the name of a common key
 Json solution_json(const transform::Solution& solution);
 
-/// Converts the result of solution_json() back to a solution. The solution has no density.
+/// Converts the result of solution_json() back to a solution without a density.
 /// @throws nlohmann::json::exception, InputError
 transform::Solution solution_from_json(const Json& json);
 

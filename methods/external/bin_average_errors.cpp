@@ -11,8 +11,8 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The integral of the density over the bin as a linear combination of the values at the knots
-// (trapezoidal rule).
+// The trapezoidal rule gives the integral over the bin as a linear combination of the values at the
+// knots.
 BinAverageError trapezoidal_rule(std::span<const double> knots, double lower, double upper) {
   BinAverageError bin{.width = upper - lower, .first = 0, .factors = {}};
   const auto after = std::ranges::upper_bound(knots, lower) - knots.begin();
@@ -41,8 +41,8 @@ void extrapolate_to_first_knot(BinAverageError& bin, double ratio) {
   bin.factors[1] -= at_first * ratio;
 }
 
-// Replaces the value at the last knot, which has the index `points`, by the same formula in reverse
-// order.
+// Replaces the value at the last knot (index `points`) by the formula of
+// extrapolate_to_first_knot().
 void extrapolate_to_last_knot(BinAverageError& bin, std::size_t points, double ratio) {
   if (bin.first + bin.factors.size() <= points) return;
   const double at_last = bin.factors.back();
@@ -85,11 +85,11 @@ std::vector<BinAverageError> bin_average_errors(std::span<const double> knots,
   return bins;
 }
 
-// Neighbouring bins share points, so that their errors are correlated. Therefore the quantile is
-// computed from random samples of the errors of the points.
+// Neighbouring bins have correlated errors, since they share points. The quantile therefore comes
+// from random samples of the errors of the points.
 L1SamplingError l1_sampling_error(std::span<const BinAverageError> bins) {
   constexpr int kReplicates = 1000;
-  constexpr std::uint64_t kSeed = 20240501;  // an arbitrary, fixed value: results are reproducible
+  constexpr std::uint64_t kSeed = 20240501;  // an arbitrary fixed seed for reproducible results
   L1SamplingError result;
   std::size_t points = 0;
   for (const auto& bin : bins) {

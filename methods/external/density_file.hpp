@@ -12,53 +12,50 @@ namespace fpkcheck::methods {
 
 /// The format of a file with a density, detected from the contents of the file.
 enum class DensityFileFormat {
-  text,   ///< columns of numbers
-  json,   ///< a closed form, or the summary of a run
-  netcdf  ///< a joint density
+  text,  ///< columns of numbers
+  json,  ///< a closed form, or the summary of a run
+  netcdf
 };
 
-/// The contents of a file with a density, and their format.
 struct DensityFileContent {
   DensityFileFormat form;
   std::string bytes;
 };
 
-/// Reads a file with a density and detects its format.
 /// @throws InputError with a message of one line, if the file is unreadable or too large, or is
 ///         neither text nor netCDF-4
 DensityFileContent read_density_file(const std::filesystem::path& file);
 
-/// The request for a solution of a saved run.
+/// The selection of one solution of a saved run.
 struct SolutionSelection {
-  std::optional<std::string> solution = {};   ///< id of the solution
-  std::optional<std::string> case_name = {};  ///< name of the case
-  /// Name of the case to use if `case_name` is empty and the run has a case of this name.
+  std::optional<std::string> solution = {};
+  std::optional<std::string> case_name = {};
+  /// Name of the case if `case_name` is empty and the run has a case of this name.
   std::string default_case = {};
 };
 
-/// The contents of a JSON file with a closed form.
+/// The contents of a JSON file with the closed form of a density.
 struct ClosedFormFile {
   epc::ClosedForm form;
-  std::optional<problem::Problem> problem = {};  ///< problem, if the file is a saved run
-  /// Solution with this closed form, without its density, if the file is a saved run.
+  std::optional<problem::Problem> problem = {};  ///< the problem of a saved run
+  /// The solution of a saved run with this closed form, but without its density.
   std::optional<transform::Solution> solution = {};
 };
 
-/// Reads a closed form from JSON (epc::read_closed_form), or the closed form of a solution from the
-/// summary of a run.
+/// Reads a closed form from JSON: the file contains one closed form (epc::read_closed_form) or is
+/// the summary of a run with a closed form.
 /// @param where name of the file, for messages
-/// @throws InputError with a message of one line, if the text is not JSON, if the closed form is
-///         incomplete, if `choice` selects no solution or lacks a name among several, or if the
-///         selected solution has no closed form
+/// @throws InputError with a message of one line, if the text is not JSON, or `choice` does not
+///         select exactly one complete closed form
 ClosedFormFile read_closed_form_file(const std::string& text, const std::string& where,
                                      const SolutionSelection& choice);
 
-/// The index of the requested name in `names`. Without a requested name, the index of the only
-/// name.
+/// Returns the index of the requested name in `names`. Without a requested name, the result is the
+/// index of the only name.
 /// @param item_kind "case" or "solution", for messages
 /// @param where name of the file, for messages
-/// @throws InputError with a message of one line, if `names` does not contain the requested name,
-///         or if no name is requested and `names` has several
+/// @throws InputError with a message of one line, if `names` lacks the requested name, or if no
+///         name is requested and `names` has several
 std::size_t select_index(const std::vector<std::string>& names,
                          const std::optional<std::string>& requested, const std::string& item_kind,
                          const std::string& where);

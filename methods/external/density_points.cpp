@@ -9,8 +9,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The edges, extended by further bins over the length `extension` beyond the last edge. The further
-// bins have the width of the last bin.
+// Extends the edges over the length `extension` by bins with the width of the last bin.
 std::vector<double> extend_edges(std::vector<double> edges, double extension) {
   const double last = edges.back(), width = last - edges[edges.size() - 2];
   const auto more = static_cast<int>(std::lround(extension / width));
@@ -18,15 +17,13 @@ std::vector<double> extend_edges(std::vector<double> edges, double extension) {
   return edges;
 }
 
-// The edges reflected at 0.
 std::vector<double> reflect_edges(std::vector<double> edges) {
   for (double& edge : edges) edge = -edge;
   std::ranges::reverse(edges);
   return edges;
 }
 
-// The edges of y, extended by further bins at each end without a wall. The bins do not extend
-// beyond a wall that is farther out.
+// Extends the edges of y at each end without a wall, but not beyond a wall farther out.
 std::vector<double> extend_edges(const std::vector<double>& edges, bool low, bool high,
                                  const problem::Walls& walls) {
   const double length = edges.back() - edges.front();

@@ -11,26 +11,22 @@ namespace fpkcheck::methods {
 /// The cells and quadrature points at which an external joint density p(y, y') is evaluated.
 class DensityPoints {
  public:
-  /// Uses the cells of the comparison axes. On each side without a wall, further cells of the same
-  /// width extend the range to 10/7 of its length, to include mass beyond the comparison axes.
+  /// Uses the cells of the comparison axes. On each side without a wall, additional cells of the
+  /// same width extend the range to 10/7 of its length, to include mass beyond the comparison axes.
   DensityPoints(const compare::ComparisonAxes& axes, const problem::Walls& walls);
 
-  /// The walls that limit the range of y.
   const problem::Walls& walls() const { return walls_; }
-  /// Whether the first cell in y begins at the left wall.
+  /// Returns whether the cells in y begin at the left wall.
   bool has_wall_at_start() const { return has_wall_at_start_; }
-  /// Whether the last cell in y ends at the right wall.
+  /// Returns whether the cells in y end at the right wall.
   bool has_wall_at_end() const { return has_wall_at_end_; }
 
-  /// The edges of the cells in y.
   const std::vector<double>& y_edges() const { return y_edges_; }
-  /// The edges of the cells in y'.
   const std::vector<double>& v_edges() const { return v_edges_; }
-  /// The quadrature points in y: three Gauss-Legendre points per cell. If the cells begin at the
-  /// left wall, that wall is an additional first point. If the cells end at the right wall, that
-  /// wall is an additional last point.
+  /// Returns the quadrature points in y: three Gauss-Legendre points per cell. A wall at the first
+  /// or last cell edge is an additional first or last point.
   const std::vector<double>& y_points() const { return y_; }
-  /// The quadrature points in y': three Gauss-Legendre points per cell.
+  /// Returns the quadrature points in y': three Gauss-Legendre points per cell.
   const std::vector<double>& v_points() const { return v_; }
 
  private:
@@ -39,20 +35,19 @@ class DensityPoints {
   std::vector<double> y_edges_, v_edges_, y_, v_;
 };
 
-/// The edges of three subcells per cell. The widths of the subcells are the quadrature weights of
-/// the three points of the cell. Hence, if the values at the points are averages of a density over
+/// Returns the edges of three subcells per cell. The widths of the subcells are the quadrature
+/// weights of the points of the cell. If the values at the points are averages of a density over
 /// the subcells, the quadrature rule gives the exact averages over the cells.
 std::vector<double> subcell_edges(const std::vector<double>& edges);
 
-/// Integrals of an external density p(y, y') by the quadrature rule, from the values of p at the
-/// quadrature points.
+/// Integrals of an external density p(y, y'), from the values of p at the quadrature points.
 class DensityIntegrals {
  public:
-  /// The object refers to `points` and `values`, which must outlive the object.
+  /// Refers to `points` and `values`, which must outlive the object.
   /// @param values values of p, row-major, shape (points.y_points(), points.v_points())
   DensityIntegrals(const DensityPoints& points, const std::vector<double>& values);
 
-  /// The integral of a function times the density: int g(y, v) p(y, v) dy dv.
+  /// Returns the integral of a function times the density, int g(y, v) p(y, v) dy dv.
   template <class Function>
   double integrate_times_density(const Function& g) const {
     double sum = 0;
@@ -65,23 +60,22 @@ class DensityIntegrals {
     }
     return sum;
   }
-  /// The integral of the density.
   double mass() const {
     return integrate_times_density([](double, double) { return 1.0; });
   }
-  /// The moments of the density divided by `mass`.
+  /// Returns the moments of the density divided by `mass`.
   transform::Moments moments(double mass) const;
-  /// The integral int_{v<0} |v|^power p(a, v) dv over impact velocities at the left wall y = a; 0
-  /// if the cells do not begin at the wall.
+  /// Returns int_{v<0} |v|^power p(a, v) dv over impact velocities at the left wall y = a. The
+  /// result is 0 if the cells do not begin at the wall.
   double left_wall_flux(int power) const;
-  /// The integral int_{v>0} v^power p(b, v) dv over impact velocities at the right wall y = b; 0 if
-  /// the cells do not end at the wall.
+  /// Returns int_{v>0} v^power p(b, v) dv over impact velocities at the right wall y = b. The
+  /// result is 0 if the cells do not end at the wall.
   double right_wall_flux(int power) const;
-  /// The averages of the density over the cells.
   transform::GridDensity averages() const;
 
  private:
-  /// The integral of |v|^power p over the velocities of one sign, at the y of one row of points.
+  /// Returns the integral of |v|^power p over velocities with the sign of `direction`, at the y of
+  /// a row of points.
   double flux(std::size_t row, double direction, int power) const;
   double value(std::size_t i, std::size_t j) const { return values_[i * weight_v_.size() + j]; }
 

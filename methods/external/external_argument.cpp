@@ -52,7 +52,7 @@ void set(const std::string& key, const std::string& value, ExternalArgument& arg
   }
 }
 
-// Position of the comma of the last ",KEY=VALUE"; npos if there is none.
+// Returns the position of the comma of the last ",KEY=VALUE", or npos.
 std::size_t last_setting_position(const std::string& text) {
   const auto comma = text.rfind(',');
   if (comma == std::string::npos) return comma;

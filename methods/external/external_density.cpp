@@ -19,11 +19,11 @@ using transform::Moments;
 using transform::Solution;
 using transform::Status;
 
-// Tolerances. The first two are relative to the peak of the density, the third is relative to a
-// mass of 1.
+// The negative and the cut-off tolerance are relative to the peak of the density, the mass
+// tolerance to a mass of 1.
 constexpr double kNegativeTolerance = 1e-6, kCutOffTolerance = 1e-4, kMassTolerance = 1e-3;
 
-// The largest average over the outermost cells. Cells at a wall are not outermost.
+// Returns the largest average over the outermost cells, except cells at a wall.
 double largest_boundary_average(const transform::GridDensity& grid, const DensityPoints& points) {
   double most = 0;
   for (std::size_t i = 0; i < grid.ny(); ++i) {
@@ -36,7 +36,7 @@ double largest_boundary_average(const transform::GridDensity& grid, const Densit
   return most;
 }
 
-// The outermost edges as text: "at y = 2 and |y'| = 3".
+// Returns the outermost edges as text: "at y = 2 and |y'| = 3".
 std::string cut_off_text(const transform::GridDensity& grid, const DensityPoints& points) {
   std::string ends;
   if (!points.has_wall_at_start()) ends += fmt::format("y = {:.3g}, ", grid.y_edges.front());
@@ -45,7 +45,7 @@ std::string cut_off_text(const transform::GridDensity& grid, const DensityPoints
   return fmt::format("at {}|y'| = {:.3g}", ends, grid.v_edges.back());
 }
 
-// The reason for the status inadmissible; empty if the function is an admissible density.
+// Returns the reason for the status `inadmissible`; empty for an admissible density.
 std::string inadmissible_reason(const transform::GridDensity& grid, const DensityPoints& points,
                                 double peak, double least, double mass) {
   if (least < -kNegativeTolerance * peak) {
@@ -61,7 +61,7 @@ std::string inadmissible_reason(const transform::GridDensity& grid, const Densit
   return {};
 }
 
-// The residuals of the balances of momentum and power, in wall coordinates.
+// Returns the residuals of the virial balance and the momentum balance, in wall coordinates.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const DensityIntegrals& integrals, double mass) {
   const problem::Frame frame = problem::wall_frame(problem.system);
@@ -187,8 +187,8 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
   add_rest_atom_note(problem, builder);
   solution.metrics = builder.take_metrics();
   if (external.equation && context.error_estimator != nullptr) {
-    // The prefix of the reason is empty: the default prefix states that the density meets its
-    // equations, which was not tested.
+    // The prefix of the reason is empty, since the equations of an external density were not
+    // tested.
     set_residual_error_estimate(*context.error_estimator, options.accuracy, solution, {}, "");
   }
   return solution;

@@ -82,8 +82,8 @@ ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std:
   return joint;
 }
 
-// The first parameter of the problem in the file that differs from the problem of the run, as text;
-// empty if no parameter differs.
+// Returns the first parameter that differs between the problems of the file and of the run; else
+// empty.
 std::string first_difference(const problem::Problem& of_file, const problem::Problem& of_run) {
   const auto here = problem::sections(of_run);
   for (const auto& section : problem::sections(of_file)) {
@@ -147,8 +147,7 @@ ExternalJointDensity joint_density_from_json(const ExternalArgument& argument,
   const auto& [form, problem, solution] = *file;
   ExternalJointDensity joint{
       .path = where, .form = "closed form", .numbers = form.q.terms().size()};
-  // The normalisation constant of a closed form in an external file is tested. That of a saved run
-  // is not tested.
+  // Only the normalisation constant of an external closed form is tested.
   joint.normalise = solution.has_value() || !form.frame.log_constant;
   using enum epc::ExponentCoordinates;
   if (form.frame.variables == plane || form.frame.variables == physical) {

@@ -14,7 +14,7 @@
 #include "methods/external/column_meaning.hpp"
 #include "numerics/statistics.hpp"
 
-// This include follows fpclassify: pchip of Boost 1.74 calls isnan, but does not declare isnan.
+// This include follows fpclassify, since pchip of Boost 1.74 calls isnan without a declaration.
 #include <boost/math/interpolators/makima.hpp>
 #include <boost/math/interpolators/pchip.hpp>
 
@@ -26,8 +26,8 @@ using transform::Variable;
 void require_between_walls(const NumberTable& table, std::size_t row, double y,
                            const problem::Walls& walls) {
   if (is_between_walls(walls, y)) return;
-  // A cause of the error may be the column names, which select the variable y. Another cause may be
-  // a file of another case.
+  // Two causes are likely: the column names select the variable y, or the file belongs to another
+  // case.
   table.fail(row,
              fmt::format("y = {:g} under the names {} (must be {}; name the abscissa 'v' for a "
                          "density of y')",
@@ -147,7 +147,7 @@ void ExternalMarginal::normalise(HistogramQuantity value) {
   if (!std::isfinite(total)) {
     throw InputError(fmt::format("{}: the integral overflows; choose other units", file));
   }
-  // Derivatives and moments may exceed the range of numbers, even if the abscissae do not.
+  // Derivatives and moments may overflow, even if the abscissae are finite.
   const auto overflows = [](double x) { return !std::isfinite(x) || std::abs(x) > kMaxMagnitude; };
   if (overflows(total) || overflows(knots_.front()) || overflows(knots_.back()) ||
       !std::isfinite(density_(knots_.front())) || !std::isfinite(density_(knots_.back()))) {

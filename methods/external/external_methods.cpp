@@ -29,7 +29,7 @@ using transform::Variable;
 
 double unknown_value() { return std::numeric_limits<double>::quiet_NaN(); }
 
-// A remark on mass beyond the comparison axes, which the comparison ignores.
+// Returns a remark on mass beyond the comparison axes, which the comparison ignores.
 std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, double share,
                                              const std::vector<double>& bins) {
   constexpr double kSmall = 1e-3;
@@ -40,7 +40,7 @@ std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, d
       100 * share, marginal.variable() == Variable::y ? "y" : "y'", bins.front(), bins.back());
 }
 
-// Adds the properties of a file and of its normalisation as metrics, under "files[k]".
+// Adds the properties of a file and of its normalisation as metrics under "files[k]".
 void add_metrics(const ExternalMarginal& marginal, const std::vector<double>& bins, double mass,
                  double min_density, std::size_t k, transform::MetricBuilder& builder) {
   const std::string path = fmt::format("files[{}].", k);
@@ -76,8 +76,8 @@ void add_sampling_error(const ExternalMarginal& marginal, const std::vector<doub
   (of_y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
 }
 
-// Residuals of the balances for a solution with both marginals, in wall coordinates. Other balances
-// are omitted: marginals determine neither the fluxes at walls nor joint moments.
+// Returns the residual of the virial balance in wall coordinates, if both marginal densities are
+// known. The momentum balance is omitted, since it requires wall fluxes and joint moments.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const std::vector<ExternalMarginal>& marginals) {
   const auto of = [&](Variable variable) {
@@ -89,7 +89,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   if ((system.left_wall() && system.right_wall()) || system.rayleigh_coefficient() != 0) return {};
   const problem::Frame frame = problem::wall_frame(system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
-  // Substitutes x(y): a polynomial of x becomes a polynomial of y.
+  // The substitution of x(y) converts a polynomial of x to a polynomial of y.
   const auto in_y = [&](const numerics::Polynomial& of_x) {
     return of_x.compose_affine(frame.inverse().origin, frame.sign());
   };
@@ -127,7 +127,7 @@ transform::Solution marginals_solution(const problem::Problem& problem,
     const double mass = marginal.moment(0);
     const auto [least, most] = std::ranges::minmax(on_axes.density);
     const double min_density = most > 0 ? least / most : 0;
-    // Of several files, the mass farthest from 1 and the smallest minimum density are kept.
+    // Among several files, the mass farthest from 1 and the smallest minimum density are kept.
     if (k == 0 || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
     if (k == 0 || min_density < solution.min_density) solution.min_density = min_density;
     add_sampling_error(marginal, bins, solution);
@@ -140,8 +140,7 @@ transform::Solution marginals_solution(const problem::Problem& problem,
   return solution;
 }
 
-// A file with a marginal density. The file is converted to a density later, when the case and hence
-// the walls are known.
+// A file with a marginal density. The walls of the case are known only later.
 struct MarginalFile {
   NumberTable table;
   Variable variable;
@@ -154,15 +153,13 @@ std::vector<ExternalMarginal> read_marginals(const problem::Problem& problem,
   return marginals;
 }
 
-// The external density of one label, and the files with this label.
 struct LabelledFiles {
   ExternalDensity external;
   std::vector<MarginalFile> marginals;
   std::optional<ExternalJointDensity> joint;
 };
 
-// Sets the equation, impact condition and order of a density: from the argument, else from the
-// file.
+// Sets the equation, impact condition and order of a density from the argument, else from the file.
 void set_identity(const ExternalArgument& argument, const ExternalJointDensity* joint,
                   ExternalDensity& external) {
   const auto differ = [&](const char* what) {

@@ -8,21 +8,17 @@
 
 namespace fpkcheck::methods {
 
-/// Reads external densities from files and returns them as methods that solve nothing. Each file is
-/// read once. The methods evaluate the densities on the comparison axes of the case.
-///
-/// A file contains a marginal density (ExternalMarginal), a joint density on a grid (JointTable) or
-/// a joint density as a closed form (epc::ClosedForm). Files of marginal densities with the same
-/// label are one solution. Densities of several orders form a family
-/// (methods/external/labels.hpp). The name of the solver is "file". If the argument or the file
-/// states an equation, the density is a closure; otherwise its equation and impact condition are
-/// unknown.
-/// @param arguments arguments of the option --against, as in ExternalArgument
-/// @param registry registry of methods; no label may be the id of a method
+/// Reads external densities from files and returns them as methods that solve nothing. Each file
+/// contains a marginal density (ExternalMarginal), a joint density on a grid (JointTable) or a
+/// joint density as a closed form (epc::ClosedForm). Files of marginal densities with the same
+/// label are one solution. Densities of several orders form a family (methods/external/labels.hpp).
+/// The name of the solver is "file". If the argument or the file states an equation, the density is
+/// a closure. Otherwise its equation and impact condition are unknown.
+/// @param registry methods whose ids are not available as labels
 /// @param case_name name of the case to use in a file with several cases
 /// @return one method for each label, in the order of first occurrence of the labels
-/// @throws InputError with a message of one line, for an invalid argument or file, for a label that
-///         is invalid or the id of a method, and for two files with the same label and variable
+/// @throws InputError with a message of one line, for an invalid argument, file or label, and for
+///         two files with the same label and variable
 std::vector<Method> external_methods(std::span<const std::string> arguments,
                                      const Registry& registry, const std::string& case_name = {});
 

@@ -23,7 +23,7 @@ using transform::Variable;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// Samples of (y, y') with their effective number of independent samples.
+// Samples of (y, y') with the effective number of independent samples.
 struct Samples {
   std::vector<double> y, v;
   double independent;
@@ -36,7 +36,6 @@ std::optional<std::size_t> bin_index(const std::vector<double>& edges, double va
   return static_cast<std::size_t>(std::ranges::upper_bound(edges, value) - edges.begin()) - 1;
 }
 
-// The samples that are not at rest in contact with a wall.
 Samples without_samples_at_rest(const Samples& samples, const problem::Problem& problem) {
   if (!problem::features(problem).rests_in_contact) return samples;
   const problem::Walls walls = problem.system.walls();
@@ -50,7 +49,7 @@ Samples without_samples_at_rest(const Samples& samples, const problem::Problem& 
   return left;
 }
 
-// Adds a marginal density to the solution, from the fractions of all `n` samples in the bins, with
+// Adds a marginal density to the solution: the fractions of all `n` samples in the bins, with
 // confidence intervals from the standard errors of the fractions.
 void add_marginal(const std::vector<double>& edges, const std::vector<double>& values, double n,
                   double independent, Variable variable, Solution& solution) {
@@ -75,7 +74,6 @@ void add_marginal(const std::vector<double>& edges, const std::vector<double>& v
   solution.estimated_marginals.emplace_back(variable, std::move(marginal));
 }
 
-// Sets the moments of the solution and their standard errors to those of the samples.
 void set_moments(const Samples& samples, Solution& solution) {
   constexpr int kPowers[] = {1, 2, 4, 1, 2, 4};  // three powers of y, then three powers of y'
   static_assert(std::size(kPowers) == std::size(transform::kMoments));

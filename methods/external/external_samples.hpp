@@ -6,15 +6,15 @@
 
 namespace fpkcheck::methods {
 
-/// A method whose solution is a histogram of samples over the cells of the comparison axes. The
-/// confidence intervals (95 %) and the sampling errors are those of independent samples. Samples at
-/// rest in contact with a wall (y' = 0 at the wall) contribute to the moments but not to the
-/// histogram, since the stationary law has an atom at that state.
+/// Returns a method whose solution is a histogram of samples over the comparison bins. The 95 %
+/// confidence intervals and the sampling errors assume independent samples. Samples at rest in
+/// contact with a wall (y' = 0 at the wall) contribute only to the moments, since the stationary
+/// law has an atom at that state.
 /// @param y, v displacement and velocity of each sample
 /// @param independent effective number of independent samples; 0 for the number of samples
-/// @throws InputError when there are fewer than 100 samples, when y and v have different lengths,
-///         when a value is not finite, or when `independent` exceeds the number of samples. The
-///         member `check` of the method throws InputError when a sample is behind a wall
+/// @throws InputError if there are fewer than 100 samples, y and v have different lengths, a value
+///         is not finite, or `independent` exceeds the number of samples. Method::check throws
+///         InputError if a sample is behind a wall
 Method make_method_from_samples(const ExternalDensity& external, std::span<const double> y,
                                 std::span<const double> v, double independent = 0);
 

@@ -12,13 +12,12 @@
 #include "methods/external/between_walls.hpp"
 #include "methods/external/column_meaning.hpp"
 
-// This include follows fpclassify: makima of Boost 1.74 calls isnan, but does not declare isnan.
+// This include follows fpclassify, since makima of Boost 1.74 calls isnan without a declaration.
 #include <boost/math/interpolators/makima.hpp>
 
 namespace fpkcheck::methods {
 namespace {
 
-// The distinct values of a column, in increasing order.
 std::vector<double> distinct_values(const NumberTable& table, std::size_t column) {
   auto all = table.column(column);
   std::ranges::sort(all);
@@ -49,8 +48,7 @@ void require_axis(const std::vector<double>& axis, const char* symbol, const std
   }
 }
 
-// Akima's modified interpolant of values at increasing points. The interpolant is 0 outside the
-// range of the points.
+// Akima's modified interpolant of values at increasing points; 0 outside the range of the points.
 class Interpolant {
  public:
   Interpolant(const std::vector<double>& at, std::vector<double> values)
@@ -74,7 +72,7 @@ JointTable make_joint_table(const NumberTable& table) {
   JointTable joint{distinct_values(table, of_y), distinct_values(table, of_v), {}};
   require_axis(joint.y, "y", source);
   require_axis(joint.v, "y'", source);
-  // The number of rows is tested before the grid is allocated: a short file may imply a huge grid.
+  // A short file may imply a huge grid: the number of rows is tested before the allocation.
   const std::size_t nv = joint.v.size(), rows = table.rows.size();
   if (joint.y.size() > rows / nv) {
     throw InputError(fmt::format(
@@ -123,7 +121,7 @@ std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& po
   const std::size_t ny = table.y.size(), nv = table.v.size();
   const double least = std::min(std::ranges::min(table.p), 0.0);
   std::vector<std::vector<double>> columns(
-      points.v_points().size());  // p at y of the table, v of a point
+      points.v_points().size());  // density at y of the table, v of a point
   for (std::size_t i = 0; i < ny; ++i) {
     const auto row = table.p.begin() + static_cast<std::ptrdiff_t>(i * nv);
     const Interpolant along_v(table.v, {row, row + static_cast<std::ptrdiff_t>(nv)});
@@ -158,7 +156,7 @@ std::vector<double> evaluate_at(const transform::GridDensity& cells, const Densi
   const std::size_t nv = parts.nv();
   std::vector<double> values;
   values.reserve((parts.ny() + 2) * nv);
-  // No subcell is at a wall: extrapolate linearly from the next two subcells.
+  // No subcell is at a wall: the value there is extrapolated linearly from the next two subcells.
   const auto centre = [&](std::size_t i) { return (parts.y_edges[i] + parts.y_edges[i + 1]) / 2; };
   const auto add_wall = [&](double wall, std::size_t next, std::size_t after) {
     const double share = (centre(next) - wall) / (centre(after) - centre(next));

@@ -16,7 +16,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The name of a variable or data block for a label: "a_b" for both "a.b" and "a-b".
+// Returns the name of a variable or data block for a label: "a_b" for both "a.b" and "a-b".
 std::string label_as_identifier(std::string label) {
   std::ranges::replace_if(
       label, [](unsigned char c) { return !std::isalnum(c); }, '_');
@@ -27,8 +27,8 @@ constexpr std::string_view kSeparators = "-_.";
 
 bool is_separator(char c) { return kSeparators.find(c) != std::string_view::npos; }
 
-// The common name in a label: "chi" for the label "chi-n4" of a density of order 4. Empty if the
-// label does not end with the order.
+// Returns the family name in a label: "chi" for the label "chi-n4" of a density of order 4. The
+// result is empty if the label does not end with the order.
 std::optional<std::string> family_name(const transform::SolutionIdentity& identity) {
   if (!identity.order) return std::nullopt;
   std::string_view name = identity.id;
@@ -39,7 +39,7 @@ std::optional<std::string> family_name(const transform::SolutionIdentity& identi
     name.remove_suffix(1);
   }
   while (!name.empty() && is_separator(name.back())) name.remove_suffix(1);
-  // In "chi12" the number is 12: the label is not order 2 of the name "chi1".
+  // The label "chi12" has the order 12, not the order 2 of a name "chi1".
   if (name.empty() || ('0' <= name.back() && name.back() <= '9')) return std::nullopt;
   return std::string(name);
 }

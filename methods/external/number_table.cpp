@@ -45,8 +45,8 @@ std::string_view name_of_separator(char separator) {
   }
 }
 
-// Splits a line into fields. Blanks separate fields only if the line has no other separator;
-// several successive blanks are then one separator.
+// Splits a line into fields. Blanks separate fields only if the line has no other separator.
+// Successive blanks are one separator.
 std::vector<std::string> split_fields(const std::string& line) {
   const char separator = separator_of(line);
   std::vector<std::string> fields(1);
@@ -61,8 +61,8 @@ std::vector<std::string> split_fields(const std::string& line) {
   return fields;
 }
 
-// Removes the unit from a column name: "velocity" from "velocity [m/s]", "v" from "v (m/s)". The
-// brackets in "p(y)" contain no unit.
+// Removes the unit from a column name: "velocity [m/s]" becomes "velocity", and "v (m/s)" becomes
+// "v". The brackets in "p(y)" contain no unit.
 std::string remove_units(const std::string& line) {
   std::string kept;
   for (std::size_t k = 0; k < line.size(); ++k) {

@@ -1,6 +1,5 @@
-// fpkcheck._fpkcheck: the extension module of the Python package. The functions of the extension
-// module take and return numbers, texts and NumPy arrays. The public classes and functions are
-// written in Python.
+// The extension module fpkcheck._fpkcheck of the Python package. Its functions take and return
+// numbers, texts and NumPy arrays. The public classes and functions are written in Python.
 #include <fmt/format.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -44,7 +43,6 @@ namespace py = pybind11;
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using RunPointer = std::shared_ptr<results::Run>;
 
-/// The registry of the program, created once.
 const methods::Registry& registry() {
   static const auto instance = methods::builtin_registry();
   return instance;
@@ -62,8 +60,8 @@ base::Value value_from_python(const py::handle& object, const std::string& name)
   if (object.is_none()) return {};
   if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
   if (py::isinstance<py::int_>(object)) {
-    // An integer beyond 64 bits is converted to double. The converted number is out of the range of
-    // every option, so that the option is refused.
+    // An integer beyond 64 bits becomes a double that is out of the range of every option, and is
+    // thus refused.
     int overflows = 0;
     const auto whole = PyLong_AsLongLongAndOverflow(object.ptr(), &overflows);
     if (overflows != 0) return object.cast<double>();
@@ -164,7 +162,7 @@ methods::ExternalDensity external_density(const std::string& label,
     throw InputError(fmt::format("{} = {} (must be 1 or more)", of("order"), *order));
   }
   if (equation) external.equation = base::parse_enum<problem::Equation>(of("equation"), *equation);
-  // The impact "exact" belongs to simulations only.
+  // Only simulations have the impact condition "exact".
   external.impact = base::parse_enum<problem::Impact>(of("impact"), impact,
                                                       std::span(problem::kImpactNames).first(2));
   return external;
@@ -355,8 +353,8 @@ void bind_runs(py::module_& module) {
 
 }  // namespace
 
-// pybind11 converts InputError, a std::invalid_argument, to ValueError, and other exceptions to
-// RuntimeError.
+// pybind11 converts InputError, a std::invalid_argument, to ValueError, and a std::runtime_error to
+// RuntimeError. The translator below converts file system errors to OSError.
 PYBIND11_MODULE(_fpkcheck, module) {
   module.attr("__version__") = results::this_program("").version;
   py::register_exception_translator([](std::exception_ptr failure) {

@@ -17,7 +17,7 @@ using base::NamedParameterValue;
 using base::Value;
 using base::Values;
 
-// The name of an option without the name of the solver; empty if the solver has no such option.
+// Returns the name without the name of the solver; empty if the solver has no such option.
 std::optional<std::string> option_name(const methods::Solver& solver, const std::string& option) {
   const auto dot = option.find('.');
   if (dot != std::string::npos && option.substr(0, dot) != solver.name) return std::nullopt;
@@ -42,7 +42,6 @@ void require_known(const methods::Registry& registry, const std::string& option)
                                fmt::join(known, ", ")));
 }
 
-// Converts the value of an option to the type of the option.
 Value convert_value(const base::Parameter& parameter, const NamedParameterValue& option) {
   const std::string label = fmt::format("options: {} =", base::sanitise(option.name));
   if (const auto* text = std::get_if<std::string>(&option.value)) {

@@ -43,7 +43,6 @@ class Work {
  public:
   explicit Work(RunRequest task) : task_(std::move(task)) {}
 
-  /// The function of the worker thread.
   void run() noexcept {
     try {
       solve_problems();
@@ -55,8 +54,7 @@ class Work {
     changed_.notify_all();
   }
 
-  /// Waits for the end of the run, for a limited time.
-  /// @return whether the run has ended
+  /// Waits for a limited time and returns whether the run has ended.
   template <class Duration>
   bool wait_for(Duration duration) {
     std::unique_lock lock(mutex_);
@@ -66,7 +64,7 @@ class Work {
 
   void cancel() { is_cancelled_ = true; }
 
-  /// The latest progress of the run; empty if the progress has not changed since the previous call.
+  /// Returns the latest progress of the run; empty if the progress has not changed.
   std::optional<methods::RunProgress> progress_update() {
     const std::lock_guard lock(mutex_);
     return std::exchange(progress_update_, std::nullopt);
@@ -113,8 +111,8 @@ struct AbandonedRun {
   std::thread thread;
 };
 
-// The list of abandoned threads. The list is never destroyed, since abandoned threads may still run
-// at the end of the process.
+// The list of abandoned threads, which is never destroyed. Abandoned threads may still run at the
+// end of the process.
 struct AbandonedRuns {
   std::mutex mutex;
   std::vector<AbandonedRun> all;
@@ -167,8 +165,7 @@ results::Run solve(RunRequest task, const std::function<void(const methods::RunP
 void prepare_for_exit() {
   if (!has_abandoned_runs()) return;
   // exit() calls handlers and destructors of static objects in reverse order of registration. The
-  // handler below is registered after all existing static objects and therefore runs before their
-  // destructors.
+  // handler below is registered last and therefore runs before these destructors.
   on_exit(
       [](int status, void*) {
         if (!has_abandoned_runs()) return;
@@ -180,15 +177,14 @@ void prepare_for_exit() {
 
 namespace {
 
-// The mutex that is locked while files are read or written, since netCDF is not thread-safe.
+// Returns the mutex for reading and writing files, since netCDF is not thread-safe.
 std::mutex& files_mutex() {
   static std::mutex& one = *new std::mutex;
   return one;
 }
 
-// Disables the error messages of HDF5 in the current thread. HDF5 prints a message on standard
-// error for every missing attribute. netCDF disables these messages only in the first thread that
-// uses netCDF.
+// Disables the error messages of HDF5 in the current thread. HDF5 prints a message for every
+// missing attribute, and netCDF disables these messages only in the first thread that uses netCDF.
 void silence_hdf5_in_this_thread() {
   using SetAuto = int (*)(std::int64_t, void*, void*);
   const auto set_auto = reinterpret_cast<SetAuto>(dlsym(RTLD_DEFAULT, "H5Eset_auto2"));

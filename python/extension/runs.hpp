@@ -14,7 +14,6 @@
 
 namespace fpkcheck::python {
 
-/// The problems, methods and settings of a run.
 struct RunRequest {
   std::vector<problem::Problem> problems;
   std::vector<methods::Method> methods;  ///< by increasing trust
@@ -26,27 +25,26 @@ struct RunRequest {
 /// Solves the problems and compares the solutions in a worker thread, as `fpkcheck run` does.
 /// Meanwhile the calling thread calls the function `poll`.
 ///
-/// If the run is cancelled, the worker thread is abandoned: long operations cannot be interrupted
-/// (cli/shutdown.hpp), and the extension must not end the process of Python. An abandoned thread
-/// starts no further operation and ends after its current operation.
-/// @param poll function that the calling thread calls about twenty times a second. The argument is
-///        the progress of the run if the progress has changed, else null. An exception of `poll`
-///        cancels the run within a third of a second
+/// If the run is cancelled, the worker thread is abandoned, since long operations cannot be
+/// interrupted (cli/shutdown.hpp) and the extension must not end the process of Python. An
+/// abandoned thread ends after its current operation.
+/// @param poll function called about twenty times a second, with the progress of the run, or null
+///        if the progress has not changed. An exception of `poll` cancels the run within a third of
+///        a second
 /// @throws the exceptions of solvers and of `poll`
 results::Run solve(RunRequest task, const std::function<void(const methods::RunProgress*)>& poll);
 
-/// Prepares exit() for abandoned threads; must be called when the Python interpreter ends. If
-/// abandoned threads still run at exit(), the process ends with the same exit status, but the data
-/// that these threads use are not destroyed.
+/// Prepares exit() for abandoned threads; must be called at the end of the Python interpreter. If
+/// abandoned threads still run at exit(), the process ends with the same exit status without
+/// destroying their data.
 void prepare_for_exit();
 
-/// Writes the same files as `fpkcheck run --out` into a directory. A separate thread writes the
-/// files.
+/// Writes the same files as `fpkcheck run --out` into a directory, in a separate thread.
 /// @param poll function that the calling thread calls about twenty times a second. After an
 ///        exception of `poll`, the files are completed but figures are omitted
-/// @return warnings about figures that could not be drawn, each of one line
-/// @throws InputError when the directory cannot be used
-/// @throws std::runtime_error when a file cannot be written
+/// @return warnings about figures that could not be drawn, one line each
+/// @throws InputError if the directory cannot be used
+/// @throws std::runtime_error if a file cannot be written
 /// @throws the exceptions of `poll`
 std::vector<std::string> save(const std::filesystem::path& directory, const results::Run& run,
                               const std::function<void()>& poll);

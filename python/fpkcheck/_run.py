@@ -323,7 +323,7 @@ class Case:
             at = ids.index(pair["a"]), ids.index(pair["b"]), VARIABLES.index(pair["variable"])
             for name in names:
                 tables[name][at] = _number(pair[name])
-            # Only kl may be infinite.
+            # The Kullback-Leibler divergence kl is the only distance that may be infinite.
             if pair["kl"] is None and pair["l1"] is not None:
                 tables["kl"][at] = np.inf
         dims = ("solution", "reference", "variable")
@@ -347,7 +347,7 @@ class Case:
         parts: list[str] = []
         for row in rows:
             known = [part["name"] for part in row["parts"]]
-            # To keep the order of the chain of models, insert a new name before the next name of the same row.
+            # A new name is inserted before the next name of the same row, which keeps the order of the chain of models.
             for place, name in reversed(list(enumerate(known))):
                 if name not in parts:
                     later = [parts.index(each) for each in known[place + 1 :] if each in parts]
@@ -416,7 +416,7 @@ class Run(Mapping[str, Case]):
             raise ValueError(f"the run has {len(self.cases)} cases; select run['{next(iter(self.cases), 'case1')}']")
         return next(iter(self.cases.values()))
 
-    # The attributes of the only case.
+    # A Run with a single case has the attributes of this case.
 
     @property
     def problem(self) -> Problem:

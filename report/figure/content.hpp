@@ -21,12 +21,10 @@ struct MarginalCurves {
 
 /// The content of the figure of a case. The curves point to objects of the case.
 struct FigureContent {
-  /// Id of the reference (compare::Assessment), which is subtracted from all other solutions,
-  /// or "".
+  /// Id of the reference, which is subtracted from all other solutions; empty without a reference.
   std::string reference;
   /// Whether the figure shows differences between averages over smooth bins (B-spline weights).
-  /// Averages over smooth bins have small errors, so that absolute differences are shown on a
-  /// logarithmic axis.
+  /// These averages have small errors: their absolute differences are shown on a logarithmic axis.
   bool smooth_differences = false;
   /// The lower end of the logarithmic axes, unless all densities are larger.
   double smallest_density = kSmallestDrawnDensity;

@@ -9,19 +9,18 @@
 
 namespace fpkcheck::report {
 
-/// Maximum number of curves in the default selection: readers cannot distinguish more than six
+/// Largest number of curves in the default selection: readers cannot distinguish more than six
 /// nearly coincident curves.
 inline constexpr std::size_t kMaxCurves = 6;
 
-/// Ids of the solutions whose curves the picture of a case shows.
+/// Returns the ids of the solutions whose curves the picture of a case shows.
 ///
-/// The default selection contains all external densities, then other solutions up to a total of
-/// kMaxCurves curves. These other solutions are selected in the following order: the reference, the
-/// other solutions of the full problem (report/references.hpp), the closest closure of each
-/// formulation, solutions of other equations by decreasing trust, other closures (ok and closest
-/// first).
+/// The default selection contains all external densities, then other solutions up to kMaxCurves
+/// curves. The other solutions follow in this order: the reference, the other solutions of the full
+/// problem (report/references.hpp), the closest closure of each formulation, solutions of other
+/// equations by decreasing trust, other closures (`ok` and closest first).
 /// @param requested ids, families or solvers whose curves are shown; or "all"; an empty list for
-///               the default selection
+///        the default selection
 std::set<std::string> select_curves(const results::CaseResult& case_result,
                                     const std::vector<std::string>& requested = {});
 

@@ -9,22 +9,21 @@
 
 namespace fpkcheck::report {
 
-/// The exception for a missing program gnuplot. The handler of GnuplotMissing warns the user and
-/// states how to draw the pictures later.
+/// The exception for a missing program gnuplot.
 struct GnuplotMissing : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs gnuplot to draw the picture of a script in the format that the extension of `picture`
-/// determines. The picture file, and the graphics file STEM-tex.pdf that STEM.tex includes, are
-/// each replaced completely or left unchanged.
+/// Runs gnuplot to draw the picture of a script. The extension of `picture` determines the format.
+/// The picture file, and the graphics file STEM-tex.pdf that STEM.tex includes, are each replaced
+/// completely or left unchanged.
 /// @throws GnuplotMissing
 /// @throws std::runtime_error with a message of one line if gnuplot drew no picture
 void draw_picture(const std::string& gnuplot, const std::filesystem::path& script,
                   const std::filesystem::path& picture, FigureWidth width = FigureWidth::screen);
 
-/// Runs gnuplot on the script STEM.gp once for each file format in the figure options. The pictures
-/// are written to the directory of the script.
+/// Runs gnuplot on the script STEM.gp once for each file format of the figure options. The pictures
+/// are in the directory of the script.
 /// @return a warning for each picture that was not drawn
 /// @throws GnuplotMissing
 std::vector<std::string> draw_formats(const std::string& gnuplot,
@@ -38,7 +37,6 @@ std::vector<std::string> write_pictures(const std::filesystem::path& figures,
                                         const std::string& stem, const std::string& script,
                                         const FigureOptions& options, const std::string& gnuplot);
 
-/// Removes the script STEM.gp and its pictures in all formats from a directory.
 void remove_script_and_pictures(const std::filesystem::path& figures, const std::string& stem);
 
 }  // namespace fpkcheck::report

@@ -11,16 +11,15 @@
 #include "report/figure/options.hpp"
 #include "transform/identity.hpp"
 
-/// The model of a figure. A Figure object is made once from results; figure_script converts the
-/// object to a gnuplot script, and figure_plots (report/page/plot.hpp) converts the object to plots
-/// of the page.
+/// The model of a figure. figure_script() converts a Figure to a gnuplot script, and figure_plots()
+/// (report/page/plot.hpp) converts a Figure to plots of the page.
 namespace fpkcheck::report {
 
 /// A point of a series. The line has a gap at a point with a non-finite coordinate, or with a
 /// coordinate <= 0 on a logarithmic axis.
 struct FigurePoint {
   double x, y;
-  bool open = false;        ///< whether the mark is open: the solution is not ok
+  bool open = false;        ///< whether the mark is open, for a status other than `ok`
   std::string name = "";    ///< name that the page shows beside the pointer
   std::string label = "";   ///< text beside the mark, on the page only
   std::string colour = "";  ///< colour of the mark on the page; "" for the colour of the series
@@ -30,8 +29,8 @@ struct FigurePoint {
   double width = 0;  ///< of the bar, on the axis x
 };
 
-/// Points with marks, a line through the points, or both. Series with the same name share an entry
-/// of the legend.
+/// Points with marks, a line through the points, or both. Series with the same name share a legend
+/// entry.
 struct FigureSeries {
   std::string name;        ///< entry of the legend, plain text
   std::string group = "";  ///< the page hides and shows the series of a group together
@@ -51,7 +50,7 @@ struct FigureSeries {
   bool is_hidden = false;          ///< whether the page initially hides the series
 };
 
-/// A series without points, with colour, dash type and symbol of a plot style.
+/// Returns a series without points, with the colour, dash type and symbol of a plot style.
 FigureSeries make_series(const std::string& name, const transform::PlotStyle& plot_style);
 
 struct FigureTic {
@@ -81,8 +80,8 @@ FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSe
 FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>& all,
                        double FigurePoint::*coordinate);
 
-/// A heat map that shows values by colours, drawn behind the series of its panel: on a grid of
-/// equal cells, or at single points. Values that are not finite have no colour.
+/// A heat map behind the series of its panel: colours for values on a grid of equal cells or at
+/// single points. Non-finite values have no colour.
 struct FigureHeatMap {
   std::array<double, 2> x_range, y_range;  ///< outer edges of the cells
   std::size_t columns;
@@ -129,8 +128,8 @@ struct Figure {
   int panel_height = 300;        ///< height in pixels of the axes of a panel on a screen
 };
 
-/// A gnuplot script with the data that draws the panels of a figure row by row, with a common
-/// legend. If the last row has a single panel, this panel has the width of the row.
+/// Returns a gnuplot script with data that draws the panels of a figure row by row, with a common
+/// legend. A single panel in the last row has the width of the row.
 /// @pre the figure has at least one panel
 std::string figure_script(const Figure& figure, const std::string& file_stem,
                           FigureWidth width = FigureWidth::screen);

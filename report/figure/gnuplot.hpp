@@ -14,11 +14,11 @@ struct GnuplotOutcome {
   std::string message;  ///< first part of gnuplot's standard output and standard error
 };
 
-/// Runs a gnuplot script; assignments of gnuplot variables, such as "format='svg'", precede the
-/// script. gnuplot runs without the user's settings (initialisation files, GNUTERM).
+/// Runs a gnuplot script after assignments of gnuplot variables, such as "format='svg'". The
+/// settings of the user (initialisation files, GNUTERM) have no effect.
 /// @param program name on the PATH, or a path
 /// @param time_limit time after which the gnuplot process is killed; the message then states the
-///                   limit
+///        limit
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
                            const std::filesystem::path& script,
                            std::chrono::milliseconds time_limit = std::chrono::minutes(1));

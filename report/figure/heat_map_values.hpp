@@ -14,22 +14,21 @@ namespace fpkcheck::report {
 /// simulation has few samples.
 inline constexpr double kLogarithmicFraction = 1e-5, kLinearFraction = 1.0 / 500;
 
-/// Half-open ranges of cells in y and y'.
 struct CellWindow {
   std::size_t y_end, v_begin, v_end, y_begin = 0;
 };
-/// The window of the cells with a density above a fraction of the peak. The window includes y = 0
-/// if the cells begin at y = 0. Without a positive peak the window has all cells.
+/// Returns the window of the cells with a density above `part` times the peak. The window includes
+/// y = 0 if the cells begin there. Without a positive peak the window has all cells.
 CellWindow cells_above_fraction(const transform::GridDensity& density, double part);
 
-/// The cell averages in a window as rows of constant y', shape (nv, ny), the order that heat maps
-/// require.
+/// Returns the cell averages in a window as rows of constant y', shape (nv, ny), the order of heat
+/// maps.
 std::vector<double> rows_of_constant_velocity(const transform::GridDensity& density,
                                               const CellWindow& window);
 
-/// Signed numbers that are quantised to integers q. An integer q represents the number sign(q) (q /
-/// levels)^2 times the largest magnitude. The square root in the quantisation resolves the small
-/// values of the tails.
+/// Signed numbers, quantised to integers q from -levels to levels. The integer q represents the
+/// number sign(q) (q / levels)^2 times the largest magnitude. The square root in the quantisation
+/// resolves the small values in the tails.
 struct SignedRoots {
   double largest;  ///< largest magnitude
   int levels;
@@ -37,12 +36,12 @@ struct SignedRoots {
 };
 
 /// Quantises signed numbers to integers by the signed square root.
-/// @param levels number of quantisation steps on each side of 0; magnitudes below the largest
-///               magnitude / (4 levels^2) become 0
+/// @param levels number of steps on each side of 0; magnitudes below the largest magnitude / (4
+///        levels^2) become 0
 SignedRoots signed_roots(std::span<const double> values, int levels);
 
-/// The first number, followed by the differences of successive numbers. The differences of smooth
-/// data are small, and therefore compress well.
+/// Returns the first number, followed by the differences of successive numbers. Small differences
+/// of smooth data compress well.
 std::vector<int> successive_differences(std::span<const int> values);
 
 }  // namespace fpkcheck::report

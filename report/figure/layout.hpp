@@ -11,7 +11,7 @@
 namespace fpkcheck::report {
 
 /// Size of the layout of a picture in pixels. Letters are 14 or 15 pixels high for every picture
-/// width, so that a narrow picture has fewer panels side by side. The letters of a printed picture
+/// width: a narrow picture therefore has fewer panels side by side. Letters of a printed picture
 /// have a size of 7.5 pt.
 struct FigureSize {
   int width;
@@ -19,33 +19,32 @@ struct FigureSize {
   FigureWidth medium = FigureWidth::screen;
 };
 
-/// Width of the layout of a figure in pixels.
+/// Returns the width of the layout of a figure in pixels.
 /// @param screen_width_pixels width of the picture on a screen, in pixels
 int figure_width(FigureWidth medium, int screen_width_pixels);
 
-/// Printed width of a figure in mm; 0 for a figure on a screen.
+/// Returns the printed width of a figure in mm; 0 for a figure on a screen.
 double printed_width_mm(FigureWidth medium);
 
-/// The first commands of a gnuplot script, which set terminal and output. The script draws
-/// FILE_STEM.png. The gnuplot variable format='svg', 'pdf' or 'tex' selects another format; the
-/// script refuses all other formats. The gnuplot variable `target` sets another file name.
+/// Returns the first commands of a gnuplot script, which set terminal and output. The script draws
+/// FILE_STEM.png. The gnuplot variable format='svg', 'pdf' or 'tex' selects another format, and the
+/// gnuplot variable `target` another file name. The script refuses all other formats.
 std::string gnuplot_output_commands(const std::string& file_stem, const FigureSize& size);
 
-/// The title of a figure above all panels, broken into lines.
 struct FigureTitle {
-  std::string command;  ///< the command that begins the multiplot
-  int height;           ///< of the title, in pixels
+  std::string command;  ///< command that begins the multiplot
+  int height;           ///< height of the title in pixels
 };
 
-/// @param parts parts of the title in plain text, between which the title may be broken into lines:
-///              "case1: c = 0.1, ", "r = 0.98"
+/// @param parts parts of the title in plain text, between which lines may break: "case1: c = 0.1,
+///        ", "r = 0.98"
 FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size);
 
-/// The name and the parameters of a problem as the parts of a figure's title.
+/// Returns the name and the parameters of a problem as parts of the title of a figure.
 std::vector<std::string> problem_title(const problem::Problem& problem);
 
-/// The layout of a figure, in pixels: panels of equal size in rows and columns between the title
-/// and the legend.
+/// The layout of a figure in pixels: panels of equal size in rows and columns between title and
+/// legend.
 struct PanelGrid {
   FigureWidth medium = FigureWidth::screen;
   int width = 1100;  ///< width of the picture
@@ -58,8 +57,8 @@ struct PanelGrid {
   int right_margin = 15;        ///< right margin of the picture, for a common colour bar
   int panel_right_margin = 12;  ///< right margin of each panel, for its own colour bar
 
-  /// gnuplot commands that shift labels and titles, so that neighbouring rows do not overlap. The
-  /// label offset for LaTeX is fixed, since gnuplot does not compute the width of tic labels set by
+  /// gnuplot commands that shift labels and titles: neighbouring rows then do not overlap. The
+  /// label offset for LaTeX is fixed, since gnuplot cannot compute the width of tic labels set by
   /// LaTeX.
   static constexpr const char* kLabels =
       "set xlabel offset 0,0.3\nset ylabel offset (format eq 'tex' ? -2.5 : 0),0\n"
@@ -72,8 +71,8 @@ struct PanelGrid {
   }
 };
 
-/// Makes the panel grid of a figure with the width of a medium. A figure for a single journal
-/// column has less space between the rows.
+/// Makes the panel grid of a figure for a medium. A figure for a single journal column has less
+/// space between rows.
 /// @param screen_width_pixels width of the picture on a screen, in pixels
 PanelGrid panel_grid(FigureWidth medium, int screen_width_pixels);
 
@@ -83,17 +82,17 @@ struct LegendEntry {
   std::string label;
 };
 
-/// The legend of a figure. The legend is in a strip below the panels, so that no curve is covered.
+/// The legend of a figure, in a strip below the panels where no curve is covered.
 struct Legend {
   std::vector<LegendEntry> entries;
   int sample_length;  ///< length of the line sample beside each label, in letters
 };
 
-/// Height in pixels of the strip that shows all entries of the legend: gnuplot omits legend entries
-/// that do not fit into the strip.
+/// Returns the height in pixels of the strip with all legend entries: gnuplot omits entries that do
+/// not fit.
 int legend_height(const Legend& legend, int width);
 
-/// gnuplot commands that draw the legend at the bottom of a figure, as the last plot of a
+/// Returns gnuplot commands that draw the legend at the bottom of a figure, as the last plot of a
 /// multiplot.
 /// @param size size of the figure
 std::string legend_strip_commands(const Legend& legend, const FigureSize& size);

@@ -9,8 +9,8 @@
 /// Options of pictures.
 namespace fpkcheck::report {
 
-/// The file format of a figure. The format `tex` is LaTeX: the file STEM.tex contains the texts,
-/// for \input, and STEM-tex.pdf contains the graphics.
+/// The file format of a figure. The format `tex` is LaTeX: STEM.tex has the texts, for \input, and
+/// STEM-tex.pdf has the graphics.
 enum class FigureFormat { png, svg, pdf, tex };
 inline constexpr base::EnumEntry<FigureFormat> kFigureFormatNames[] = {{FigureFormat::png, "png"},
                                                                        {FigureFormat::svg, "svg"},
@@ -31,8 +31,8 @@ constexpr std::string_view name(FigureWidth width) { return base::name_of(width)
 struct FigureOptions {
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureWidth width = FigureWidth::screen;
-  /// The solutions whose curves the picture of a case shows: ids, families or solvers, or "all"; an
-  /// empty list for the default selection (report/figure/curve_selection.hpp).
+  /// Ids, families or solvers whose curves the picture of a case shows, or "all"; empty for the
+  /// default selection (report/figure/curve_selection.hpp).
   std::vector<std::string> curves = {};
 };
 

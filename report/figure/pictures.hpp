@@ -14,10 +14,10 @@ namespace fpkcheck::report {
 void remove_pictures(const std::filesystem::path& directory, const results::Run& run);
 
 /// Draws the pictures of every case. The directory DIRECTORY/figures receives the gnuplot script
-/// NAME.gp and its picture, NAME.png or another format, with NAME = results::file_stem of the case.
-/// Further pictures are NAME-budget if the case has an error budget, NAME-sources if the case has
-/// error sources, and NAME-order if a family has several orders. Earlier pictures of each case are
-/// removed first, so that no outdated picture remains for a case that cannot be drawn.
+/// NAME.gp and its picture NAME.png (or another format), with NAME = results::file_stem of the
+/// case. Other pictures are NAME-budget for an error budget, NAME-sources for error sources, and
+/// NAME-order for a family of several orders. Earlier pictures of each case are removed first: no
+/// outdated picture remains for a case that cannot be drawn.
 /// @param gnuplot name or path of the program
 /// @param others additional pictures, drawn after the pictures of the cases
 /// @return warnings about pictures that could not be drawn, one line each

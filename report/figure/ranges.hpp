@@ -14,8 +14,8 @@
 
 namespace fpkcheck::report {
 
-/// The range of a logarithmic axis that contains all values passed to include(), with a margin at
-/// both ends. Values without a finite logarithm are ignored.
+/// The range of a logarithmic axis that contains all values passed to include(), with margins.
+/// Values without a finite logarithm are ignored.
 class LogAxisRange {
  public:
   void include(double value) {
@@ -24,7 +24,7 @@ class LogAxisRange {
     most_ = std::max(most_, value);
   }
 
-  /// The ends of the axis as exponents of ten; the margins are in decades.
+  /// Returns the ends of the axis as exponents of ten; the margins are in decades.
   std::array<double, 2> exponents(double margin_below, double margin_above) const {
     if (most_ < least_) return {-1, 1};
     return {std::log10(least_) - margin_below, std::log10(most_) + margin_above};
@@ -50,7 +50,7 @@ struct MarginalAxisRanges {
 };
 
 /// The difference between a curve and the curve of the reference. Over smooth bins the values are
-/// absolute differences; for the reference itself, the values are the half-widths of its 95 %
+/// absolute differences. For the reference itself the values are the half-widths of its 95 %
 /// confidence intervals, which limit the significance of differences.
 struct CurveDifference {
   std::vector<double> abscissa, values;
@@ -67,33 +67,33 @@ struct DrawnCurve {
   std::size_t rank = 0;        ///< position of the solution in the tables
   bool is_hidden = false;      ///< whether the page initially hides the curve
 
-  /// Whether each bin has the regular width. At a spike of the density compare::comparison_axes
-  /// uses narrow bins, whose large densities would compress all other values on an axis.
+  /// Returns whether each bin has the regular width. The large densities in the narrow bins at a
+  /// spike of the density would compress all other values on an axis (compare::comparison_axes).
   std::vector<bool> broad_bin_flags() const;
 
   const transform::PlotStyle& plot_style() const { return solution->identity.plot_style; }
 };
 
-/// The range of a logarithmic axis of differences, in whole decades and at most eight decades. The
-/// upper end is the largest difference. The lower end is two decades below the smallest maximum of
-/// a curve of differences.
+/// Returns the range of a logarithmic axis of differences, in at most eight whole decades. The
+/// upper end is the largest difference. The lower end is two decades below the smallest of the
+/// maxima of all curves of differences.
 std::pair<double, double> difference_axis_decades(const MarginalAxisRanges& ranges);
 
-/// The lower end of the logarithmic axis of a density: a power of ten that is below all values and
-/// at least a decade below the upper end, but at least `floor`.
+/// Returns the lower end of the logarithmic axis of a density. This end is a power of ten below all
+/// values and at least one decade below the upper end, but at least `floor`.
 double logarithmic_axis_bottom(const MarginalAxisRanges& ranges,
                                double floor = kSmallestDrawnDensity);
-/// The upper end of the logarithmic axis of a density, above the peak of the density.
+/// Returns the upper end of the logarithmic axis of a density, above the peak of the density.
 inline double logarithmic_axis_top(const MarginalAxisRanges& ranges) {
   return 3 * ranges.largest_density;
 }
 
-/// A note that states the height of a spike of the density above the linear axis; empty if no spike
-/// exceeds the axis.
+/// Returns a note on the height of a spike of the density above the linear axis; empty without such
+/// a spike.
 std::string spike_note(const MarginalAxisRanges& ranges);
 
-/// The axis ranges that contain all given curves. Callers should pass only the curves of reliable
-/// solutions, since a single outlier would compress all other curves.
+/// Returns the axis ranges that contain all given curves. Callers should pass only the curves of
+/// reliable solutions, since a single outlier would compress all other curves.
 MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves);
 
 }  // namespace fpkcheck::report

@@ -8,30 +8,30 @@
 /// and dash types.
 namespace fpkcheck::report {
 
-/// The rectangle of the axes of a panel, as fractions of the picture's width and height.
+/// The rectangle of the axes of a panel, as fractions of the width and height of the picture.
 struct PanelBox {
   double left, right, top, bottom;
 };
-/// gnuplot commands that set the position of a panel.
+/// Returns gnuplot commands that set the position of a panel.
 std::string panel_position_commands(const PanelBox& place);
 
-/// A named data block of a gnuplot script.
+/// Returns a named data block of a gnuplot script.
 /// @param rows rows of the block, each ended by a newline
 std::string data_block(const std::string& name, const std::string& rows);
 
-/// The smallest tic distance that divides an axis range into at most `max_steps` steps and is 1, 2
-/// or 5 times a power of ten.
+/// Returns the smallest tic distance that is 1, 2 or 5 times a power of ten and divides an axis
+/// range into at most `max_steps` steps.
 double tic_step(double from, double to, int max_steps = 6);
 
-/// The symbol of a marginal density in gnuplot's enhanced text: "p(y)" or "p(y')".
+/// Returns the symbol of a marginal density in gnuplot's enhanced text: "p(y)" or "p(y')".
 std::string density_symbol(transform::Variable variable);
 
-/// The gnuplot point types of one shape: the filled type for status ok, and the open type for other
-/// statuses.
+/// The gnuplot point types of one shape: filled for the status `ok`, open for other statuses.
 struct PointTypes {
   int filled, open;
 };
-/// The gnuplot point types with the shape of a plotly.js marker (the symbol of a plot style).
+/// Returns the gnuplot point types with the shape of a plotly.js marker, the symbol of a plot
+/// style.
 PointTypes point_types(const std::string& symbol);
 
 /// The gnuplot fill pattern that is similar to a fill pattern of plotly.js.
@@ -54,8 +54,7 @@ std::string gnuplot_text(const std::string& enhanced);
 /// all figure formats.
 std::string gnuplot_literal(const std::string& text);
 
-/// The symbol of a variable in plain text, "y" or "y′", and the symbol of its marginal density,
-/// "p(y)" or "p(y′)".
+/// Returns the symbol of a variable in plain text, "y" or "y′".
 std::string variable_text(transform::Variable variable);
 std::string density_text(transform::Variable variable);
 
@@ -68,7 +67,7 @@ std::string with_minus_signs(std::string number);
 /// The text of a number in gnuplot's enhanced text: "+1.2 × 10^{−3}", and "0" for the value 0.
 std::string scientific_text(double value);
 
-/// The argument of gnuplot's `set format` for a logarithmic axis, which prints powers of ten.
+/// Argument of gnuplot's `set format` for a logarithmic axis, which prints powers of ten.
 extern const char* const kPowerOfTenFormat;
 
 }  // namespace fpkcheck::report

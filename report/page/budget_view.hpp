@@ -5,7 +5,7 @@
 #include "results/run.hpp"
 
 /// The error budget of a case on the page: the contribution of each approximation to the L1
-/// distance between a closure and the most accurate solution of the budget.
+/// distance between a closure and the reference of the budget.
 namespace fpkcheck::report {
 
 /// A paragraph that explains the figure and the tables of the error budget, and names the solution to

@@ -32,7 +32,6 @@ constexpr std::pair<const char*, double Moments::*> kShownMoments[] = {
     {"E[y\u2074]", &Moments::y4},
     {"E[y\u2032\u2074]", &Moments::v4}};
 
-/// Builds a table with a row for each solution. Each call of a member function adds a column.
 class SolutionsTable {
  public:
   explicit SolutionsTable(const results::CaseResult& case_result) : case_result_(case_result) {
@@ -43,7 +42,7 @@ class SolutionsTable {
                 const std::function<std::string(const Solution&)>& cell) {
     columns_.push_back({header, Align::left});
     for (const auto& s : case_result_.solutions) {
-      // A solution without a row in the table has an entry in the list of reasons.
+      // A solution without a row has an entry in the list of reasons.
       if (s.status != transform::Status::not_offered) columns_.back().cells.push_back(cell(s));
     }
   }
@@ -57,7 +56,6 @@ class SolutionsTable {
     add_text(header, cell);
     columns_.back().align = Align::right;
   }
-  /// Adds a column of numbers that exist only for solutions with a density.
   void add_density_number(const std::string& header, int digits,
                           const std::function<double(const Solution&)>& number) {
     add_number(header, [&](const Solution& s) {
@@ -65,7 +63,6 @@ class SolutionsTable {
     });
   }
   void add_mass_and_energy() {
-    // The column shows the deviation of the mass from 1.
     add_density_number("mass \u2212 1", 1, [](const Solution& s) { return s.mass - 1; });
     add_density_number("energy residual", 1, [](const Solution& s) { return s.energy_residual; });
   }
@@ -79,7 +76,7 @@ class SolutionsTable {
   std::vector<HtmlColumn> columns_;
 };
 
-// A number from an optional part of a solution; empty if the solution lacks this part.
+// Returns a number from a part of a solution; empty if the solution lacks this part.
 template <class Part, class Number>
 std::optional<double> optional_member(const std::optional<Part>& part, const Number& number) {
   if (!part) return std::nullopt;

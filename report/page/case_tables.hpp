@@ -4,28 +4,28 @@
 
 #include "results/run.hpp"
 
-/// The tables of a case on the page, in HTML.
 namespace fpkcheck::report {
 
-/// The table of the solutions of a case. The row of a solution has equation and impact condition,
-/// status, moments, distances to the reference and to the other solutions of the full problem,
-/// mass, energy residual and seconds.
+/// Returns the table of the solutions of a case. Each row has the equation and impact condition,
+/// status, moments, distances from the solutions of the full problem, mass, energy residual and
+/// wall-clock time.
 std::string results_table(const results::CaseResult& case_result);
 
-/// The table of the errors of those moments that lie outside the guaranteed bounds. The error of
-/// such a moment is the distance to the midpoint of the bounds, with the half-width of the bounds
-/// as uncertainty. The table is empty if the case has no guaranteed bounds.
+/// Returns the table of the errors of moments outside the guaranteed bounds. The error of a moment
+/// is the distance of the moment from the midpoint of the bounds, with the half-width of the bounds
+/// as uncertainty. The table is empty without guaranteed bounds.
 std::string bound_errors_table(const results::CaseResult& case_result);
 
-/// The table of the moment errors, as estimated from residuals of the density. The table is empty
-/// if the case has no error estimates from residuals.
+/// Returns the table of the residual-based error estimates of moments, or an empty text without
+/// estimates.
 std::string residual_errors_table(const results::CaseResult& case_result);
 
-/// The list of the reasons why solutions are not ok; empty if all solutions are ok.
+/// Returns the reasons for every status other than `ok`; empty if all solutions are `ok`.
 std::string reasons_html(const results::CaseResult& case_result);
 
-/// The tables of diagnostics: first mass, energy residual, error estimates and sampling errors of
-/// all solutions, then the metrics of each family (family_tables.hpp).
+/// Returns the tables of diagnostics. The first table has the mass, energy residual, error
+/// estimates and sampling errors of all solutions. The other tables have the metrics of each family
+/// (family_tables.hpp).
 std::string diagnostics_tables(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

@@ -25,16 +25,16 @@ bool is_repeated_option(const Metric& observation, const Solution& solution) {
          solution.options.end();
 }
 
-// The group of a metric's path: "support" for "support.edge_density"; empty if the path has no
-// group.
+// Returns the group in the path of a metric: "support" for "support.edge_density"; empty without a
+// dot.
 std::string_view group_of(const std::string& path) {
   const auto dot = path.find('.');
   return std::string_view(path).substr(0, dot == std::string::npos ? 0 : dot);
 }
 
-// The paths of the metrics that have a value and repeat no option, in the order of the first
-// solution with the metric. Grouped metrics follow, sorted by the name of the group, since a file
-// keeps the order only within a group.
+// Returns the paths of metrics that have a value and repeat no option, in the order of the
+// solutions. Grouped metrics are last and sorted by group, since files keep only the order within a
+// group.
 std::vector<std::string> metric_paths(const SolutionFamily& family) {
   std::vector<std::string> paths;
   std::set<std::string> metric_value_text;
@@ -54,8 +54,7 @@ std::vector<std::string> metric_paths(const SolutionFamily& family) {
   return paths;
 }
 
-// The label of a metric in the table: the path "support.edge_density" becomes "support: edge
-// density".
+// Returns the label of a metric in the table: "support: edge density" for "support.edge_density".
 std::string path_text(const std::string& path) {
   std::string text;
   for (const char c : path) {
@@ -65,9 +64,10 @@ std::string path_text(const std::string& path) {
   return text;
 }
 
-// The text of a metric's value. In a confined closure Q_n may rise although the whole exponent
-// decreases, because of the fixed confinement term. The radius from which Q_n rises would wrongly
-// appear to be the reason for status inadmissible, so that the text adds an explanation.
+// Returns the text of the value of a metric. In a confined closure Q_n may rise although the whole
+// exponent decreases, because of the fixed confinement term. The radius from which Q_n rises would
+// wrongly appear to be the reason for the status `inadmissible`. The text therefore adds an
+// explanation.
 std::string metric_value_text(const Solution& solution, const std::string& path) {
   const Metric* found = find_metric(solution.metrics, path);
   std::string text = value_text(found ? found->value : base::Value(), kDigits);

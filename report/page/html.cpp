@@ -19,8 +19,7 @@ std::string_view css_class(const HtmlColumn& column) {
   return column.align == Align::right ? " class=\"number\"" : "";
 }
 
-// The HTML of a status in a coloured frame. The CSS class, which sets the colour, is the name of
-// the status.
+// The CSS class of a status chip, which sets the colour, is the name of the status.
 std::string status_chip(const std::string& status) {
   std::string letters = status;
   std::ranges::replace_if(
@@ -99,7 +98,7 @@ std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns
 std::string encode_base64(std::span<const std::byte> bytes) {
   namespace it = boost::archive::iterators;
   using Encoder = it::base64_from_binary<it::transform_width<const char*, 6, 8>>;
-  // The iterators read whole groups of three bytes.
+  // The base64 iterators read whole groups of three bytes: padding is necessary.
   std::vector<char> padded((bytes.size() + 2) / 3 * 3, 0);
   std::ranges::transform(bytes, padded.begin(), [](std::byte b) { return static_cast<char>(b); });
   std::string text(Encoder(padded.data()), Encoder(padded.data() + padded.size()));
@@ -111,8 +110,8 @@ std::string encode_base64(std::span<const std::byte> bytes) {
 std::string gzip_base64(std::string_view text) {
   constexpr int kGzip = 16, kWindowBits = 15, kMemoryLevel = 9;
   z_stream stream{};
-  // The only possible error is lack of memory: the parameters are valid and the buffer is large
-  // enough.
+  // The only possible error is a lack of memory, since the parameters are valid and the buffer is
+  // large enough.
   if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kWindowBits + kGzip, kMemoryLevel,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();

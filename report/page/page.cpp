@@ -50,13 +50,12 @@ bool has_simulation(const results::CaseResult& case_result) {
   });
 }
 
-/// A subsection in the section of a case, with a link in the menu.
 struct CaseSubsection {
   std::string anchor, name;
 };
 
-/// The section of a case, and the plots of the section for page.js. The density plots are first;
-/// all other subsections are in closed <details> elements.
+/// The section of a case with its plots. The density plots come first; all other subsections are
+/// closed <details> elements.
 class CaseSection {
  public:
   CaseSection(const results::Run& run, const results::CaseResult& case_result,
@@ -107,7 +106,6 @@ class CaseSection {
   const std::string& html() const { return html_; }
   const std::vector<CaseSubsection>& parts() const { return parts_; }
 
-  /// The plots and maps of the section in JSON, the input of page.js.
   std::string plots() const {
     return fmt::format(R"({{"plots":{},"maps":{},"errors":{}}})", plots_json(plots_), maps_,
                        errors_);
@@ -148,8 +146,8 @@ std::string section_html(const PageSection& section) {
          html_element("h2", section.heading) + section.html + "</section>\n";
 }
 
-// Links to the sections of the page. A few cases have direct links; a menu has all cases with their
-// parameters and subsections.
+// Returns links to the sections of the page. A few cases have direct links; a menu has all cases
+// with their parameters and subsections.
 std::string navigation(const results::Run& run, const std::vector<CaseSection>& sections,
                        const std::vector<PageSection>& others) {
   constexpr std::size_t kMaxDirectLinks = 6;
@@ -182,8 +180,8 @@ std::string timings_section(const results::Run& run) {
              escape_html(run.program.command));
 }
 
-// Replaces the {{placeholders}} of the page frame in a single pass, so that placeholders in
-// inserted texts are not replaced.
+// Replaces the {{placeholders}} of the page frame in a single pass: placeholders within inserted
+// texts stay.
 std::string fill_template(std::string_view frame,
                           const std::map<std::string, std::string_view>& parts) {
   std::string page;
@@ -229,7 +227,7 @@ std::string page(const results::Run& run, const Supplement& supplement) {
       html_element("h2", "The problem") + problem_html(run) +
       details_html("names", "Glossary", glossary_html(run)) + "</section>\n" + cases +
       timings_section(run) + "</main>\n";
-  // plotly.js is constant, and is therefore compressed only once per process.
+  // The text of plotly.js is constant, and is therefore compressed only once per process.
   static const std::string plotly = gzip_base64(plotly_script());
   return fill_template(page_frame(), {{"title", title},
                                       {"style", page_style()},

@@ -1,13 +1,13 @@
-// Draws the plots of the page with plotly.js. All numbers and sentences are computed beforehand: the element
-// #plots contains for each case "plots" (figures of plotly.js; "@name" refers to a shared array), "maps" (joint
-// densities) and "errors" (error sources of moments). Plots in a closed <details> element are drawn when it opens.
-// <html data-plots="drawn"> states that all visible plots are drawn.
+// Draws the plots of the page with plotly.js; the program has computed all numbers and sentences. The element #plots
+// contains for each case "plots" (figures of plotly.js; "@name" refers to a shared array), "maps" (joint densities)
+// and "errors" (error sources of moments). Plots in a closed <details> element are drawn when the element opens. The
+// attribute <html data-plots="drawn"> states that all visible plots are drawn.
 'use strict';
 
 const narrow = () => window.innerWidth < 600;
 const onPaper = () => document.body.classList.contains('on-paper');
 
-// The colours of page.css; paper always has the light colours.
+// The light and dark colours of page.css; a printed page always has the light colours.
 const light = {ink: '#222222', paper: '#ffffff', grid: '#e4e4e4', zero: '#b0b0b0', line: '#555555', nothing: '#d9d9d9',
                band: 'rgba(0,0,0,0.18)'};
 const dark = {ink: '#dddddd', paper: '#15181c', grid: '#2f353d', zero: '#606770', line: '#9aa0a8', nothing: '#3a4048',
@@ -38,11 +38,11 @@ function themed(value) {
 const font = () => ({family: 'system-ui, "Segoe UI", Roboto, Helvetica, Arial, sans-serif', size: 12, color: theme().ink});
 const axis = () => ({gridcolor: theme().grid, zerolinecolor: theme().zero, linecolor: theme().line, ticks: 'outside',
                      ticklen: 4, showline: true, automargin: true});
-// The page sends no data: neither a button nor a server address for uploads of plots.
+// The page sends no data: plotly.js gets neither an upload button nor a server address.
 const config = () => ({displaylogo: false, displayModeBar: narrow() ? false : 'hover', plotlyServerURL: '',
                        modeBarButtons: [['toImage', 'zoom2d', 'pan2d', 'zoomIn2d', 'zoomOut2d', 'resetScale2d']]});
 
-// On paper hidden traces are omitted: a reader cannot show them.
+// A printed page omits hidden traces, since its reader cannot make them visible.
 const isLeftOut = trace => onPaper() && trace.visible === 'legendonly';
 
 // Height of the legend below the plot, from its number of lines.
@@ -62,7 +62,7 @@ function legendHeight(figure, width) {
 
 function sizeOf(div, figure) {
   const width = div.clientWidth, legend = legendHeight(figure, width);
-  // On paper two plots are side by side, each half as wide as on a screen.
+  // A printed page has two plots side by side, each half as wide as on a screen.
   return {width, height: (onPaper() ? 0.6 : 1) * figure.height + legend, bottom: 50 + legend};
 }
 
@@ -107,7 +107,8 @@ function followLegend(changed, divs) {
   }
 }
 
-// The drawables of a case: HTML element, fit(), which sets its size, and draw(). Both may be called repeatedly.
+// Returns the plots and maps of a case as objects: the HTML element, fit(), which sets the size of the element, and
+// draw(). Callers may call fit() and draw() repeatedly.
 function drawables(one) {
   const divs = one.plots.map(plot => document.getElementById(plot.id));
   const plots = one.plots.map(({figure}, index) => {
@@ -115,7 +116,7 @@ function drawables(one) {
     const fit = () => { div.style.height = `${sizeOf(div, figure).height}px`; };
     const draw = () => {
       const first = !div.data;
-      // Keeps the visibility chosen by the reader.
+      // Traces keep the visibility that the reader of the page chose.
       const data = figure.data.map((trace, k) => ({...withArrays(trace, figure.arrays),
                                                    ...(first ? {} : {visible: div.data[k].visible})}))
                               .map(trace => isLeftOut(trace) ? {...trace, showlegend: false} : trace);
@@ -146,11 +147,11 @@ function rows(values, length) {
 
 const ends = edges => [edges[0], edges.at(-1)];
 
-// Height of a map: square axes, at most 440 pixels in all.
+// Height of a heat map with square axes, at most 440 pixels in total.
 const mapHeight = div => Math.min(440, Math.round(div.clientWidth - 64) + 142);
 
 // Draws a heat map over the cells between the edges y and v.
-// @param told: the values in the hover label, with this name, if different from the drawn values
+// @param told: the values in the hover label, if different from the drawn values
 function drawMap(div, y, v, values, {colours, title, ticks, ranges, told = values, name = title}) {
   const trace = {
     type: 'heatmap', x: y, y: v, z: rows(values, y.length - 1), customdata: rows(told, y.length - 1), ...colours,
@@ -161,7 +162,7 @@ function drawMap(div, y, v, values, {colours, title, ticks, ranges, told = value
   const layout = {
     font: font(), paper_bgcolor: theme().paper, plot_bgcolor: theme().nothing, width: div.clientWidth, height: mapHeight(div),
     margin: {l: 50, r: 14, t: 32, b: 110},
-    // An annotation instead of the title of the colour bar, which would overlap the ticks.
+    // An annotation replaces the title of the colour bar, which would overlap the tics.
     annotations: [{text: title, showarrow: false, xref: 'paper', x: 0.5, yref: 'paper', y: -110 / (mapHeight(div) - 142),
                    yanchor: 'bottom'}],
     dragmode: narrow() ? false : 'zoom', showlegend: false,
@@ -190,7 +191,7 @@ function mapDrawables(maps) {
 
   function drawAll() {
     const difference = signedNumbers(chosen());
-    // A density below the rounding error of the difference is 0: a cell without samples of a simulation.
+    // A density below the rounding error of the difference is taken as 0: the simulation has no samples in that cell.
     const rounding = d => 1.01 * Math.sqrt(Math.abs(d) * chosen().largest) / chosen().levels;
     const density = reference.map((p, k) => p + difference[k] > rounding(difference[k]) ? p + difference[k] : 0);
     const log = logarithmic();
@@ -233,10 +234,10 @@ function choiceDrawables({control, choices}) {
 }
 
 let all = [], waiting = [];
-// Test by the ancestors: browsers differ in the width of elements within a closed <details>.
+// The test uses the ancestors, since browsers differ in the width of elements within a closed <details>.
 const isSeen = one => one.element.closest('details:not([open])') === null;
 
-// Draws the plots one after another, so that the page remains responsive.
+// Draws the plots one after another: the page remains responsive.
 function drawNext() {
   const next = waiting.shift();
   if (next) {
@@ -308,7 +309,7 @@ wantsDark.addEventListener('change', redraw);
 
 let resized, lastWidth = window.innerWidth;
 window.addEventListener('resize', () => {
-  // Only for a new width: on a phone, scrolling changes the height.
+  // Only a new width requires new plots: on a phone, scrolling changes the height.
   if (window.innerWidth === lastWidth) return;
   lastWidth = window.innerWidth;
   clearTimeout(resized);

@@ -8,9 +8,8 @@
 
 namespace fpkcheck::report {
 
-/// A plot of the page.
 struct Plot {
-  std::string id;       ///< id of its HTML element
+  std::string id;       ///< id of the HTML element of the plot
   std::string caption;  ///< plain text
   /// JSON for plotly.js with the keys "data" (traces), "layout" and "arrays" (numbers that several
   /// traces share). "@name" in a trace refers to the array of this name. The "height" of the plot
@@ -19,11 +18,10 @@ struct Plot {
   std::string figure;
 };
 
-/// The HTML elements in which page.js draws the plots. The elements are side by side on a wide
-/// screen, else one below the other.
+/// Returns the HTML elements in which page.js draws the plots, side by side on a wide screen.
 std::string plots_html(const std::vector<Plot>& plots);
 
-/// The plots of one case in JSON, the input of page.js, with an element {"id", "figure"} for each
+/// Returns the plots of one case in JSON for page.js, with an element {"id", "figure"} for each
 /// plot.
 std::string plots_json(const std::vector<Plot>& plots);
 

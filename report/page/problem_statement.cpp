@@ -91,8 +91,8 @@ class ProblemStatement {
   bool right() const {
     return any([](const Problem& p) { return p.system.right_wall().has_value(); });
   }
-  // A problem without wall parameters has the single wall of the base class, at y = 0 with the
-  // restitution coefficient r.
+  // A problem without wall parameters has the single wall of the paper's oscillator, at y = 0 with
+  // the restitution coefficient r.
   bool only_at_zero() const {
     return !right() && !any([](const Problem& p) { return !p.system.wall_parameters().empty(); });
   }

@@ -37,7 +37,7 @@ std::string term(std::string_view name, const std::string& meaning) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(name), escape_html(meaning));
 }
 
-/// For each id the first solution with this id over all cases.
+/// Returns the first solution with each id over all cases.
 std::vector<const Solution*> distinct_solutions(const results::Run& run) {
   std::vector<const Solution*> all;
   for (const auto& case_result : run.cases) {
@@ -60,7 +60,6 @@ std::string families_html(const std::vector<const Solution*>& solutions) {
   return html;
 }
 
-// The glossary entries for those values of an enum that occur in the column "solves".
 template <class Enum>
 std::string solves_html(const std::vector<const Solution*>& solutions,
                         std::optional<Enum> transform::SolutionIdentity::*member, const char* form,
@@ -94,7 +93,7 @@ std::string parts_html() {
   return html + kUncertainty + "</dl>\n";
 }
 
-// The value of the same parameter in another problem; empty if the problem lacks the parameter.
+// The value is empty if the other problem lacks the parameter.
 std::optional<base::Value> value_in(const Problem& other, const DisplayedParameter& parameter) {
   for (const auto& candidate : problem::displayed_parameters(other)) {
     if (candidate.section == parameter.section && candidate.name == parameter.name) {
@@ -110,8 +109,8 @@ bool varies(const results::Run& run, const DisplayedParameter& parameter) {
   });
 }
 
-// The symbol and the meaning of a parameter: "λ, impulses per unit of time"; the meaning alone if
-// the parameter has no symbol.
+// Returns the symbol and the meaning of a parameter, "λ, impulses per unit of time", or only the
+// meaning.
 std::string label(const DisplayedParameter& parameter) {
   return parameter.typeset.empty() ? parameter.meaning
                                    : parameter.typeset + ", " + parameter.meaning;

@@ -15,7 +15,6 @@
 namespace fpkcheck::report {
 namespace {
 
-// The CSS class of a cell of the matrix; the class sets the colour of the cell.
 std::string_view css_class_of(Agreement agreement) {
   switch (agreement) {
     case Agreement::reference:
@@ -32,7 +31,6 @@ std::string_view css_class_of(Agreement agreement) {
   }
 }
 
-// The legend of the colours that occur in the cells of the matrix.
 std::string key_html(const std::vector<AgreementRow>& all) {
   struct Entry {
     Agreement agreement;

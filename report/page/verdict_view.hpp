@@ -7,11 +7,10 @@
 
 namespace fpkcheck::report {
 
-/// A paragraph of the verdict's answer in HTML, in the style of the top of the page.
 std::string verdict_paragraph_html(const std::string& sentence);
 
-/// The first section of the page, the verdict: the answer, the matrix of distances, a picture of
-/// the matrix, the outcome of each method, and the recommendation.
+/// Returns the first section of the page, the verdict: the answer, the matrix of distances, a
+/// picture of the matrix, the outcome of each method, and the recommendation.
 /// @param anchors ids of the sections of the cases, in the order of the cases
 std::string verdict_html(const results::Run& run, const std::vector<std::string>& anchors);
 

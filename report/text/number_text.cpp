@@ -20,9 +20,9 @@ std::string without_padded_exponent(std::string text) {
   return text;
 }
 
-// Removes a bare decimal point at the end. The format flag "#" keeps trailing zeros and also a bare
-// decimal point, to which some versions of fmt add a zero: with three digits both "150." and
-// "150.0" become "150".
+// Removes a decimal point without digits behind it. The format flag "#" keeps trailing zeros and
+// the point, to which some versions of fmt add a zero. With three digits both "150." and "150.0"
+// become "150".
 std::string without_bare_point(std::string text, int digits) {
   const auto point = text.find('.');
   if (point == std::string::npos) return text;
@@ -72,8 +72,8 @@ IntervalText round_outward(double lower, double upper) {
       width > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), 0, kMostDecimals)
                 : kMostDecimals;
   const double unit = std::pow(10.0, decimals);
-  // The exact product may lie above or below the integer to which the product is rounded: fma gives
-  // the sign of the rounding error.
+  // The exact product may be above or below the rounded product: fma gives the sign of the rounding
+  // error.
   double down = std::floor(lower * unit), up = std::ceil(upper * unit);
   if (down == lower * unit && std::fma(lower, unit, -down) < 0) down -= 1;
   if (up == upper * unit && std::fma(upper, unit, -up) > 0) up += 1;

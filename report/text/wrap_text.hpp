@@ -6,7 +6,7 @@
 namespace fpkcheck::report {
 
 /// Breaks a text between words into lines of at most `width` characters, each ended by a newline.
-/// All lines after the first line start with `indent` spaces. A word longer than a line is not
+/// All lines after the first line begin with `indent` spaces. A word longer than a line is not
 /// broken.
 std::string wrap_text(std::string_view text, std::size_t width, std::size_t indent = 0);
 

@@ -13,8 +13,8 @@
 namespace fpkcheck::report {
 namespace {
 
-// The text of a distance in six characters: "0.0043", "7.2e-4". The text has two significant
-// digits, so that four cases fit into 80 characters.
+// Returns the text of a distance in six characters: "0.0043", "7.2e-4". With two significant digits
+// four cases fit into 80 characters.
 std::string short_l1_text(const std::optional<double>& l1) {
   if (!l1) return kAbsent;
   if (*l1 == 0 || *l1 >= 0.001) return fmt::format("{:.2g}", *l1);
@@ -29,7 +29,6 @@ TextColumn solution_column(const std::vector<AgreementRow>& all) {
   return column;
 }
 
-// The columns with the distances of both marginal densities for case k.
 std::pair<TextColumn, TextColumn> case_columns(const std::vector<AgreementRow>& all, std::size_t k,
                                                const std::string& name) {
   TextColumn y{name, "p(y)", false, kAlwaysShown}, ydot{name, "p(y') ", false, kAlwaysShown};
@@ -48,8 +47,7 @@ std::size_t total_width_of(const std::vector<TextColumn>& columns) {
   return total - 1;
 }
 
-// The matrix is divided into blocks, one below the other. A block has as many cases as fit into the
-// width.
+// Each block of the matrix has as many cases as fit into the width.
 std::string matrix_blocks(const results::Run& run, const std::vector<AgreementRow>& all,
                           const TextFormat& format) {
   std::string text;

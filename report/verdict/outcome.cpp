@@ -18,7 +18,6 @@ constexpr std::pair<Status, char> kStatusMarks[] = {
 };
 constexpr char kSame = '=', kNone = ' ';
 
-// The meaning of a status of solutions without a density.
 std::string_view status_meaning(Status status) {
   switch (status) {
     case Status::not_converged:
@@ -34,8 +33,8 @@ std::string_view status_meaning(Status status) {
   }
 }
 
-// The largest distances over the cases with a given agreement: "L1 distance up to .. in 2 of 4
-// cases".
+// Returns the largest distances over the cases with a given agreement: "L1 distance up to .. in 2
+// of 4 cases".
 std::string distance_text(const AgreementRow& row, Agreement agreement, const char* how,
                           int cases) {
   MarginalDistances most{};

@@ -23,7 +23,8 @@ std::string comma_separated(const Words& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// The ids of solutions: "mcs"; or "mcs (fd-kf in case2)" if the cases have different solutions.
+// Returns the ids of solutions: "mcs", or "mcs (fd-kf in case2)" if the cases have different
+// solutions.
 std::string ids_text(const CasesBySolution& solutions) {
   const auto most = std::ranges::max_element(solutions, {},
                                              [](const auto& entry) { return entry.second.size(); });
@@ -56,7 +57,6 @@ std::string reference_sentence(const RunAssessment& assessed, int cases) {
   return text + '.';
 }
 
-// "4, 8, 12".
 std::string orders_text(const std::vector<const AgreementRow*>& members) {
   Words orders;
   for (const AgreementRow* row : members) {
@@ -90,19 +90,18 @@ std::vector<std::vector<const AgreementRow*>> closure_families(
   return families;
 }
 
-// The closure of the paper uses the impact condition to first order in 1-r.
+// The paper's closure has the impact condition to first order in 1-r.
 bool is_paper_closure(const AgreementRow& row) {
   return is_distinguished_by_order(row) && !transform::is_external(*row.identity) &&
          row.identity->impact == problem::Impact::delta;
 }
 
-// Whether a solution is an external density that belongs to no family of several orders.
 bool is_single_external_density(const AgreementRow& row) {
   return transform::is_external(*row.identity) && !is_distinguished_by_order(row);
 }
 
-// The text of the orders that reproduce the references: "epc-gaussian (the paper's closure) at n =
-// 6, not at n = 2, 4, 8".
+// Returns the text of the orders that reproduce the references: "epc-gaussian (the paper's closure)
+// at n = 6, not at n = 2, 4, 8".
 // @param any set to whether at least one order reproduces the references
 std::string reproducing_orders_text(const std::vector<const AgreementRow*>& members, bool& any) {
   std::vector<const AgreementRow*> good, bad;
@@ -142,8 +141,8 @@ VerdictLine verdict_line(const AgreementRow& row, const std::string& reference, 
           outcome_text(row, reference, cases)};
 }
 
-// The text of the largest distance for each order of a formulation: "n = 4 has L1 distance 0.0089,
-// 8 has 0.0017".
+// Returns the line with the largest distance for each order of a formulation: "n = 4 has L1
+// distance 0.0089, 8 has 0.0017".
 VerdictLine verdict_line(const std::vector<const AgreementRow*>& members, int cases) {
   Words parts;
   bool all = true, first = true;
@@ -186,7 +185,6 @@ std::vector<VerdictLine> verdict_lines(const RunAssessment& assessed, int cases)
   return lines;
 }
 
-// Whether independent solutions confirm the references, and in which cases.
 std::string confirmation_text(const RunAssessment& assessed, int cases) {
   const auto &confirming = assessed.confirming, &contradicting = assessed.contradicting;
   if (!contradicting.empty()) {

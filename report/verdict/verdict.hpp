@@ -9,21 +9,20 @@ namespace fpkcheck::report {
 
 /// One line of the verdict: the outcome of a method, or of one order of a closure.
 struct VerdictLine {
-  std::string subject;  ///< "epc-gaussian-n6", "epc-polar"
+  std::string subject;  ///< id or family, such as "epc-gaussian-n6" or "epc-polar"
   bool reproduced;      ///< whether the method reproduces the references of all its cases
   std::string outcome;  ///< "reproduced: L1 distance at most 0.0061 in p(y) and 0.0051 in p(y')"
 };
 
-/// The main result of a run, shown before all tables.
+/// The main result of a run, printed before all tables.
 struct Verdict {
-  std::vector<AgreementRow>
-      agreement_rows;  ///< rows of the matrix, for all solutions; point into the run
+  std::vector<AgreementRow> agreement_rows;  ///< rows of the matrix for all solutions
   /// Paragraphs on contradictions with the guaranteed bounds, on the reference and its accuracy,
   /// and on the solutions that reproduce the reference.
   std::vector<std::string> answer;
-  /// A line for each order of the paper's closure (with the impact to first order in 1-r), for each
-  /// other formulation, for each approximate equation, and for each external density or family of
-  /// external densities.
+  /// Outcomes by method. Each order of the paper's closure (impact to first order in 1-r), each
+  /// other formulation, each approximate equation, and each external density or family has one
+  /// line.
   std::vector<VerdictLine> lines;
   /// Sentences that recommend the solution for reference values and the fastest method of
   /// sufficient accuracy, with the reasons.

@@ -36,7 +36,7 @@ int define_variable(int file, const std::string& name, nc_type type,
 
 NetCdfWriter::NetCdfWriter() {
   static_assert(kGlobal == NC_GLOBAL);
-  constexpr std::size_t kInitialSize = 1 << 20;  // in bytes; libnetcdf extends the memory
+  constexpr std::size_t kInitialSize = 1 << 20;  // size in bytes; libnetcdf extends the memory
   check_write_status(nc_create_mem("in memory", NC_NETCDF4, kInitialSize, &id_),
                      "cannot create the file");
 }
