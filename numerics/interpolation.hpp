@@ -6,9 +6,8 @@
 
 namespace fpkcheck::numerics {
 
-/// The values at x of the Lagrange polynomials of these nodes: the weights of the values at the
-/// nodes in the interpolating polynomial, which is exact for polynomials of a degree below the
-/// number of nodes.
+/// Returns the weights of the function values at the nodes in the interpolating polynomial at x,
+/// that is, the Lagrange basis polynomials at x.
 /// @param nodes distinct numbers
 inline std::vector<double> lagrange_weights(std::span<const double> nodes, double x) {
   std::vector<double> weights;

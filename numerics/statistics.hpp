@@ -11,7 +11,8 @@ namespace fpkcheck::numerics {
 /// 0.975 quantile of the standard normal law, rounded to seven digits.
 inline constexpr double kNormal95 = 1.959964;
 
-/// The median of a sample. For an even number of values, the upper one of the two middle values.
+/// Returns the median of a sample; for an even number of values, the larger of the two middle
+/// values.
 /// @pre the sample is not empty
 inline double median(std::vector<double> sample) {
   assert(!sample.empty());

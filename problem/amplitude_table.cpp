@@ -19,7 +19,7 @@ using WeightType = AmplitudeTable::WeightType;
 using base::in_quotes;
 
 constexpr std::string_view kProbability = "probability", kDensity = "density";
-// Largest magnitude of the numbers of a table: kLargestMagnitude, the limit for case files, so that
+// Largest magnitude of the numbers of a table, equal to kLargestMagnitude for case files, so that
 // powers of the numbers are finite.
 constexpr double kLargest = 1e30;
 
@@ -47,7 +47,7 @@ class TableBuilder {
  public:
   explicit TableBuilder(WeightType kind) { table_.kind = kind; }
 
-  /// @throws InputError AT: ..
+  /// @throws InputError "AT .." for an invalid row
   void add(std::string_view row, char separator, const std::string& at) {
     const auto cut = row.find(separator);
     const auto amplitude = number_of(row.substr(0, cut));
@@ -73,7 +73,7 @@ class TableBuilder {
     table_.weight.push_back(*weight);
   }
 
-  /// @throws InputError AT: ..
+  /// @throws InputError "AT .." for an invalid table
   AmplitudeTable table(const std::string& at) && {
     if (table_.amplitude.size() < 2) fail(at, "fewer than two rows: Y must vary");
     double sum = 0;
@@ -101,8 +101,8 @@ class TableBuilder {
            fmt::format("the table's amplitudes, {} .. {}, have a negligible variance: Y must vary",
                        first, last));
     }
-    // A smaller deviation of the sum from 1 is rounding error, and the table is then not divided by
-    // the sum. Writing and reading a table therefore does not change the table.
+    // A table whose sum deviates from 1 by at most kRounding is not divided by the sum, so that
+    // writing and reading a table does not change the table.
     constexpr double kRounding = 1e-12;
     if (std::abs(sum - 1) > kRounding) {
       for (double& weight : table_.weight) weight /= sum;
@@ -118,8 +118,8 @@ class TableBuilder {
   AmplitudeTable table_;
 };
 
-// The moment E[(Y - about)^power] for power 1 or 2. The density is linear, so that the integrand is
-// at most cubic and Simpson's rule is exact.
+// Computes the moment E[(Y - about)^power] for power 1 or 2. Simpson's rule is exact, since the
+// density is piecewise linear and the integrand at most cubic.
 double moment_about(const AmplitudeTable& table, double about, int power) {
   const auto value = [&](double y) { return power == 1 ? y - about : (y - about) * (y - about); };
   double sum = 0;
@@ -139,7 +139,7 @@ double moment_about(const AmplitudeTable& table, double about, int power) {
 }  // namespace
 
 double AmplitudeTable::mean() const {
-  // Tolerance relative to the width of the table. A mean below this tolerance is set to 0.
+  // A mean below the fraction kRounding of the width of the table is set to 0.
   constexpr double kRounding = 1e-15;
   const double first = amplitude.front(), last = amplitude.back(), middle = (first + last) / 2;
   const double mean = middle + moment_about(*this, middle, 1);
@@ -150,7 +150,7 @@ double AmplitudeTable::variance() const { return moment_about(*this, mean(), 2);
 
 AmplitudeTable AmplitudeTable::mirror_image() const {
   AmplitudeTable table = *this;
-  for (double& y : table.amplitude) y = 0 - y;  // avoids -0
+  for (double& y : table.amplitude) y = 0 - y;  // the subtraction avoids -0
   std::ranges::reverse(table.amplitude);
   std::ranges::reverse(table.weight);
   return table;

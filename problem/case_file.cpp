@@ -43,7 +43,6 @@ const base::Parameter& case_parameter(std::string_view key, const std::string& w
 
 namespace {
 
-/// The text of a setting of a case file, and the location of the setting for messages.
 struct Setting {
   std::string text, where;
 };
@@ -82,7 +81,7 @@ void apply_overrides(const std::vector<std::string>& overrides, const std::strin
 constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = "impulse.mean",
                      *kIntensity = "impulse.intensity", *kRate = "impulse.rate";
 
-// Replaces the name of a file with a table of amplitudes by the table literal of its contents.
+// Replaces the file name in `impulse.table` by the table literal of the contents of the file.
 void load_table(Settings& settings, const std::filesystem::path& folder) {
   const auto table = settings.find(kTable);
   if (table == settings.end()) return;
@@ -93,8 +92,8 @@ void load_table(Settings& settings, const std::filesystem::path& folder) {
   }
 }
 
-// Takes mean and intensity of the impulses from the amplitude table if no setting gives these
-// values.
+// Adds impulse.mean and impulse.intensity, computed from the amplitude table, to settings without
+// these keys.
 void complete_from_table(Settings& settings) {
   const auto number = [&](const char* key) -> std::optional<double> {
     const auto found = settings.find(key);
@@ -115,8 +114,7 @@ void complete_from_table(Settings& settings) {
   settings[kIntensity] = {fmt::format("{}", *rate * (table.variance() + *mean * *mean)), where};
 }
 
-// Parses the settings of one section; returns nothing if the case file has no setting of this
-// section.
+// Parses the settings of one section; returns nullopt if an optional section has no settings.
 std::optional<CaseFileSection> section(const base::DescriptionBase& description,
                                        const Settings& settings) {
   const std::string& prefix = description.prefix();
@@ -138,7 +136,7 @@ std::optional<CaseFileSection> section(const base::DescriptionBase& description,
   return section;
 }
 
-// The location of the setting with whose key the message begins.
+// Returns the location of the setting whose key is the first word of the message.
 std::optional<std::string> location_of_key(const std::string& message, const Settings& settings) {
   for (const auto& [key, setting] : settings) {
     if (message.starts_with(key + ' ')) return setting.where;
@@ -154,8 +152,8 @@ bool is_utf8(const std::string& text) {
   return true;
 }
 
-// Requires a printable name of a case, since the name appears in tables, file names, JSON, netCDF
-// names and figures.
+// Requires that the name of a case is printable, since the name appears in tables, file names,
+// JSON, netCDF names and figures.
 void require_valid_name(const std::string& name) {
   constexpr std::size_t kLongest = 100;
   const bool plain =
@@ -171,10 +169,8 @@ void require_valid_name(const std::string& name) {
       kLongest));
 }
 
-// The text of the parameters that overrides change: ", r = 0.9, laplace impulses". This function is
-// the only place that composes the name of a case, since file and overrides are known only here.
-// Tables, figures, the page and JSON use Problem::name; file names use its plain form
-// (results::file_stem).
+// Returns the text of the parameters that overrides change, such as ", r = 0.9, laplace impulses".
+// The text is appended to Problem::name.
 std::string changes_text(const Settings& from_file, const Problem& problem) {
   constexpr std::size_t kLongest = 100;
   std::string text;
@@ -188,7 +184,7 @@ std::string changes_text(const Settings& from_file, const Problem& problem) {
     if (value) value = display_value(parameter, *value);
     if (value == displayed.value) continue;
     ++count;
-    // The number has all digits, so that different problems have different names.
+    // Numbers have all digits, so that different problems have different names.
     if (const auto* number = std::get_if<double>(&displayed.value)) {
       text += fmt::format(", {} = {}", displayed.symbol, *number);
     } else if (parameter.display_text) {

@@ -30,8 +30,7 @@ double EnergyAveraging::slope(const OrbitIntegrals& orbit) const {
   return orbit.action > 0 ? orbit.loss / (diffusion_ * orbit.action) : 0;
 }
 
-// Integrates dPhi/dh, taken over all orbits of an energy, from the lowest potential upwards in
-// growing steps.
+// Integrates dPhi/dh over the energy h, from the lowest potential upwards in growing steps.
 bool EnergyAveraging::find_energy_range(double& low, double& high) {
   constexpr double kSmallest = 1e-40, kLargest = 1e60, kGrowth = 1.25;
   const double bottom = orbits_.lowest_potential();
@@ -39,8 +38,8 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
   struct Level {
     double above, phi;
   };
-  // The derivative dPhi/dh at an energy, with the integrals over all orbits of this energy. Nothing
-  // if there is no orbit.
+  // Returns the derivative dPhi/dh at an energy from integrals over all orbits with this energy;
+  // nullopt if no orbit has this energy.
   const auto slope_at = [&](double above) -> std::optional<double> {
     double loss = 0, action = 0;
     for (const HalfCycle& half_cycle : orbits_.half_cycles(bottom + above)) {
@@ -62,8 +61,8 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
     levels.push_back({above, phi});
     least = std::min(least, phi);
     if (phi > least + 2 * kDepth) {
-      // The integration continues to larger energies, since a damping term that supplies energy may
-      // dominate there.
+      // The search continues at larger energies, since a damping term that supplies energy may
+      // dominate at large energies.
       for (double farther = 1e4 * above; farther < kLargest; farther *= 1e4) {
         if (slope_at(farther).value_or(0) >= 0) continue;
         unconfined_reason_ = kNoDissipation;
@@ -129,8 +128,8 @@ void EnergyAveraging::compute_bands(double low, double high) {
   bands_.assign(from_top.rbegin(), from_top.rend());
 }
 
-// Inverse iteration. Equations with the matrix K are solved by elimination from the leaves of the
-// tree, which creates no new nonzeros.
+// Inverse iteration solves equations with the matrix K by elimination from the leaves of the tree,
+// which creates no new nonzeros.
 double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> u) {
   const auto& mass = tree.mass;
   const auto& conductance = tree.conductance;
@@ -147,9 +146,9 @@ double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> u)
   centre_and_scale();
   double gamma = 0;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    // The upward flux from a node is the sum of the sources below the node, and also minus the sum
-    // of all other sources. The two sums agree only up to rounding errors; the sum over the side of
-    // smaller probability is used, since its rounding errors are smaller.
+    // The upward flux from a node equals the sum of the sources below the node, and also minus the
+    // sum of all other sources. The code uses the sum over the side of smaller probability, since
+    // its rounding errors are smaller.
     std::vector<double> below(n), mass_below(n), elsewhere(n), next(n);
     for (std::size_t b = 0; b < n; ++b) {
       below[b] += mass[b] * u[b];
@@ -184,8 +183,7 @@ double EnergyAveraging::relaxation_rate() const {
   assert(!unconfined_reason_);
   const std::size_t n = bands_.size();
   DiffusionTree tree;
-  // Conductances are divided by the same normalisation constant as the probabilities. Bands with a
-  // weight below exp(-60) are excluded, since such bands would only add rounding errors.
+  // Conductances are divided by the same normalisation constant as the probabilities.
   double unit = 0;
   for (const EnergyBand& band : bands_) unit += band.orbit.period * std::exp(-band.potential);
   std::vector<double> start(n);

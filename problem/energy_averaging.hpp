@@ -16,10 +16,10 @@ namespace fpkcheck::problem {
 /// - lambda E[Y] y, the stationary density is approximately exp(-Phi(h)), where
 ///
 ///     dPhi/dh = (closed integral of f dy + sum over walls hit of (1 - r^2) u^2 / 2)
-///               / (D_eff closed integral of v dy),     D_eff = D + lambda E[Y^2] / 2,
+///               / (D_eff closed integral of v dy),     D_eff = D + lambda E[Y^2] / 2.
 ///
-/// The method applies to single and multiple wells and to limit cycles. The density is exact for
-/// white noise and r = 1 where f depends on the energy alone.
+/// The method applies to single and multiple wells and to limit cycles. The density exp(-Phi(h)) is
+/// exact for white noise and r = 1 if f depends on the energy alone.
 class EnergyAveraging {
  public:
   /// @pre the potential is confining: UndampedOrbits::is_confining()
@@ -27,28 +27,28 @@ class EnergyAveraging {
 
   const UndampedOrbits& orbits() const { return orbits_; }
 
-  /// The reason, in one phrase, why the motion is not confined. Empty if Phi increases at the
-  /// largest energies, that is, if the motion is confined.
+  /// Returns the reason, in one phrase, why the motion is not confined. The result is empty for
+  /// confined motion, that is, if Phi increases at the largest energies.
   const std::optional<std::string>& unconfined_reason() const { return unconfined_reason_; }
 
-  /// A band: the undamped orbits of one well in an interval of energies, with the stationary
-  /// probability of these orbits.
+  /// The undamped orbits of one well in an interval of energies, with their stationary probability.
   struct EnergyBand {
     double energy;  ///< energy at the middle of the band
     OrbitIntegrals orbit;
-    double potential;   ///< Phi, shifted such that its minimum is 0
+    double potential;   ///< function Phi of the energy, shifted such that its minimum is 0
     double mass = 0;    ///< probability of the band; the probabilities of all bands have the sum 1
     std::size_t above;  ///< index of the band above in the tree; for the top band its own index
   };
-  /// All bands, sorted by energy. @pre the motion is confined
+  /// Returns all bands, sorted by energy.
+  /// @pre the motion is confined
   const std::vector<EnergyBand>& bands() const {
     assert(!unconfined_reason_);
     return bands_;
   }
 
-  /// The smallest positive eigenvalue of the averaged diffusion of the energy, per unit time. This
-  /// is the decay rate of the slowest deviation from the stationary law: a deviation of the energy,
-  /// or of the probabilities of the wells.
+  /// Returns the smallest positive eigenvalue of the averaged diffusion of the energy, per unit
+  /// time. The eigenvalue is the decay rate of the slowest deviation from the stationary law,
+  /// either of the energy or of the probabilities of the wells.
   /// @pre the motion is confined
   double relaxation_rate() const;
 
@@ -60,25 +60,24 @@ class EnergyAveraging {
   void compute_bands(double low, double high);
 
   UndampedOrbits orbits_;
-  double diffusion_;  // D_eff
+  double diffusion_;  // effective diffusion coefficient D_eff
   std::optional<std::string> unconfined_reason_;
   std::vector<EnergyBand> bands_;
   double step_ = 0;
 };
 
 /// A diffusion process on the nodes of a tree: each node exchanges probability with the node above.
-/// The nodes are numbered such that every node stands before the node above.
+/// The index of every node is smaller than the index of the node above.
 struct DiffusionTree {
   std::vector<double> mass;         ///< stationary probabilities of the nodes, with the sum 1
   std::vector<double> conductance;  ///< conductance between each node and the node above
   std::vector<std::size_t> above;   ///< index of the node above; for the top node its own index
 };
 
-/// The smallest positive eigenvalue gamma of K u = gamma M u, the decay rate of the slowest deviation
-/// from the stationary probabilities. M is the diagonal matrix of the probabilities; K contains the
-/// conductances. There is no flux at the ends of the tree, so that the kernel of K consists of the
-/// constant vectors; the iteration projects these vectors out.
-/// @param start vector from which the inverse iteration starts
+/// Returns the smallest positive eigenvalue gamma of K u = gamma M u, the decay rate of the slowest
+/// deviation from the stationary probabilities. The diagonal matrix M contains the probabilities,
+/// and the matrix K contains the conductances. There is no flux at the ends of the tree, so that
+/// the kernel of K consists of the constant vectors, which the iteration projects out.
 double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> start);
 
 }  // namespace fpkcheck::problem

@@ -10,7 +10,8 @@ namespace fpkcheck::problem {
 
 namespace {
 
-// The positive root of a continuous function that is negative at 0 and increases without bound.
+// Returns the positive root of a continuous function that is negative at 0 and increases without
+// bound.
 template <class Function>
 double positive_root(const Function& f) {
   double upper = 1;
@@ -18,13 +19,13 @@ double positive_root(const Function& f) {
   return numerics::bracketed_root(f, 0, upper);
 }
 
-// E[g'(|x|)] of x ~ N(0, s^2): E|x|^m = s^m 2^(m/2) Gamma((m+1)/2) / sqrt(pi).
+// Returns E[g'(|x|)] for x ~ N(0, s^2), with E|x|^m = s^m 2^(m/2) Gamma((m+1)/2) / sqrt(pi).
 double mean_tangent_stiffness(const System& system, double s) {
   const numerics::Polynomial& slope = system.tangent_stiffness();
   double mean = 0;
   for (std::size_t m = 0; m <= slope.degree(); ++m) {
     if (slope.coefficient(m) == 0) continue;
-    // (m-1)!! for even m
+    // The absolute moment is (m-1)!! for even m.
     const double absolute_moment = m == 0
                                        ? 1
                                        : std::pow(2, static_cast<double>(m) / 2) *
@@ -51,11 +52,11 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   const double d2 = problem.impulses.intensity() / 2;
   const auto stiffness = [&](double s1) { return mean_tangent_stiffness(system, s1); };
   const auto damping = [&](double k_eq) {
-    // sigma_2 / sigma_1 = sqrt(k_eq)
+    // The ratio sigma_2 / sigma_1 is sqrt(k_eq).
     return system.damping() + (1 - system.restitution()) * 2 / std::numbers::pi * std::sqrt(k_eq);
   };
-  // The equation for sigma_1 is sigma_1^2 k_eq c_eq = D2. Its left side increases from 0 without
-  // bound, so that the equation has exactly one root.
+  // The equation sigma_1^2 k_eq c_eq = D2 has exactly one root sigma_1, since its left side
+  // increases from 0 without bound.
   const auto excess = [&](double s1) {
     const double k_eq = stiffness(s1);
     return s1 * s1 * k_eq * damping(k_eq) - d2;
@@ -68,7 +69,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
 double slowest_decay_rate(const EquivalentLinearisation& linear) {
   const double discriminant = linear.damping * linear.damping - 4 * linear.stiffness;
   if (discriminant <= 0) return linear.damping / 2;
-  // This formula avoids the cancellation in c - sqrt(c^2 - 4k).
+  // The quotient avoids the cancellation in c - sqrt(c^2 - 4k).
   return 2 * linear.stiffness / (linear.damping + std::sqrt(discriminant));
 }
 

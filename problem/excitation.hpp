@@ -12,39 +12,34 @@ namespace fpkcheck::problem {
 struct Noise {
   double intensity = 0;  ///< 2 D >= 0, in the same unit as lambda E[Y^2]
 
-  /// The diffusion coefficient D: the coefficient of p'' in the density equation.
+  /// Returns the diffusion coefficient D, the coefficient of p'' in the density equation.
   double diffusion() const { return intensity / 2; }
   bool is_present() const { return intensity > 0; }
 };
 
-/// The description of the parameter of the section [noise].
 const base::Description<Noise>& noise_parameter_description();
 
-/// Parameters of the Poisson impulse train, as read from a case file.
 struct ImpulseParameters {
   double arrival_rate;  ///< mean number lambda > 0 of impulses per unit time
   std::string law;      ///< name of the law of Y, one of ImpulseLaw::law_names()
   double intensity;     ///< intensity lambda E[Y^2] > 0
   double mean;          ///< mean amplitude E[Y], with E[Y]^2 < intensity / arrival_rate
-  /// Skewness of Y, for laws that are not symmetric. If absent, the skewness is the default of the
-  /// law.
+  /// Skewness of Y for laws that are not symmetric; if absent, the law uses its default skewness.
   std::optional<double> skewness = {};
   /// The table of a tabulated law, as a table literal (problem/amplitude_table.hpp).
   std::optional<std::string> table = {};
 };
 
-/// The description of the parameters of the section [impulse].
 const base::Description<ImpulseParameters>& impulse_parameter_description();
 
 /// The impulsive excitation xi(t) of paper (3): impulses of random amplitudes Y_k at the times of a
 /// Poisson process.
 class ImpulseTrain {
  public:
-  /// Constructs an excitation without impulses: the arrival rate and every rate_times_moment are 0.
-  /// (The law is a placeholder.)
+  /// Constructs an impulse train with arrival rate 0, that is, an excitation without impulses.
   ImpulseTrain();
-  /// Constructs the impulse train of the parameters. The variance of the law is chosen such that
-  /// E[Y^2] = intensity / arrival_rate.
+  /// Constructs the impulse train of the parameters, with a law whose second moment E[Y^2] is
+  /// intensity / arrival_rate.
   /// @throws InputError that states the invalid parameter, its value and the allowed range
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
@@ -53,13 +48,13 @@ class ImpulseTrain {
   double arrival_rate() const { return parameters_.arrival_rate; }
   const ImpulseLaw& law() const { return law_; }
 
-  /// The product lambda E[Y^order], a coefficient of paper (15).
+  /// Returns the product lambda E[Y^order], a coefficient of paper (15).
   double rate_times_moment(int order) const { return arrival_rate() * law_.moment(order); }
-  /// The product lambda E[Y^2]: the intensity of the Gaussian white noise that has the same power
-  /// as the impulses.
+  /// Returns lambda E[Y^2], the intensity of Gaussian white noise with the same power as the
+  /// impulses.
   double intensity() const { return rate_times_moment(2); }
 
-  /// The impulse train whose amplitudes are -Y.
+  /// Returns the impulse train with the amplitudes -Y.
   ImpulseTrain mirror_image() const;
 
  private:

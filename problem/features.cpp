@@ -24,8 +24,7 @@ ProblemFeatures features(const Problem& problem) {
   result.negative_damping = c.damping < 0 || c.van_der_pol < 0 || c.rayleigh < 0;
   const auto inspect_wall = [&](const std::optional<Wall>& wall, double towards) {
     if (!wall) return;
-    // The force on the mass is -g. This force presses the mass against a left wall if g > 0 at the
-    // wall.
+    // The force on the mass is -g, which presses the mass against a left wall if g > 0 at the wall.
     const double pressing = -towards * system.restoring_force()(wall->position);
     if (pressing > 0 && wall->restitution < 1 && !result.noise) result.rests_in_contact = true;
     if (result.noise && wall->restitution <= kCollapseRestitution) result.collapse = true;

@@ -12,48 +12,46 @@ namespace fpkcheck::problem {
 /// Properties of a problem that decide which solvers are applicable.
 struct ProblemFeatures {
   bool no_wall = false, two_walls = false;
-  /// Whether the force presses the mass against a wall with r < 1 and there is no noise. After a
-  /// sequence of impacts the mass is then at rest in contact until the next impulse, and the
-  /// stationary law has an atom at the wall.
+  /// Whether the force presses the mass against a wall with r < 1, and no noise acts. After a
+  /// sequence of impacts the mass is at rest in contact until the next impulse, and the stationary
+  /// law has an atom at the wall.
   bool rests_in_contact = false;
-  /// Whether inelastic collapse occurs: there is noise, and r <= kCollapseRestitution at a wall.
+  /// Whether inelastic collapse occurs, that is, noise acts and r <= kCollapseRestitution at a
+  /// wall.
   bool collapse = false;
   bool noise = false, impulses = true;
-  bool constant_damping = true;   ///< whether the damping force is f = c y'
+  bool constant_damping = true;
   bool negative_damping = false;  ///< whether c or another coefficient of f is negative
   int wells = 1;  ///< number of minima of U - lambda E[Y] y, minima at walls included
 };
 
 ProblemFeatures features(const Problem& problem);
 
-/// The critical restitution coefficient exp(-pi / sqrt 3). For restitution coefficients up to this
+/// Critical restitution coefficient exp(-pi / sqrt 3) of inelastic collapse (Cornell, Swift and
+/// Bray, Physical Review Letters 81, 1142 (1998)). For restitution coefficients up to the critical
 /// value, a particle under white noise makes infinitely many impacts in a finite time and comes to
-/// rest on the wall (inelastic collapse; S. J. Cornell, M. R. Swift, A. J. Bray, Phys. Rev. Lett.
-/// 81, 1142 (1998)). The law by which the particle leaves the wall again is determined neither by
-/// the equation nor by the impact condition.
+/// rest on the wall. Neither the equation nor the impact condition determines how the particle
+/// leaves the wall again.
 inline constexpr double kCollapseRestitution = 0.16303353482158048;
 
-/// Explains why the equation and the impact condition at one of the walls leave the stationary
-/// density undetermined, and which change of the problem helps. Empty if the density is determined.
-/// Discrete impulses separate the particle from the wall, so that inelastic collapse needs white
-/// noise: the noise of the problem, for every equation; or the noise by which the equation `white`
-/// replaces the impulses.
+/// Explains why inelastic collapse leaves the stationary density undetermined, and which change of
+/// the problem helps; empty if the density is determined. Inelastic collapse needs white noise,
+/// either in the problem or in the equation `white`, since discrete impulses separate the particle
+/// from the wall.
 std::string inelastic_collapse_reason(const Problem& problem, Equation equation);
 
-/// A feature that the program does not support, with the words by which keys of case files and
-/// commands request the feature.
 struct UnsupportedFeature {
-  std::string_view subject;  ///< name of the feature: "dry friction"
-  /// Words in lower case. Each word is compared with the parts into which '.' and '_' split a key.
+  std::string_view subject;
+  /// Words in lower case, which are compared with the parts into which '.', '_' and '-' split a
+  /// key.
   std::vector<std::string_view> words;
 };
 
-/// All unsupported features, in agreement with the list in README.md.
+/// Returns all unsupported features, in agreement with the list in README.md.
 const std::vector<UnsupportedFeature>& unsupported_features();
 
-/// One line that names the unsupported feature which a key or a command requests. Empty if the name
-/// requests no unsupported feature.
-/// @param name key or command: "system.friction", "passage"
+/// Returns one line that names the unsupported feature that a key or a command requests; empty if
+/// no unsupported feature is requested.
 std::string unsupported_feature_message(std::string_view name);
 
 }  // namespace fpkcheck::problem

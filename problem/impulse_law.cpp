@@ -23,7 +23,7 @@ void validate(const Law& law) {
                   Law::kName, law.mean, Law::kWidthName, law.width()));
 }
 
-// The moment E[Y^j] = sum_n binomial(j, n) mean^(j-n) E[(Y - mean)^n].
+// Computes the moment E[Y^j] = sum_n binomial(j, n) mean^(j-n) E[(Y - mean)^n].
 template <class Law>
 double raw_moment(const Law& law, int j) {
   const double variance = law.standard_deviation() * law.standard_deviation();
@@ -37,8 +37,8 @@ double raw_moment(const Law& law, int j) {
   return sum;
 }
 
-// The law of -Y. A law that is not symmetric about its mean has a function mirror_image(), which
-// returns the law of -Y.
+// A law that is not symmetric about its mean has a function mirror_image(), which returns the law
+// of -Y.
 template <class Law>
 concept Asymmetric = requires(Law law) {
   law.mirror_image();
@@ -66,7 +66,7 @@ Law make_law(double mean, double deviation, const LawShapeParameters& shape) {
 template <class Function>
 void for_each_law(const Function& function) {
   boost::mp11::mp_for_each<ImpulseLaw::LawVariant>(
-      function);  // passes a default value of each type
+      function);  // mp_for_each passes a default value of each type
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace fpkcheck::problem {
 
 /// The density equations, which differ in their excitation term.
 enum class Equation {
-  white,  ///< -lambda E[Y] p' + D2 p'', D2 = lambda E[Y^2]/2
+  white,  ///< term -lambda E[Y] p' + D2 p'' with D2 = lambda E[Y^2]/2
   km4,    ///< Kramers-Moyal series, truncated after the fourth derivative: paper (16), (20)
-  /// Pade approximant of the Kramers-Moyal series, with the same four coefficients and well-posed.
+  /// Well-posed Pade approximant of the Kramers-Moyal series, with the four coefficients of km4.
   km4_pade,
   kf  ///< the full jump integral lambda (E[p(x2 - Y)] - p)
 };
@@ -24,10 +24,9 @@ inline constexpr base::EnumEntry<Equation> kEquationNames[] = {
 constexpr const auto& enumerator_names(Equation) { return kEquationNames; }
 constexpr std::string_view name(Equation equation) { return base::name_of(equation); }
 
-/// The impact condition at a wall.
 enum class Impact {
   map,    ///< exact: p(0+, w) = p(0-, w/r) / r^2 for w > 0
-  delta,  ///< paper (12): (1-r) x2 |x2| delta(x1), taken on the upstream side
+  delta,  ///< to first order in 1-r, paper (12), with the term (1-r) x2 |x2| delta(x1)
   exact   ///< a simulation reflects each trajectory at the impact, paper (2)
 };
 inline constexpr base::EnumEntry<Impact> kImpactNames[] = {

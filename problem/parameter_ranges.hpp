@@ -7,13 +7,14 @@
 
 namespace fpkcheck::problem {
 
-/// Limits of the magnitude of a nonzero parameter. Solvers compute twelfth and higher powers of the
-/// standard deviations; outside these limits such powers may exceed the range of double precision.
-/// A change of the units of time and length brings the parameters of any problem within the limits.
+/// Limits of the magnitude of a nonzero parameter, within which twelfth and higher powers of
+/// standard deviations do not exceed the range of double precision. A change of the units of time
+/// and length brings the parameters of any problem within the limits.
 inline constexpr double kSmallestMagnitude = 1e-30;
 inline constexpr double kLargestMagnitude = 1e30;
 
-/// Requires that the magnitude of every nonzero number is within the limits.
+/// Requires that the magnitude of every nonzero number is within kSmallestMagnitude ..
+/// kLargestMagnitude.
 /// @param prefix text before the names in messages, as in case files: "system."
 /// @throws InputError that states name and value of the first nonzero number outside the limits,
 /// and the limits
@@ -24,7 +25,6 @@ void require_magnitudes_in_range(const base::Description<Owner>& description, co
   require_magnitudes_in_range(description.prefix(), description.values(owner));
 }
 
-/// The admissible range of a coefficient of restitution.
 inline base::AdmissibleRange restitution_range() {
   return {[](double r) { return r > 0 && r <= 1; }, "above 0 and at most 1"};
 }

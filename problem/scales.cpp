@@ -27,9 +27,9 @@ MotionScales by_linearisation(const Problem& problem) {
           .slowest_decay_rate = slowest_decay_rate(linear)};
 }
 
-// The smallest positive eigenvalue of the overdamped motion on a uniform grid. Far above critical
-// damping the drift of the displacement is v = -V'/c. The displacement is then a diffusion process
-// with the coefficient D_eff / c^2 in the potential c V / D_eff.
+// Returns the smallest positive eigenvalue of the overdamped motion on a uniform grid. Far above
+// critical damping the drift of the displacement is v = -V'/c, and the displacement is a diffusion
+// process with the coefficient D_eff / c^2 in the potential c V / D_eff.
 double overdamped_relaxation_rate(const Problem& problem, const MotionScales& scales,
                                   double damping) {
   constexpr std::size_t kCells = 200;

@@ -63,7 +63,7 @@ System System::to_wall_coordinates(const Frame& frame) const {
   if (frame.is_identity()) return *this;
   System transformed = *this;
   const auto moved = [&](std::optional<Wall> wall) {
-    if (wall) wall->position = frame.wall_x(wall->position) + 0.0;  // avoids -0
+    if (wall) wall->position = frame.wall_x(wall->position) + 0.0;  // adding 0 avoids -0
     return wall;
   };
   transformed.walls_ = {.left = moved(frame.mirrored ? walls_.right : walls_.left),

@@ -19,12 +19,11 @@ struct SystemCoefficients {
   double quadratic = 0;    ///< coefficient of y^2
   double cubic = 0;        ///< mu, the coefficient of y^3
   double quintic = 0;      ///< coefficient of y^5
-  /// Restitution coefficient r, 0 < r <= 1, of a wall at y = 0 on the left. Absent if the section
+  /// Restitution coefficient r, 0 < r <= 1, of a wall at y = 0 on the left; absent if the section
   /// [wall] defines the walls.
   std::optional<double> restitution = {};
 };
 
-/// The description of the parameters of the section [system].
 const base::Description<SystemCoefficients>& system_parameter_description();
 
 /// The oscillator of paper (1)-(2), generalised to any polynomial force of degree 5 and to two
@@ -34,48 +33,41 @@ const base::Description<SystemCoefficients>& system_parameter_description();
 ///     f = y' (c(y) + c_vv y'^2),   c(y) = c + c_yy y^2,
 ///     g = g_0 + k y + k_2 y^2 + mu y^3 + k_5 y^5.
 ///
-/// The oscillator of the paper has g = k y + mu y^3, f = c y' and the motion in y > 0. Only this
-/// class defines force and damping; all other code uses the polynomials of this class for the
-/// force, its slope and its potential. (On the (z, z') plane of paper (5), the force at z < 0 is
-/// -g(-z).)
+/// The oscillator of the paper has g = k y + mu y^3, f = c y' and the motion in y > 0. On the (z,
+/// z') plane of paper (5), the restoring force at z < 0 is -g(-z).
 class System {
  public:
   /// @throws InputError that states the invalid coefficient, its value and the allowed range
   explicit System(const SystemCoefficients& coefficients, const WallParameters& walls = {});
 
-  /// The coefficients of the case file, in physical coordinates for every frame.
+  /// Returns the coefficients of the case file, which to_wall_coordinates() leaves in physical
+  /// coordinates.
   const SystemCoefficients& coefficients() const { return c_; }
   const WallParameters& wall_parameters() const { return wall_parameters_; }
 
-  /// The damping coefficient c(0); the only damping coefficient if has_constant_damping().
+  /// Returns the damping coefficient c(0), the only damping coefficient if has_constant_damping().
   double damping() const { return damping_.coefficient(0); }
-  /// The polynomial c(y) of the damping force.
   const numerics::Polynomial& damping_polynomial() const { return damping_; }
-  /// c_vv, the coefficient of y'^3.
   double rayleigh_coefficient() const { return c_.rayleigh; }
-  /// Whether the damping force is f = c y'.
   bool has_constant_damping() const { return damping_.degree() == 0 && c_.rayleigh == 0; }
 
   const Walls& walls() const { return walls_; }
   const std::optional<Wall>& left_wall() const { return walls_.left; }
   const std::optional<Wall>& right_wall() const { return walls_.right; }
-  /// Coefficient of restitution of the left wall; 1 without a left wall.
+  /// Returns the coefficient of restitution of the left wall; 1 without a left wall.
   double restitution() const { return walls_.left ? walls_.left->restitution : 1; }
 
-  /// The restoring force g(y).
   const numerics::Polynomial& restoring_force() const { return force_; }
-  /// The tangent stiffness g'(y).
   const numerics::Polynomial& tangent_stiffness() const { return tangent_; }
-  /// The potential U(y), the integral of g from 0 to y.
+  /// Returns the potential U(y), the integral of g from 0 to y.
   const numerics::Polynomial& potential() const { return potential_; }
-  /// Whether the restoring force is linear: g(y) = k y.
   bool has_linear_force() const { return force_.degree() <= 1 && force_.coefficient(0) == 0; }
-  /// The stiffness k = g'(0), at the wall of the paper.
+  /// Returns the stiffness k = g'(0).
   double stiffness() const { return tangent_.coefficient(0); }
 
-  /// The same oscillator in wall coordinates x, where y = origin + sign x. The restoring force for
-  /// x is sign g(origin + sign x), and the damping polynomial is c(origin + sign x). If the frame
-  /// is mirrored, the left and the right wall are exchanged.
+  /// Returns the same oscillator in wall coordinates x, where y = origin + sign x. The restoring
+  /// force in wall coordinates is sign g(origin + sign x), and the damping polynomial is c(origin +
+  /// sign x). A mirrored frame exchanges the left and the right wall.
   System to_wall_coordinates(const Frame& frame) const;
 
  private:

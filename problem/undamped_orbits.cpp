@@ -12,15 +12,14 @@
 namespace fpkcheck::problem {
 namespace {
 
-constexpr int kRootBits = 50;  // correct bits of turning points
+constexpr int kRootBits = 50;  // number of correct bits of turning points
 
 struct SearchInterval {
   double low, high;
 };
 
-// The interval in which the roots of a polynomial are searched. Its ends are the walls; on a side
-// without a wall the end is a bound of all roots. A polynomial of a single term has the root 0 and
-// root_modulus_bound() 1, and the interval contains both.
+// Returns the interval in which the roots of a polynomial are searched. The ends of the interval
+// are the walls; on a side without a wall, the end is a bound of all roots.
 SearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
   const double bound = 2 * numerics::root_modulus_bound(polynomial) + 1;
   return {.low = system.left_wall() ? system.left_wall()->position : -bound,
@@ -46,8 +45,8 @@ UndampedOrbits::UndampedOrbits(const Problem& problem)
   const numerics::Polynomial slope = potential_.derivative();
   const auto [low, high] = search_interval(slope, system_);
   extrema_ = sign_changes_between_walls(slope, system_);
-  // V is monotone between neighbouring knots. The slope of V after a knot decides
-  // whether the knot is a minimum.
+  // The potential V is monotone between neighbouring knots, so that the slope of V after a knot
+  // decides whether the knot is a minimum.
   std::vector<double> knots{low};
   knots.insert(knots.end(), extrema_.begin(), extrema_.end());
   knots.push_back(high);
@@ -76,8 +75,8 @@ double UndampedOrbits::deepest_minimum() const {
   return *std::ranges::min_element(minima_, {}, [&](double y) { return potential_(y); });
 }
 
-// The point with V = energy outside a knot with V < energy. `outwards` is +1 or -1, the direction
-// from the knot in which V increases without bound.
+// Returns the turning point, where V = energy, outside a knot with V < energy. The parameter
+// `outwards` (+1 or -1) is the direction from the knot in which V increases without bound.
 double UndampedOrbits::half_cycle_end(double knot, double outwards, double energy) const {
   double step = std::max(std::abs(knot) * 1e-8, 1e-30);
   while (potential_(knot + outwards * step) < energy) step *= 2;
@@ -131,8 +130,8 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
   const auto speed = [&](double y) {
     return std::sqrt(std::max(0.0, 2 * (energy - potential_(y))));
   };
-  // Substitution y = middle + half sin(phase): at a turning point both v and dy / dphase behave
-  // like cos(phase), so that dy / v is smooth in the phase.
+  // With the substitution y = middle + half sin(phase), both v and dy / dphase behave like
+  // cos(phase) at a turning point, so that dy / v is smooth in the phase.
   const auto add = [&](double phase, double weight) {
     const double y = middle + half * std::sin(phase);
     // The factor 2 counts both half-cycles of the period.

@@ -6,36 +6,35 @@
 
 namespace fpkcheck::problem {
 
-/// A rigid wall. An impact at the wall multiplies the velocity y' by -restitution.
+/// A rigid wall, at which an impact multiplies the velocity y' by -restitution.
 struct Wall {
   double position;
   double restitution;  ///< coefficient of restitution r, 0 < r <= 1
   bool operator==(const Wall&) const = default;
 };
 
-/// The section [wall] of a case file: positions and restitution coefficients of the walls. The mass
-/// moves in left <= y <= right.
+/// Positions and restitution coefficients of the walls between which the mass moves, from the
+/// section [wall] of a case file.
 struct WallParameters {
   std::optional<double> left = {}, left_restitution = {};
   std::optional<double> right = {}, right_restitution = {};
   bool none = false;  ///< whether the case file states that there is no wall
 
   bool operator==(const WallParameters&) const = default;
-  /// Whether the case file has no section [wall].
+  /// Returns whether the case file has no section [wall].
   bool empty() const { return *this == WallParameters{}; }
 };
 
-/// The description of the parameters of the section [wall].
 const base::Description<WallParameters>& wall_parameter_description();
 
-/// The walls at the left and right ends of the interval of y. A wall is absent where the interval
-/// is unbounded.
+/// The walls at the left and right ends of the interval of y; a wall is absent on an unbounded
+/// side.
 struct Walls {
   std::optional<Wall> left, right;
 };
 
-/// The walls that a case file defines: the walls of the section [wall]; or, without this section,
-/// one wall at y = 0 on the left with `restitution` of the section [system].
+/// Returns the walls of the section [wall] of a case file. Without a section [wall], the only wall
+/// is at y = 0 on the left, with `restitution` of the section [system].
 /// @throws InputError if both [wall] and `restitution` are given, or neither; if a wall has a
 /// position without a restitution or a restitution without a position; or if left >= right
 Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution);
@@ -43,10 +42,10 @@ Walls make_walls(const WallParameters& parameters, const std::optional<double>& 
 class System;
 struct Problem;
 
-/// The transformation between the physical coordinate y of a problem and its wall coordinate x: y =
-/// origin + x, or, if mirrored, y = origin - x with the velocities of opposite sign. In wall
-/// coordinates the wall is at x = 0 and the mass at x > 0; a second wall is on the right. For a
-/// problem with one wall at y = 0 on the left, or without walls, x = y.
+/// Transformation between the physical coordinate y of a problem and its wall coordinate x: y =
+/// origin + x, or, if mirrored, y = origin - x with the opposite sign of velocities. In wall
+/// coordinates the first wall is at x = 0, the mass is at x > 0, and a second wall is on the right.
+/// For a problem with one wall at y = 0 on the left, or without walls, x equals y.
 struct Frame {
   double origin = 0;
   bool mirrored = false;
@@ -54,23 +53,21 @@ struct Frame {
   double sign() const { return mirrored ? -1 : 1; }
   double physical_y(double x) const { return origin + sign() * x; }
   double wall_x(double y) const { return sign() * (y - origin); }
-  /// The physical velocity y' for the velocity x' in wall coordinates.
   double physical_velocity(double x_dot) const { return sign() * x_dot; }
   bool is_identity() const { return origin == 0 && !mirrored; }
-  /// The inverse transformation.
   Frame inverse() const {
-    return {.origin = -sign() * origin + 0.0, .mirrored = mirrored};  // avoids -0
+    return {.origin = -sign() * origin + 0.0, .mirrored = mirrored};  // adding 0 avoids -0
   }
   bool operator==(const Frame&) const = default;
 };
 
-/// The wall coordinates of a system. Their origin is the left wall, or the right wall if there is
-/// no left wall.
+/// Returns the transformation to wall coordinates, whose origin is the left wall, or the right wall
+/// if there is no left wall.
 Frame wall_frame(const System& system);
 
-/// Transforms a problem to the wall coordinates of `frame` and sets Problem::frame. If `frame` is
-/// the identity, the problem is returned unchanged, Problem::frame included. The name of the
-/// problem and its parameters as in the case file are kept.
+/// Transforms a problem to the wall coordinates of `frame` and sets Problem::frame; if `frame` is
+/// the identity, the problem is returned unchanged. The name of the problem and its parameters of
+/// the case file are kept.
 Problem to_wall_coordinates(const Frame& frame, const Problem& problem);
 
 }  // namespace fpkcheck::problem

@@ -17,7 +17,7 @@ namespace {
 
 template <class Coordinate>
 std::vector<double> transformed(std::vector<double> edges, bool mirrored, const Coordinate& at) {
-  for (double& edge : edges) edge = at(edge) + 0.0;  // adding 0 turns -0 into 0
+  for (double& edge : edges) edge = at(edge) + 0.0;  // adding 0 turns -0 into +0
   if (mirrored) std::ranges::reverse(edges);
   return edges;
 }
@@ -31,7 +31,8 @@ Edges exact_y_edges(const problem::Frame& frame, const Edges& x_edges, const Edg
 GridDensity transformed(const problem::Frame& frame, GridDensity grid, const Edges& known) {
   grid.y_edges = exact_y_edges(frame, grid.y_edges, known);
   grid.v_edges = transform_v_edges(frame, grid.v_edges);
-  if (frame.mirrored) std::ranges::reverse(grid.averages);  // reversal mirrors both axes
+  if (frame.mirrored)
+    std::ranges::reverse(grid.averages);  // reversing the row-major averages mirrors both axes
   return grid;
 }
 

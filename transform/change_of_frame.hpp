@@ -9,36 +9,35 @@
 
 namespace fpkcheck::transform {
 
-/// A joint density of (z, z') = (x1, x2) on the whole plane. The density is zero outside |x1| <=
-/// x1_max, |x2| <= x2_max.
+/// A joint density of (z, z') = (x1, x2) on the whole plane, which is zero outside |x1| <= x1_max,
+/// |x2| <= x2_max.
 struct PlaneDensity {
   std::function<double(double x1, double x2)> value;
   double x1_max;
   double x2_max;
 };
 
-/// The density p of (y, y') = (|z|, z' sgn z), the Zhuravlev transformation of paper (5):
+/// Returns the density p of (y, y') = (|z|, z' sgn z), the Zhuravlev transformation of paper (5):
 ///
 ///     p(y, v) = p(z = y, z' = v) + p(z = -y, z' = -v),   y > 0.
 ///
-/// The marginals of this density are paper (30) and (34). The density of (z, z') need not be
-/// symmetric.
+/// The marginals of p(y, v) are paper (30) and (34). The density of (z, z') need not be symmetric.
 SmoothDensity physical_density(PlaneDensity density);
 
 /// Transforms increasing cell edges in wall coordinates x into increasing cell edges in physical
 /// coordinates y (to_y_edges), and back (to_x_edges).
 std::vector<double> to_y_edges(const problem::Frame& frame, const std::vector<double>& x_edges);
 std::vector<double> to_x_edges(const problem::Frame& frame, const std::vector<double>& y_edges);
-/// Transforms increasing cell edges of the velocity between wall and physical coordinates. At most
-/// the sign changes, so that the same function is the inverse.
+/// Transforms increasing cell edges of the velocity between wall and physical coordinates, in
+/// either direction, since at most the sign changes.
 std::vector<double> transform_v_edges(const problem::Frame& frame,
                                       const std::vector<double>& edges);
 
 /// Transforms a density of (x, x') in wall coordinates into a density of (y, y') in physical
 /// coordinates (to_physical_coordinates), and back (to_wall_coordinates).
 /// @param y_edges cell edges in y. Cell edges of the density that equal to_x_edges(frame, y_edges)
-/// become exactly the numbers `y_edges`. Without `y_edges` the result could differ from these
-/// numbers by the rounding of y - origin + origin, but histograms are compared only on equal edges.
+/// become exactly the numbers `y_edges`, without the rounding errors of the transformation, since
+/// histograms are compared only on equal edges.
 Density to_physical_coordinates(const problem::Frame& frame, Density density,
                                 const std::vector<double>& y_edges = {});
 Density to_wall_coordinates(const problem::Frame& frame, Density density);

@@ -10,16 +10,17 @@
 namespace fpkcheck::transform {
 namespace {
 
-constexpr std::ptrdiff_t kInterpolationPoints = 8;  // 8 points give degree 7
+constexpr std::ptrdiff_t kInterpolationPoints =
+    8;  // 8 interpolation points give polynomials of degree 7
 // Tolerated overshoot of the interpolated cumulative distribution, relative to the total mass. The
-// largest overshoot is 2e-7 in the densities of the baselines and 1e-2 at a spike. Smooth densities
-// are therefore not clipped, and their remapping is linear in the masses.
+// largest overshoot is 2e-7 in the densities of the regression baselines and 1e-2 at a spike.
+// Smooth densities are therefore not clipped, so that the remapping is linear in the masses.
 constexpr double kOvershootTolerance = 1e-6;
 
 }  // namespace
 
-// Lagrange interpolation of the cumulative distribution, written in terms of the masses of the
-// bins. The masses before the bin of x are subtracted.
+// Returns the weights of the bin masses in the Lagrange interpolation of the cumulative
+// distribution at x. The masses before the bin of x are subtracted.
 ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const double> edges,
                                                                double x) {
   const auto above = std::ranges::lower_bound(edges, x);
@@ -27,7 +28,7 @@ ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const d
   const auto k = above - edges.begin();
   if (*above == x || k == 0) return {static_cast<std::size_t>(k), 0, {}};
 
-  // The stencil consists of the edges begin .. end - 1, which are on the same side of an edge at 0.
+  // The stencil consists of the edges begin .. end - 1, on the same side of an edge at 0 as x.
   std::ptrdiff_t begin = 0, end = std::ssize(edges);
   if (const auto zero = std::ranges::lower_bound(edges, 0.0); zero != edges.end() && *zero == 0) {
     if (x > 0) begin = zero - edges.begin();
@@ -38,8 +39,8 @@ ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const d
 
   const std::vector<double> lagrange = numerics::lagrange_weights(
       edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(points)), x);
-  // The cumulative distribution at edge a contains all bins before a; the bins before k are
-  // subtracted.
+  // The cumulative distribution at edge a contains all bins before a. The bins before bin k - 1,
+  // which contains x, are subtracted.
   EdgeStencil result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),
                      std::vector<double>(static_cast<std::size_t>(points - 1))};
   double sum = 0;
@@ -63,7 +64,8 @@ std::vector<double> ConservativeRemap::operator()(std::span<const double> masses
   }
   std::vector<double> result;
   const EdgeStencil* before = nullptr;
-  double within_before = 0;  // mass below the previous edge, within the source bin of that edge
+  double within_before =
+      0;  // mass below the previous target edge, within the source bin of that edge
   for (const EdgeStencil& edge : edges_) {
     const bool same_bin = before != nullptr && before->bin == edge.bin;
     double within = 0;

@@ -8,8 +8,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-// Number of panels for half the width of the support. For a Gaussian density, each panel is about
-// one standard deviation wide.
+// Number of quadrature panels for half the width of the support. For a Gaussian density, each panel
+// is about one standard deviation wide.
 constexpr int kPanels = 8;
 
 }  // namespace
@@ -54,7 +54,7 @@ GridDensity average_over_cells(const GridDensity& density, std::span<const doubl
   const ConservativeRemap along_y(density.y_edges, y_edges), along_v(density.v_edges, v_edges);
   GridDensity grid{{y_edges.begin(), y_edges.end()}, {v_edges.begin(), v_edges.end()}, {}};
 
-  // Masses over (new v cell, old y cell), one column of the new grid after the other.
+  // Masses of the cells (new v cell, old y cell), by columns of the new grid.
   std::vector<std::vector<double>> columns(grid.nv(), std::vector<double>(density.ny()));
   std::vector<double> row(density.nv());
   for (std::size_t i = 0; i < density.ny(); ++i) {

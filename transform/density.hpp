@@ -6,8 +6,8 @@
 #include <vector>
 
 /// Joint densities of (y, y') between the walls; in the paper, on the half-plane y >= 0. Every
-/// solver returns a density in one of the two forms GridDensity and SmoothDensity. The integral of
-/// the density is 1 minus the probabilities of the rest atoms.
+/// solver returns a GridDensity or a SmoothDensity. The integral of a density is 1 minus the
+/// probabilities of the rest atoms.
 namespace fpkcheck::transform {
 
 /// A density given by its averages over rectangular cells (from finite volumes or a histogram).
@@ -21,8 +21,7 @@ struct GridDensity {
   double cell_average(std::size_t i, std::size_t j) const { return averages[i * nv() + j]; }
 };
 
-/// A density given by a function of (y, v). The density is zero outside [y_min, y_max] x [-v_max,
-/// v_max].
+/// A density given by a function of (y, v), which is zero outside [y_min, y_max] x [-v_max, v_max].
 struct SmoothDensity {
   std::function<double(double y, double v)> value;
   double y_max;
@@ -32,47 +31,43 @@ struct SmoothDensity {
 
 using Density = std::variant<GridDensity, SmoothDensity>;
 
-/// The moments of y and y' of order 1, 2 and 4.
 struct Moments {
   double y1 = 0, y2 = 0, y4 = 0;  ///< E[y], E[y^2], E[y^4]
   double v1 = 0, v2 = 0, v4 = 0;  ///< E[y'], E[y'^2], E[y'^4]
 };
 
-/// A moment of `Moments`, with its key in files and its symbol in tables.
 struct NamedMoment {
   const char* name;
   const char* symbol;
   double Moments::*moment;
-  double Moments::*size;  ///< scale of relative errors: E[y'^2] for E[y'], which is exactly 0
+  double Moments::*
+      size;  ///< scale of relative errors, such as E[y'^2] for E[y'], which is exactly 0
 };
 inline constexpr NamedMoment kMoments[] = {
     {"y1", "E[y]", &Moments::y1, &Moments::y1},    {"y2", "E[y^2]", &Moments::y2, &Moments::y2},
     {"y4", "E[y^4]", &Moments::y4, &Moments::y4},  {"v1", "E[y']", &Moments::v1, &Moments::v2},
     {"v2", "E[y'^2]", &Moments::v2, &Moments::v2}, {"v4", "E[y'^4]", &Moments::v4, &Moments::v4}};
 
-/// The expectation of g: the integral of g(y, v) p(y, v) over the support of p, computed with a
-/// composite Gauss-Legendre rule on [y_min, y_max] x [-v_max, 0] and [y_min, y_max] x [0, v_max].
+/// Returns the expectation of g(y, v), computed with a composite Gauss-Legendre rule on [y_min,
+/// y_max] x [-v_max, 0] and [y_min, y_max] x [0, v_max].
 double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g);
 
-/// The flux int_{v<0} |v|^power p(0, v) dv at the wall y = 0. For power 1 the result is the impact
-/// rate; for power 3 the result is twice the energy flux of paper (2).
+/// Returns the flux int_{v<0} |v|^power p(0, v) dv at the wall y = 0, which is the impact rate for
+/// power 1 and twice the energy flux for power 3.
 double impact_flux(const SmoothDensity& density, int power);
 
-/// Averages of a density over cells, computed from the function of the density at three
-/// Gauss-Legendre points in each direction of a cell.
+/// Averages a density over cells, with three Gauss-Legendre points in each direction of a cell.
 /// @param y_edges increasing edges, the first is 0
 /// @param v_edges increasing edges that include 0, where p may be discontinuous
 GridDensity average_over_cells(const SmoothDensity& density, std::span<const double> y_edges,
                                std::span<const double> v_edges);
 
-/// Averages over new cells of a density that is given on other cells, computed with
-/// ConservativeRemap along both axes. The averages are exact where old and new edges coincide. The
-/// edges of a histogram should include the new edges, since polynomial interpolation is inaccurate
-/// for noisy data.
+/// Averages a density on cells over new cells, with ConservativeRemap along both axes. The averages
+/// are exact where old and new edges coincide. The edges of a histogram should include the new
+/// edges, since polynomial interpolation is inaccurate for noisy data.
 GridDensity average_over_cells(const GridDensity& density, std::span<const double> y_edges,
                                std::span<const double> v_edges);
 
-/// The mass of a density: the sum of the masses of all cells, 1 for a normalised density.
 double mass(const GridDensity& density);
 
 }  // namespace fpkcheck::transform

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::transform {
 
-/// Type of a solution in a comparison. The enumerators are ordered by increasing trust.
+/// Type of a solution in a comparison, by increasing trust.
 enum class SolutionRole {
   external,    ///< an external density of unknown origin
   closure,     ///< a density of assumed form
@@ -26,25 +26,26 @@ constexpr std::string_view name(SolutionRole role) { return base::name_of(role);
 
 /// Colour, line and marker of a solution, the same in all plots and on the report page.
 struct PlotStyle {
-  std::string colour = "#777777";  ///< "#RRGGBB"
+  std::string colour = "#777777";  ///< colour in the form "#RRGGBB"
   std::string dash = "solid";      ///< a dash type of gnuplot: "solid", "(10,4)"
   double width = 1.5;
-  bool as_points = false;    ///< hollow points with intervals instead of a line
+  bool as_points = false;    ///< whether points with confidence intervals replace the line
   int layer = 1;             ///< lower layers are drawn first
   std::string symbol = "x";  ///< marker of plotly.js for a single point
 
   bool operator==(const PlotStyle&) const = default;
 };
 
-/// Identification of a solution. The solver sets the method, the density equation and the impact
-/// condition; the registry of methods adds family, meaning, trust and plot style.
+/// The solver sets the method, the density equation and the impact condition of a solution; the
+/// registry of methods sets family, meaning, trust and plot style.
 struct SolutionIdentity {
   std::string id;      ///< id of the solution: "epc-gaussian-n6", "fd-kf", "mcs"
   std::string method;  ///< method of the solver: "epc", "fd", "mcs", or "file"
-  /// Formulation and variant of a closure: "gaussian", "moment-white". Empty for other methods.
+  /// Formulation and variant of a closure, such as "gaussian" or "moment-white"; empty for other
+  /// methods.
   std::string formulation = {};
   std::optional<int> order = {};  ///< closure order: degree of its polynomial
-  /// Density equation and impact condition that were solved. Empty if unknown, for example for a
+  /// Density equation and impact condition that were solved; empty if unknown, for example for a
   /// density from a file.
   std::optional<problem::Equation> equation = {};
   std::optional<problem::Impact> impact = {};
@@ -62,19 +63,18 @@ struct SolutionIdentity {
 /// a function or from samples.
 inline constexpr std::string_view kExternalFile = "file", kExternalFunction = "given";
 
-/// Whether the solution is an external density, of any role.
 bool is_external(const SolutionIdentity& identity);
 
-/// Whether the solutions of the same family differ in their closure order. This is the case for a
+/// Returns whether the solutions of the same family differ in their closure order: true for a
 /// closure, and for an external density that belongs to a family of external densities
 /// (methods/external/labels.hpp).
 bool is_distinguished_by_order(const SolutionIdentity& identity);
 
-/// The names in files of the density equation and the impact condition that were solved:
-/// "km4/delta".
+/// Returns the names of the density equation and the impact condition, such as "km4/delta".
 std::string equation_and_impact_text(const SolutionIdentity& identity);
 
-/// The short name of a solution within its family: "n6", "kf". The id if there is no shorter name.
+/// Returns the short name of a solution within its family, such as "n6" or "kf"; the id if there is
+/// no shorter name.
 std::string short_name(const SolutionIdentity& identity);
 
 }  // namespace fpkcheck::transform

@@ -85,8 +85,7 @@ std::vector<numerics::QuadraturePoint> half_line_points(double end, PanelSpacing
   if (panels == PanelSpacing::uniform)
     return numerics::composite_gauss_points(0.0, end, kUniformPanels);
   constexpr int kGradedPanels = 12;
-  constexpr double kGradingExponent =
-      1.5;  // exponent of the grading; the last panel is then about as wide as a uniform panel
+  constexpr double kGradingExponent = 1.5;  // the last panel is about as wide as a uniform panel
   const auto edge = [&](int k) {
     return end * std::pow(static_cast<double>(k) / kGradedPanels, kGradingExponent);
   };

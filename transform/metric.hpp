@@ -11,24 +11,25 @@
 
 namespace fpkcheck::transform {
 
-/// Type of a metric. The type determines how closely a repeated run must reproduce the value of the
+/// Type of a metric, which determines how closely a repeated run must reproduce the value of the
 /// metric.
 enum class MetricKind {
   result,       ///< part of the solution; a repeated run must reproduce the value
   coefficient,  ///< coefficient of a closed form; the last digits of coefficients are not determined
   error,        ///< statistical error, estimated by the method
   work,         ///< diagnostics of the computation: steps, iterations, seconds, residuals
-  text          ///< text for readers
+  text          ///< explanatory text
 };
 
-/// A quantity of a solution that only one solver returns. Its value has a path such as
-/// "support.edge_density" or "quantiles.y[2].value", which is the same in files and on the report
-/// page. Code that writes, checks or prints metrics is therefore independent of the solvers.
+/// A quantity of a solution that only one solver returns. The path of a metric, such as
+/// "support.edge_density" or "quantiles.y[2].value", is the same in files and on the report page.
+/// Code that writes, checks or prints metrics is therefore independent of the solvers.
 struct Metric {
   std::string path;
   base::Value value;  ///< value; null if the quantity is absent
   MetricKind kind = MetricKind::result;
-  /// Path of another metric, the standard error of this value. Empty for a deterministic value.
+  /// Path of the metric that contains the standard error of the value; empty for a deterministic
+  /// value.
   std::string standard_error_path = {};
   /// Lower limit of the scale of relative changes of a result; the scale is max(|value|,
   /// min_scale).
@@ -39,17 +40,16 @@ struct Metric {
   bool operator==(const Metric&) const = default;
 };
 
-/// List of metrics, in the order in which files contain the metrics.
 using Metrics = std::vector<Metric>;
 
-/// The metric with this path; null if there is none.
 const Metric* find_metric(const Metrics& metrics, std::string_view path);
-/// The numerical value of the metric with this path; empty if there is none.
+/// Returns the numerical value of the metric with this path; empty if no metric with a numerical
+/// value has the path.
 std::optional<double> metric_number(const Metrics& metrics, std::string_view path);
-/// The text value of the metric with this path; empty if there is none.
+/// Returns the text of the metric with this path; empty if no metric with a text value has the
+/// path.
 std::optional<std::string> metric_text(const Metrics& metrics, std::string_view path);
 
-/// Builder of a list of metrics.
 class MetricBuilder {
  public:
   MetricBuilder& add_result(const std::string& path, base::Value value);
@@ -57,7 +57,6 @@ class MetricBuilder {
   MetricBuilder& add_text(const std::string& path, base::Value value);
   MetricBuilder& add_error(const std::string& path, base::Value value);
   MetricBuilder& add(Metric metric);
-  /// Adds an empty list of values with this path.
   MetricBuilder& add_empty_list(const std::string& path, MetricKind kind = MetricKind::result);
 
   Metrics take_metrics() { return std::move(metrics_); }
@@ -66,7 +65,6 @@ class MetricBuilder {
   Metrics metrics_;
 };
 
-/// Converts a count to a value of type integer.
 template <class Integer>
 base::Value value_from_count(Integer count) {
   return static_cast<std::int64_t>(count);
@@ -77,19 +75,18 @@ inline base::Value value_from_optional(const std::optional<double>& number) {
   return number ? base::Value(*number) : base::Value();
 }
 
-/// Relative residuals of the two balances of problem/balances.hpp. A residual is 0 for the
-/// exact stationary density of any density equation and impact condition, and empty if the solution
-/// lacks a quantity of the balance. A zero residual is a necessary but not a sufficient condition
-/// for the exact density: a wrong density may satisfy both balances.
+/// Relative residuals of the virial balance and of the momentum balance (problem/balances.hpp). A
+/// residual is 0 for the exact stationary density of any density equation and impact condition, and
+/// empty if the solution lacks a quantity of the balance. A density with zero balance residuals may
+/// still be wrong.
 struct BalanceResiduals {
-  std::optional<double> virial = {};    ///< problem::virial_balance
-  std::optional<double> momentum = {};  ///< problem::momentum_balance
+  std::optional<double> virial = {};    ///< residual of problem::virial_balance()
+  std::optional<double> momentum = {};  ///< residual of problem::momentum_balance()
 };
 
-/// Adds the residuals as metrics "balances.virial" and "balances.momentum" (null if a residual is
-/// empty). Standard errors that are present are added as "balances.virial_error" and
-/// "balances.momentum_error". All these metrics are diagnostics, so that a repeated run need not
-/// reproduce their values; a repeated run must reproduce the moments.
+/// Adds the residuals of the balances as metrics "balances.virial" and "balances.momentum", and
+/// standard errors, if present, as "balances.virial_error" and "balances.momentum_error". The
+/// balance metrics are diagnostics, which a repeated run need not reproduce.
 void add_balance_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
                          const BalanceResiduals& standard_errors = {});
 

@@ -15,7 +15,8 @@ double order(double before, double last, double ratio) {
   return std::log(before / last) / std::log(ratio);
 }
 
-// Error estimate of a quantity on the finest grid, from the last two differences of the quantity.
+// Estimates the error of a quantity on the finest grid from the last two differences of the
+// quantity.
 double difference_error(double before, double last, double reduction_ratio, double factor) {
   return factor * std::max(std::abs(last), std::abs(before) / reduction_ratio);
 }

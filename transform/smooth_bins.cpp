@@ -11,7 +11,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-constexpr int kSupportHalfWidth = 2;  // half-width of the support of M, in units of the spacing
+constexpr int kSupportHalfWidth =
+    2;  // half-width of the support of the B-spline M, in units of the spacing
 // Weights of Boole's rule on four intervals.
 constexpr int kBooleIntervals = 4;
 constexpr double kBoole[] = {7.0 / 90, 32.0 / 90, 12.0 / 90, 32.0 / 90, 7.0 / 90};
@@ -21,9 +22,9 @@ double cubic_spline_slope(double t) {
   return std::copysign(1.0, t) * (12 * inner * inner - 3 * outer * outer) / 6;
 }
 
-/// Increasing points between which F M' is smooth: the knots of the B-splines, the midpoints
-/// between knots, and the edges of the sharp bins. Only points in the support of the smooth bins
-/// are returned.
+/// Returns increasing points between which the integrand F M' is smooth: the knots of the
+/// B-splines, the midpoints between knots, and the edges of the sharp bins. The returned points are
+/// in the support of the smooth bins.
 std::vector<double> segment_ends(const SmoothBins& bins, const std::vector<double>& edges) {
   const double begin = bins.first - kSupportHalfWidth * bins.spacing;
   const int halves = 2 * (bins.count - 1 + 2 * kSupportHalfWidth);
@@ -33,7 +34,7 @@ std::vector<double> segment_ends(const SmoothBins& bins, const std::vector<doubl
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double edge) { return begin < edge && edge < end; });
   std::ranges::sort(cuts);
-  // Remove edges that coincide with knots up to rounding errors.
+  // Edges that coincide with knots up to rounding errors are removed.
   constexpr double kCoincidenceTolerance = 1e-9;
   cuts.erase(
       std::unique(cuts.begin(), cuts.end(),
@@ -51,7 +52,7 @@ double cardinal_cubic_spline(double t) {
 
 double bin_weight(const SmoothBins& bins, int bin) {
   const double t = (bins.from - bins.first) / bins.spacing - bin, u = std::abs(t);
-  // int_u^2 M for u >= 0
+  // The variable `beyond` is the integral of M from u to 2.
   const double outer = std::max(0.0, 2 - u), inner = std::max(0.0, 1 - u);
   const double beyond = (std::pow(outer, 4) - 4 * std::pow(inner, 4)) / 24;
   return bins.spacing * (t >= 0 ? beyond : 1 - beyond);
@@ -79,9 +80,9 @@ Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins)
   const std::vector<double> between = ConservativeRemap(sharp.edges, nodes)(masses);
   std::vector<double> averages;
   for (int b = 0; b < bins.count; ++b) {
-    // int M p = -int F M'. A constant may be added to F, since int M' = 0; F is therefore set to 0
-    // at the left end of the support of M.
-    // Ends of the support of bin b, in units of the spacing.
+    // Integration by parts gives int M p = -int F M' for the cumulative distribution F of p. Since
+    // int M' = 0, F is set to 0 at the left end of the support of M. The variables `begin` and
+    // `end` are the ends of the support of bin b in units of the spacing.
     const double begin = b - kSupportHalfWidth, end = b + kSupportHalfWidth;
     const auto scaled_position = [&](double x) { return (x - bins.first) / bins.spacing; };
     double cumulative = 0, integral = 0;

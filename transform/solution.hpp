@@ -16,18 +16,9 @@
 
 namespace fpkcheck::transform {
 
-/// Status of the result of a solver. A solver that finds no solution returns a status and throws no
+/// Status of the result of a solver; a solver that finds no solution returns a status and throws no
 /// exception.
-enum class Status {
-  ok,
-  not_converged,  ///< the equations are not satisfied
-  ill_posed,      ///< the discrete problem as requested grows without bound
-  inaccurate,     ///< the equations are satisfied; the error exceeds the requested accuracy
-  inadmissible,   ///< the equations are satisfied, but the solution is no probability density
-  failed,         ///< the solver failed
-  not_offered     ///< the solver does not support the problem
-};
-/// The names of the statuses in summary.json, with their meanings.
+enum class Status { ok, not_converged, ill_posed, inaccurate, inadmissible, failed, not_offered };
 inline constexpr base::EnumEntry<Status> kStatusNames[] = {
     {Status::ok, "ok"},
     {Status::not_converged, "not_converged", "the equations are not satisfied"},
@@ -44,7 +35,7 @@ constexpr std::string_view name(Status status) { return base::name_of(status); }
 /// `fine` is the density of the solution.
 struct RichardsonExtrapolation {
   Density coarser;
-  double factor;  ///< 1/(R - 1); R is the ratio of consecutive differences between grids
+  double factor;  ///< 1/(R - 1), where R is the ratio of consecutive differences between grids
 };
 
 /// Standard errors of a solution from a simulation, each in the unit of its quantity.
@@ -53,7 +44,7 @@ struct StandardErrors {
   double energy_residual = 0;
 };
 
-/// Sampling error in L1 of the marginal densities. Empty for a marginal without standard errors.
+/// Sampling error in L1 of the marginal densities; empty for a marginal without standard errors.
 struct SamplingError {
   std::optional<double> y{}, ydot{};        ///< expected value of the L1 error
   std::optional<double> y_99{}, ydot_99{};  ///< 99 % quantile of the L1 error over repeated runs
@@ -67,7 +58,7 @@ struct SmoothBinEstimate {
 };
 
 /// Factor of safety of error estimates by Richardson extrapolation from three or more grids
-/// (Roache, J. Fluids Eng. 116 (1994) 405).
+/// (Roache, Journal of Fluids Engineering 116 (1994) 405).
 inline constexpr double kErrorSafetyFactor = 1.25;
 
 /// Error estimate that the method states for its solution, without sampling errors.
@@ -82,8 +73,8 @@ struct ErrorEstimate {
 struct RestAtom {
   double y = 0;  ///< position of the wall
   double probability = 0;
-  std::optional<double> standard_error = {};  ///< standard error, in a simulation
-  std::optional<double> error_estimate = {};  ///< error estimate of the method
+  std::optional<double> standard_error = {};
+  std::optional<double> error_estimate = {};
 };
 
 /// The result of a solver, or a result that was read from a saved run.
@@ -94,20 +85,19 @@ struct Solution {
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
   double seconds = 0;       ///< wall-clock time of the solver
 
-  /// The joint density. Empty if the solver found no density, and in a solution that was read from
-  /// a saved run.
+  /// The joint density; empty if the solver found no density or if the solution was read from a
+  /// saved run.
   std::optional<Density> density = {};
-  /// Marginals with confidence intervals, estimated by a simulation. Empty for other solvers.
+  /// Marginals with confidence intervals, estimated by a simulation; empty for other solvers.
   std::vector<std::pair<Variable, Marginal>> estimated_marginals = {};
   /// Marginals over smooth bins from a simulation with control variates, far more accurate than
-  /// marginals over sharp bins. Empty for other solvers, and in a solution that was read from a
-  /// saved run.
+  /// marginals over sharp bins; empty for other solvers and for solutions from a saved run.
   std::vector<std::pair<Variable, SmoothBinEstimate>> smooth_estimates = {};
-  /// Richardson extrapolation. Present if the solver estimated its discretisation error from a
-  /// coarser grid.
+  /// Richardson extrapolation, if the solver estimated its discretisation error from a coarser
+  /// grid.
   std::optional<RichardsonExtrapolation> extrapolation = {};
 
-  /// Moments of the density. Not set if there is no density.
+  /// Moments of the density; not set if there is no density.
   Moments moments = {};
   double mass = 0;  ///< integral of the density plus the probabilities of the atoms
   std::vector<RestAtom> atoms = {};  ///< rest atoms, at walls to which a force presses the mass
@@ -116,53 +106,49 @@ struct Solution {
 
   std::optional<StandardErrors> standard_errors = {};
   std::optional<SamplingError> sampling = {};
-  std::optional<SamplingError> smooth_sampling = {};  ///< sampling error of the smooth estimates
+  std::optional<SamplingError> smooth_sampling = {};
   std::optional<ErrorEstimate> error = {};
-  Metrics metrics = {};  ///< solver-specific quantities
+  Metrics metrics = {};
 
-  /// For a solution that was read from a saved run: whether the saved solution had a density.
+  /// Whether a solution that was read from a saved run had a density in the run.
   bool had_density = false;
 
   const std::string& id() const { return identity.id; }
   bool is_ok() const { return status == Status::ok; }
-  /// Whether the solution has a density or a marginal, and therefore moments and a mass.
+  /// Returns whether the solution has a density or a marginal, and therefore moments and a mass.
   bool has_density() const { return density || !estimated_marginals.empty() || had_density; }
 };
 
-/// Whether a solution has an error estimate, or a sampling error, for each of its marginals.
+/// Returns whether a solution has an error estimate, or a sampling error, for each of its
+/// marginals.
 bool has_error_estimate(const Solution& solution);
 
-/// Changes the status `ok` of a solution that has no error estimate to `inaccurate`, since the
-/// status `ok` requires an error estimate.
+/// Changes the status `ok` of a solution without an error estimate to `inaccurate`.
 void require_error_estimate(Solution& solution);
 
-/// Calls require_error_estimate(). Then changes the status `ok` of the solution to `inaccurate` if
-/// the L1 error estimate of p(y) or p(y') exceeds `accuracy`.
+/// Changes the status `ok` of the solution to `inaccurate` if the solution has no error estimate,
+/// or if the L1 error estimate of p(y) or p(y') exceeds `accuracy`.
 /// @param reason text that states the error; the function appends the requested accuracy
 void require_accuracy(double accuracy, const std::string& reason, Solution& solution);
 
-/// The solution with this id; null if there is none.
 const Solution* find_solution(std::span<const Solution> solutions, std::string_view id);
 
-/// The marginal of a solution over the bins between `edges`: the marginal that the solver
+/// Returns the marginal of a solution over the bins between `edges`: the marginal that the solver
 /// estimated, if its bins have exactly these edges; otherwise the marginal of the density.
 /// @throws std::logic_error if the solution has no density
 Marginal marginal(const Solution& solution, Variable variable, std::span<const double> edges);
 
-/// The marginal of the Richardson limit of the densities on the grids of a solution. Averages near
-/// 0 may become negative by extrapolation.
+/// Returns the marginal of the Richardson limit of the densities on the grids of a solution. Bin
+/// averages near 0 may become negative by extrapolation.
 /// @throws std::logic_error if the solution has no density or no extrapolation
 Marginal richardson_limit_marginal(const Solution& solution, Variable variable,
                                    std::span<const double> edges);
 
-/// Sampling error of the most accurate marginals of a solution: of the marginals over smooth bins
-/// if the solution has such marginals, otherwise of the marginals over sharp bins.
+/// Returns the sampling error of the marginals over smooth bins if the solution has such marginals,
+/// otherwise of the marginals over sharp bins.
 const std::optional<SamplingError>& best_sampling_error(const Solution& solution);
-/// The marginal of one variable over smooth bins; null if there is none.
 const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, Variable variable);
 
-/// The expected L1 error, the 99 % quantile of the L1 error, and the L1 error estimate of the
-/// marginal of one variable.
 std::optional<double> expected_l1_error(const SamplingError& sampling, Variable variable);
 std::optional<double> l1_error_quantile_99(const SamplingError& sampling, Variable variable);
 double l1(const ErrorEstimate& error, Variable variable);

@@ -55,7 +55,7 @@ std::string partial_suffix(const std::string& host) {
   return fmt::format("{}{}-", kPartialMarker, host);
 }
 
-// Process id in the name of a partial file of this host; 0 if the name is not such a name.
+// Returns the process id in the name of a partial file that this host wrote; 0 for any other name.
 long partial_writer_pid(const std::string& name) {
   const std::string suffix = partial_suffix(WriterProcess::current_process().host);
   const auto at = name.rfind(suffix);
@@ -104,7 +104,8 @@ void remove_abandoned_partial_files(const fs::path& directory) {
 }
 
 void write_new_file(const fs::path& file, std::string_view bytes) {
-  // O_NOFOLLOW: a symbolic link that another user placed here must not redirect the writing.
+  // O_NOFOLLOW prevents a symbolic link of another user from redirecting the output to another
+  // file.
   FileDescriptor out(checked_descriptor(
       open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kFileMode)));
   try {

@@ -9,7 +9,6 @@
 /// and the partial file is then renamed to the target.
 namespace fpkcheck::base {
 
-/// Owner of a file descriptor: the destructor closes the descriptor.
 class FileDescriptor {
  public:
   /// @param number an open file descriptor, or a negative number if the file could not be opened
@@ -27,24 +26,22 @@ class FileDescriptor {
   int number_;
 };
 
-/// Path of the partial file beside the target: .NAME.partial-HOST-PID. The file is hidden, and its
-/// name is unique to this process, so that two runs with the same output directory do not write the
-/// same file.
+/// Returns the path of the hidden partial file beside the target, .NAME.partial-HOST-PID. Host name
+/// and process id in the file name prevent two runs with the same output directory from writing the
+/// same partial file.
 std::filesystem::path partial_file_path(const std::filesystem::path& target);
 
-/// The process that writes a partial file or a journal.
 struct WriterProcess {
   std::string host;
   long pid;
 
   static WriterProcess current_process();
-  /// Whether the process may still be running. A process of another host cannot be queried and may
-  /// always be running.
+  /// Returns false only if the process ran on this host and has ended; a process of another host
+  /// cannot be queried.
   bool may_be_running() const;
 };
 
 /// Removes those partial files of a directory whose writing process ran on this host and has ended.
-/// The partial files of all other processes are kept.
 void remove_abandoned_partial_files(const std::filesystem::path& directory);
 
 /// Permissions of a new file, before the system removes the permissions in the umask.

@@ -27,8 +27,8 @@ std::string without_comment(std::string line, int line_number) {
 std::optional<std::string> read_input_file(const std::filesystem::path& file,
                                            std::size_t max_bytes) {
   constexpr std::size_t kChunkBytes = 1 << 20;
-  // O_NONBLOCK: without this flag, opening a pipe that has no writer would block. Pipes cannot be
-  // excluded before, as the type of the file is known only after opening.
+  // O_NONBLOCK prevents open() from blocking on a pipe without a writer; the type of the file is
+  // known only after opening.
   const FileDescriptor descriptor(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (!descriptor.is_regular_file()) return std::nullopt;
   std::string bytes;

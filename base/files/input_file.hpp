@@ -9,26 +9,24 @@
 
 namespace fpkcheck::base {
 
-/// Reads a file that a user named. Returns nothing if the file is not a readable regular file:
-/// reading a pipe or a device could block the program or never end.
-/// @param max_bytes largest accepted number of bytes
+/// Reads the contents of a file that a user named. Returns nullopt unless the file is a readable
+/// regular file, since reading a pipe or a device could block forever.
 /// @throws InputError with a one-line message if the file has more than `max_bytes` bytes
 std::optional<std::string> read_input_file(const std::filesystem::path& file,
                                            std::size_t max_bytes);
 
-/// A line `key = value` of an ini file, together with the name of the `[section]` that contains the
-/// line.
+/// A setting `key = value` of an ini file, with the name of its `[section]`.
 struct IniSetting {
   std::string section;  ///< name of the section; empty for a line before the first section
   std::string key, text;
   std::string where;  ///< location of the line, for messages: "case mine.ini:7"
 
-  /// Section and key, joined by a dot: "system.damping".
+  /// Returns section and key joined by a dot, such as "system.damping".
   std::string path() const { return section.empty() ? key : section + '.' + key; }
 };
 
-/// Reads all settings of an ini file, in the order of their lines. Comments begin with '#' or ';'.
-/// A byte-order mark at the beginning of the file is skipped.
+/// Reads all settings of an ini file, in the order of their lines. Text after '#' or ';' is a
+/// comment.
 /// @param where name of the file in messages
 /// @throws InputError "WHERE:LINE: .." for a line that is neither a `[section]` nor a setting `key
 /// = value`

@@ -21,8 +21,8 @@ void LineLog::fail(const char* what) const {
 
 LineLog::LineLog(const std::filesystem::path& file)
     : file_(file),
-      // O_NOFOLLOW: a symbolic link that another user placed here must not redirect the writing to
-      // another file. O_NONBLOCK: opening a pipe must not block.
+      // O_NOFOLLOW prevents a symbolic link of another user from redirecting the output to another
+      // file. O_NONBLOCK prevents open() from blocking on a pipe.
       descriptor_(open(file.c_str(),
                        O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
                        kFileMode)) {

@@ -9,26 +9,24 @@
 
 namespace fpkcheck::base {
 
-/// An append-only text file with an exclusive lock, so that one process at a time writes the file.
-/// A process that is killed leaves at most one incomplete last line; read() of the next process
-/// removes this line.
+/// An append-only text file with an exclusive lock: only one process at a time writes the file. A
+/// killed process leaves at most one incomplete last line, which read() of the next process
+/// removes.
 class LineLog {
  public:
-  /// Opens and locks the file. A file that does not exist is created.
+  /// Opens and locks the file; a missing file is created.
   /// @throws InputError with a one-line message if another process has locked the file or if the
   /// file is not a regular file; std::runtime_error if the file cannot be opened
   explicit LineLog(const std::filesystem::path& file);
 
-  /// Reads the existing lines, without line ends, and removes an incomplete last line. Must be
-  /// called once, before append().
+  /// Reads the existing lines, without line ends, and removes an incomplete last line from the
+  /// file. The caller must call read() once, before append().
   /// @throws std::runtime_error with a one-line message
   std::vector<std::string> read();
-  /// Whether read() removed an incomplete last line.
   bool has_removed_partial_line() const { return removed_partial_line_; }
 
-  /// Appends a line, either completely or not at all. After the function has returned, the line
-  /// remains in the file even if the process is killed.
-  /// @param line text of the line, without the line end
+  /// Appends a line completely or not at all. An appended line remains in the file even if the
+  /// process is killed.
   /// @throws std::runtime_error with a one-line message; the file is then unchanged
   void append(std::string_view line);
   /// Waits until all appended lines are on disk, where they survive a power failure.

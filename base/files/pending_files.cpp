@@ -29,8 +29,8 @@ std::runtime_error cannot_write(const fs::path& target, const std::error_code& w
 constexpr const char* kFirstLine = "fpkcheck commit 1";
 constexpr const char *kRename = "rename", *kRemove = "remove";
 
-// Each file name is on a separate line of the journal, because names may contain spaces. Names with
-// a line end or a slash are rejected, since a forged journal could name files of other directories.
+// A journal has one file name per line, so that names may contain spaces. Names with a slash are
+// rejected, since a forged journal could name files of other directories.
 bool is_plain_file_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." &&
          name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
@@ -46,7 +46,7 @@ std::string text_of(const Journal& journal) {
   return text + "end\n";
 }
 
-// Parses the text of a journal; returns nothing if the journal is incomplete.
+// Parses the text of a journal; returns nullopt for an incomplete journal.
 std::optional<Journal> parse_journal(std::istream& in) {
   Journal journal;
   journal.writer.pid = 0;
@@ -75,8 +75,8 @@ std::optional<Journal> parse_journal(std::istream& in) {
 std::optional<Journal> read_journal(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return std::nullopt;
-  // A journal of another user is rejected: in a shared directory, the journal could make this
-  // process remove files that belong to the user of this process.
+  // A journal of another user is rejected, since in a shared directory such a journal could make
+  // this process remove files of its own user.
   struct stat status = {};
   if (stat(file.c_str(), &status) != 0 || status.st_uid != geteuid()) return std::nullopt;
   constexpr std::size_t kMostBytes = 1 << 20;
@@ -109,7 +109,7 @@ void PendingFiles::require_same_directory(const fs::path& target) const {
 void PendingFiles::add(const fs::path& target, const FileWriter& produce) {
   require_same_directory(target);
   const fs::path temporary = partial_file_path(target);
-  // A file of this name was left by an earlier process that had the same process id.
+  // An earlier process with the same process id may have left a partial file with the same name.
   std::error_code ignored;
   fs::remove(temporary, ignored);
   // The partial file is registered before `produce` is called, so that the destructor also removes
@@ -164,7 +164,8 @@ void PendingFiles::replace_targets(const fs::path& directory) {
       }
       for (const auto& target : removals_) journal.removals.push_back(target.filename().string());
       journal.write_to_directory(directory);
-      // keep the partial files on failure: this or the next process applies the journal
+      // Once the journal is written, the partial files must be kept, since this or the next process
+      // applies the journal.
       pending_.clear();
       removals_.clear();
       journal.apply(directory);
@@ -189,12 +190,12 @@ void write_file(const fs::path& target, std::string_view bytes) {
 }
 
 void Journal::write_to_directory(const fs::path& directory) const {
-  // The journal is written under a temporary name and then linked to its final name. Other
-  // processes therefore never see an incomplete journal.
+  // The journal is written under a temporary name and then linked to its final name, so that other
+  // processes never read an incomplete journal.
   const fs::path file = directory / kFileName, partial = partial_file_path(file);
   write_new_file(partial, text_of(*this));
   std::error_code error;
-  // a hard link, unlike a rename, never replaces the journal of another process
+  // A hard link, unlike a rename, never replaces the journal of another process.
   fs::create_hard_link(partial, file, error);
   if (error == std::errc::file_exists) {
     std::error_code ignored;
@@ -209,7 +210,7 @@ void Journal::write_to_directory(const fs::path& directory) const {
   flush(directory);
 }
 
-// Renames a file. A missing source file means that an earlier process has already renamed the file.
+// If the source file of a rename is missing, an earlier process has already renamed the file.
 void Journal::apply(const fs::path& directory) const {
   for (const auto& [from, to] : renames) {
     std::error_code error;
@@ -226,7 +227,8 @@ void Journal::apply(const fs::path& directory) const {
 
 void complete_interrupted_commit(const fs::path& directory) {
   const fs::path file = directory / Journal::kFileName;
-  // A running process removes its journal after some milliseconds; wait up to 2 s for the removal.
+  // A running process removes its journal within milliseconds; the loop waits up to 2 s for the
+  // removal.
   constexpr int kMaxAttempts = 20;
   constexpr std::chrono::milliseconds kRetryInterval(100);
   for (int attempt = 0; path_exists(file); ++attempt) {

@@ -10,14 +10,12 @@
 
 namespace fpkcheck::base {
 
-/// Files that are replaced in one transaction. Each new file is first written as a partial file
-/// beside its target; commit() then replaces all targets. After a process was killed, the directory
-/// has either all old or all new files (Journal). Without a call of commit(), the destructor
-/// removes the partial files, and the targets are unchanged.
+/// Replaces several files of one directory in one transaction. The function add() writes a partial
+/// file beside each target, and commit() replaces all targets. Without a call of commit(), the
+/// destructor removes the partial files and the targets are unchanged. If the process is killed,
+/// the directory contains either all old or all new files (see Journal).
 class PendingFiles {
  public:
-  /// Function that writes a file at the given temporary path, which is in the directory of the
-  /// target.
   using FileWriter = std::function<void(const std::filesystem::path& temporary)>;
 
   PendingFiles() = default;
@@ -26,18 +24,18 @@ class PendingFiles {
   ~PendingFiles();
 
   /// Calls `produce` to write the partial file of a target.
-  /// @param target path in the same directory as all targets that were added before
-  /// @throws whatever `produce` throws
+  /// @param target path in the same directory as all earlier targets
+  /// @throws the exceptions of `produce`
   void add(const std::filesystem::path& target, const FileWriter& produce);
-  /// Writes the partial file of a target with these bytes.
+  /// Writes `bytes` to the partial file of a target.
   /// @throws std::runtime_error with a one-line message
   void add(const std::filesystem::path& target, std::string_view bytes);
-  /// Marks a file for removal. commit() then removes the file if the file exists.
+  /// Marks a file, which may be absent, for removal by commit().
   void remove(const std::filesystem::path& target);
 
   /// Replaces all targets by their new files, and removes the files that are marked for removal.
-  /// @throws std::runtime_error with a one-line message if a partial file does not exist or a
-  /// directory has the name of a target; no target is changed before these checks
+  /// @throws std::runtime_error with a one-line message. A missing partial file, or a directory
+  /// with the name of a target, is detected before any target is replaced.
   /// @pre commit() was not called before
   void commit();
 
@@ -60,16 +58,14 @@ class PendingFiles {
 /// wrote no file
 void replace_file(const std::filesystem::path& target, const PendingFiles::FileWriter& produce);
 
-/// Replaces a file by a new file with these bytes.
+/// Atomically replaces the contents of a file by `bytes`.
 /// @throws std::runtime_error with a one-line message
 void write_file(const std::filesystem::path& target, std::string_view bytes);
 
-/// Write-ahead journal of a change of several files in one directory. The journal is on disk before
-/// the first file is replaced and is removed after the last file was replaced. If a process is
-/// killed in between, the next process finds the journal and completes the change. The directory
-/// therefore ends with either all old files or all new files.
+/// Write-ahead journal of a change of several files in one directory. The journal is written before
+/// the first file is replaced and removed after the last replacement. If a process is killed during
+/// the change, the next process completes the change from the journal.
 struct Journal {
-  /// Renaming of a file within the directory.
   struct FileRename {
     std::string from, to;
   };
@@ -80,8 +76,8 @@ struct Journal {
 
   static constexpr const char* kFileName = ".fpkcheck-commit";
 
-  /// Writes the journal into the directory. Once the journal is written, this process or a later
-  /// process completes the change.
+  /// Writes the journal to disk; from then on, this or a later process completes the change of
+  /// files.
   /// @throws std::system_error, after which no new journal exists; with the code file_exists if the
   /// directory already contains a journal
   void write_to_directory(const std::filesystem::path& directory) const;
@@ -90,8 +86,8 @@ struct Journal {
   void apply(const std::filesystem::path& directory) const;
 };
 
-/// Completes the change of files that a killed process left incomplete. Does nothing if the
-/// directory contains no journal.
+/// If the directory contains a journal, completes the change of files that a killed process left
+/// incomplete.
 /// @throws InputError with a one-line message if another process may still be performing the
 /// change, if the journal belongs to another user or is damaged, or if the directory is not
 /// writable

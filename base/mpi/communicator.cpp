@@ -10,8 +10,8 @@
 namespace fpkcheck::base {
 
 bool Communicator::launched_by_mpi() {
-  // These variables are set by mpirun of Open MPI and by launchers that use PMI (MPICH, Intel MPI,
-  // srun --mpi=pmi2).
+  // Open MPI's mpirun and launchers with PMI (MPICH, Intel MPI, srun --mpi=pmi2) set
+  // OMPI_COMM_WORLD_SIZE, PMI_SIZE or MPI_LOCALNRANKS to the number of processes.
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"}) {
     const char* const text = std::getenv(variable);
     if (text == nullptr) continue;
@@ -20,7 +20,7 @@ bool Communicator::launched_by_mpi() {
     std::from_chars(number.data(), number.data() + number.size(), size);
     if (size > 1) return true;
   }
-  // srun --mpi=pmix sets the number of processes only in a variable of Slurm.
+  // With srun --mpi=pmix only the Slurm variable SLURM_NTASKS contains the number of processes.
   const char* const tasks = std::getenv("SLURM_NTASKS");
   return std::getenv("PMIX_RANK") != nullptr && tasks != nullptr && std::string_view(tasks) != "1";
 }

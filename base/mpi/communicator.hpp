@@ -11,19 +11,17 @@
 namespace fpkcheck::base {
 
 /// Communication between the MPI processes of this run. Only the thread that called
-/// initialise_mpi() may use the object. Rank 0 writes the files; the other ranks compute.
+/// initialise_mpi() may use the communicator.
 class Communicator {
  public:
-  /// A message from another MPI process, with the rank of the sender.
   struct Message {
     int from;
     std::string text;
   };
 
-  /// Whether mpirun, srun --mpi or a similar launcher started several processes, according to the
-  /// environment variables that launchers set.
+  /// Returns whether a launcher such as mpirun or srun --mpi started several processes, according
+  /// to the environment variables of the launcher.
   static bool launched_by_mpi();
-  /// Initialises MPI and returns the communicator of all processes.
   /// @throws InputError if the program was built without MPI
   static std::unique_ptr<Communicator> initialise_mpi();
 
@@ -34,21 +32,21 @@ class Communicator {
   bool is_first_rank() const { return rank() == 0; }
 
   virtual void send(int to, const std::string& text) = 0;
-  /// Returns the next message that has arrived, or nothing if no message has arrived. Does not
-  /// block.
+  /// Returns the next message that has arrived, or nullopt if there is no message; does not block.
   virtual std::optional<Message> receive() = 0;
   /// Collects the texts of all MPI processes on rank 0; every process must call this function.
-  /// @param own text of this process
-  /// @param poll function that rank 0 calls while it waits; an exception of `poll` ends the wait
-  /// @return on rank 0 the texts of the other processes in the order of the ranks; else nothing
+  /// @param poll function that rank 0 calls repeatedly during the wait; an exception of `poll` ends
+  /// the wait
+  /// @return the texts of the other processes by increasing rank on rank 0; an empty list on the
+  /// other ranks
   std::vector<std::string> gather(const std::string& own, const std::function<void()>& poll);
-  /// Ends all MPI processes of this run. Must be called when this process fails, since the other
-  /// processes would wait forever for messages of this process.
+  /// A failing process must call abort(), since the other processes of this run would wait forever
+  /// for its messages.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 
  private:
-  /// Texts that gather() has received but not returned, by rank: a faster process may already send
-  /// its text of the next call.
+  /// Texts that gather() has received early, by rank: a faster process may already send its text
+  /// for the next call of gather().
   std::map<int, std::deque<std::string>> gathered_;
 };
 

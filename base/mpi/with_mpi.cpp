@@ -22,7 +22,7 @@ void check_mpi(int code, const char* what) {
 class MpiCommunicator : public Communicator {
  public:
   MpiCommunicator() {
-    // The level FUNNELED suffices, since the solver threads make no MPI calls.
+    // MPI_THREAD_FUNNELED suffices, since the solver threads make no MPI calls.
     int provided = 0;
     check_mpi(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided),
               "cannot initialise");

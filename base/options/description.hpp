@@ -14,9 +14,7 @@
 
 namespace fpkcheck::base {
 
-/// Converts a data member of an options struct to a Value and back. The template is specialised for
-/// bool, integers, double, std::string, enums with a table of names, and std::optional of each of
-/// these types.
+/// Conversion between a data member of an options struct and a Value.
 template <class Member>
 struct MemberConversion;
 
@@ -95,8 +93,8 @@ concept Resettable = requires(Member member) {
   member.reset();
 };
 
-/// The parameters of one options struct, in the order in which help texts and tables list the
-/// parameters. This base class does not depend on the type of the struct; use Description<Owner>.
+/// The parameters of one options struct, in the order of help texts and tables. Only the derived
+/// template Description<Owner> depends on the type of the struct.
 class DescriptionBase {
  public:
   /// @param prefix text before each parameter name in messages, e.g. "system." or "epc "
@@ -104,7 +102,6 @@ class DescriptionBase {
 
   const std::vector<Parameter>& parameters() const { return all_; }
   const std::string& prefix() const { return prefix_; }
-  /// The parameter with this name; null if there is none.
   const Parameter* find(std::string_view name) const;
 
  protected:
@@ -128,7 +125,6 @@ class DescriptionBase {
 };
 
 /// The parameters of the options struct `Owner`, each with name, help text, range and data member.
-/// Parsing, JSON, tables and range checks are derived from this description.
 ///
 ///     const auto description = Description<Options>("epc ")
 ///                                  .add("order", &Options::order, {"N", "degree n"}, positive_numbers());
@@ -138,12 +134,12 @@ class Description : public DescriptionBase {
   using DescriptionBase::DescriptionBase;
 
   struct HelpText {
-    std::string placeholder;  ///< "N" in `--order N`
+    std::string
+        placeholder;  ///< placeholder of the value in help texts, such as "N" in `--order N`
     std::string help;
   };
 
-  /// Adds a parameter. The command-line flag of the parameter is its name with dashes in place of
-  /// underscores.
+  /// Adds a parameter whose command-line flag is its name with dashes in place of underscores.
   template <class Member>
   Description&& add(const std::string& name, Member Owner::*member, HelpText text,
                     std::optional<AdmissibleRange> range = {}) && {
@@ -165,14 +161,12 @@ class Description : public DescriptionBase {
     all_.push_back(std::move(parameter));
     return std::move(*this);
   }
-  /// Replaces the command-line flag of the parameter that was added last. An empty text removes the
-  /// flag.
+  /// Replaces the command-line flag of the last added parameter; an empty text removes the flag.
   Description&& with_flag(const std::string& flag) && {
     all_.back().flag = flag;
     return std::move(*this);
   }
   Description&& without_flag() && { return std::move(*this).with_flag(""); }
-  /// Sets the symbol that formulas use for the parameter that was added last.
   Description&& with_symbol(const std::string& plain, const std::string& typeset) && {
     all_.back().symbol = plain;
     all_.back().typeset = typeset;
@@ -182,33 +176,32 @@ class Description : public DescriptionBase {
     all_.back().choices = std::move(choices);
     return std::move(*this);
   }
-  /// For the parameter that was added last: sets the function that returns a short display text for
-  /// a long word.
+  /// Sets the function that returns a short display text for a long word of the last added
+  /// parameter.
   Description&& with_display_text(
       std::function<std::string(const std::string& word)> display_text) && {
     all_.back().display_text = std::move(display_text);
     return std::move(*this);
   }
-  /// Sets the default value of the parameter that was added last: its value if a file lacks its
-  /// key.
+  /// Sets the value of the last added parameter that applies if a file lacks its key.
   Description&& with_default(Value value) && {
     all_.back().default_value = std::move(value);
     return std::move(*this);
   }
-  /// Sets the default value like with_default(). In addition, files and tables omit the parameter
-  /// whenever its value equals the default.
+  /// Sets the default value like with_default(); files and tables omit the parameter if its value
+  /// equals the default.
   Description&& with_default_omitted_from_files(Value default_value) && {
     all_.back().omit_default = true;
     return std::move(*this).with_default(std::move(default_value));
   }
 
-  /// The values of all parameters, in the order of the description.
   Values values(const Owner& owner) const { return values_of(&owner); }
-  /// The values that files store: the values of all parameters except those parameters with
-  /// omit_default whose value equals the default.
+  /// Returns the values that files store: all values except the defaults of parameters with
+  /// omit_default.
   Values stored_values(const Owner& owner) const { return stored_values_of(&owner); }
 
-  /// Builds an Owner from the values of its parameters. Ranges are not checked; see validate().
+  /// Builds an options struct from the values of its parameters, without checking ranges (see
+  /// validate()).
   /// @param group name of the group of values in messages, e.g. "options"
   /// @throws InputError that names a parameter if the parameter is missing, unknown or of the wrong
   /// type
@@ -222,7 +215,7 @@ class Description : public DescriptionBase {
   /// range
   void validate(const Owner& owner) const { require_values_in_range(&owner); }
 
-  /// Parses a text and sets one parameter of the owner to the result.
+  /// Parses a text and assigns the value to one parameter of `owner`.
   /// @param label name of the parameter in messages, e.g. "--order"
   /// @throws InputError if the text is not a value of the parameter's type
   void parse(Owner& owner, const Parameter& parameter, std::string_view text,

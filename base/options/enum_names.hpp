@@ -10,7 +10,7 @@
 
 namespace fpkcheck::base {
 
-/// An enum value with the name that files and the command line use for the value, and its meaning.
+/// An enumerator with its name in files and on the command line, and its meaning.
 template <class Enum>
 struct EnumEntry {
   Enum value;
@@ -18,8 +18,8 @@ struct EnumEntry {
   std::string_view meaning = {};
 };
 
-/// Every enum that is read or written by name has one table of names: the function
-/// `enumerator_names(Enum)`, defined in the namespace of the enum.
+/// Every enum that is read or written by name has a table of names, which the function
+/// `enumerator_names(Enum)` in the namespace of the enum returns.
 ///
 ///     constexpr EnumEntry<Stepper> kStepperNames[] = {{Stepper::cvode, "cvode"}, ...};
 ///     constexpr const auto& enumerator_names(Stepper) { return kStepperNames; }
@@ -44,7 +44,6 @@ constexpr std::string_view meaning_of(Enum value) {
   return entry == nullptr ? std::string_view() : entry->meaning;
 }
 
-/// The enum value with this name; nothing if no value has the name.
 template <class Enum>
 constexpr std::optional<Enum> enum_from_name(std::string_view name) {
   for (const auto& entry : enumerator_names(Enum{})) {
@@ -53,10 +52,9 @@ constexpr std::optional<Enum> enum_from_name(std::string_view name) {
   return std::nullopt;
 }
 
-/// Converts a name that a user typed to the enum value with this name.
 /// @param label start of the error message: "--design", "plan mine.ini, line 3: design"
-/// @param choices accepted enum values with their names
-/// @throws InputError if no accepted value has the name `text`
+/// @param choices accepted enumerators with their names
+/// @throws InputError if no accepted enumerator has the name `text`
 template <class Enum>
 Enum parse_enum(const std::string& label, const std::string& text,
                 std::span<const EnumEntry<Enum>> choices = enumerator_names(Enum{})) {

@@ -38,7 +38,6 @@ std::string type_text(const Parameter& parameter) {
   return "";
 }
 
-// The reason why a text was rejected as a value of the parameter.
 std::string rejection_reason(const Parameter& parameter, std::string_view text) {
   if (parameter.type == Type::number || parameter.type == Type::integer) {
     double ignored = 0;

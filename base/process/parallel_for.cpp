@@ -46,8 +46,8 @@ void parallel_for(std::size_t count, int requested_threads,
 
 namespace {
 
-// The set is allocated dynamically: cpu_set_t has a fixed size of 1024 processors, with which
-// sched_getaffinity fails on machines with more processors.
+// The processor set is allocated dynamically, since a fixed cpu_set_t holds only 1024 processors
+// and sched_getaffinity fails on larger machines.
 int affinity_processor_count() {
   constexpr int kMostProcessors = 1 << 16;
   for (int size = CPU_SETSIZE; size <= kMostProcessors; size *= 2) {

@@ -12,13 +12,13 @@ std::atomic<int> stopping_signal = 0;
 // Signal handlers may use lock-free atomics only.
 static_assert(std::atomic<int>::is_always_lock_free);
 
-// The shared state is never destroyed, since a thread may still wait for the condition variable
-// while the process exits.
+// GuardState is never destroyed, since a thread may still wait for the condition variable while the
+// process exits.
 struct GuardState {
   std::mutex mutex;
   std::condition_variable changed;
   int guard_count = 0;
-  std::thread::id owner{};  // default id: no thread
+  std::thread::id owner{};  // the default thread id denotes no thread
 };
 
 GuardState& guard_state() {

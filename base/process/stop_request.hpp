@@ -1,22 +1,21 @@
 #pragma once
 
-/// The end of the program: the request to stop, set by a signal handler, and the delay of the exit
-/// while files are written. Code of every directory may read the request; only `cli` installs signal
-/// handlers.
+/// Request to stop the program, set by signal handlers, and delay of the process exit while files
+/// are written. Only `cli` installs signal handlers.
 namespace fpkcheck::base {
 
-/// Number of the signal that requested the stop; 0 if no stop was requested.
+/// Returns the number of the signal that requested a stop; 0 if no stop was requested.
 int stop_signal();
 
 inline bool stop_requested() { return stop_signal() != 0; }
 
-/// Stores the number of the signal as a request to stop; the number 0 clears the request. The
-/// function is async-signal-safe.
+/// Stores the number of a signal as a request to stop; the number 0 clears the request. The
+/// function request_stop() is async-signal-safe.
 void request_stop(int signal);
 
-/// Delays the exit of the process while a thread writes files. While a guard exists, the thread
-/// that constructed the guard may have incomplete files, and no other thread ends the process.
-/// Guards of one thread may be nested, and several threads may hold guards at the same time.
+/// Guard object that delays the exit of the process while the thread of the guard writes files.
+/// While an ExitBlocker exists, no other thread ends the process. Guards of one thread may be
+/// nested, and several threads may hold guards at the same time.
 class ExitBlocker {
  public:
   ExitBlocker();
@@ -25,9 +24,9 @@ class ExitBlocker {
   ExitBlocker& operator=(const ExitBlocker&) = delete;
 };
 
-/// Waits until no guard exists; afterwards only the calling thread can construct guards. A thread
-/// other than the one that writes files calls this function before the thread ends the process. Any
-/// other thread that constructs a guard later is blocked until the process exits.
+/// Waits until no ExitBlocker exists; afterwards, the constructor of ExitBlocker blocks every
+/// thread except the calling thread. A thread calls this function before ending the process while
+/// other threads may write files.
 void stop_writes_of_other_threads();
 
 }  // namespace fpkcheck::base

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::string_view kEllipsis = "...";
 
-/// Length in bytes of the first UTF-8 character of a text. 0 if the first character is not
-/// printable: invalid UTF-8, a control character, or a mark of the bidirectional algorithm.
+/// Returns the length in bytes of the first UTF-8 character of a text; 0 for invalid UTF-8, control
+/// characters and marks of bidirectional text.
 std::size_t printable_length(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned first = byte(0);
@@ -25,15 +25,14 @@ std::size_t printable_length(std::string_view text) {
   }
   const bool shortest = code >= (length == 4 ? 0x10000U : length == 3 ? 0x800U : 0xa0U);
   const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-  // Marks of the bidirectional algorithm: each mark changes the direction of the text after the
-  // mark.
+  // Unicode marks of the bidirectional algorithm, which change the direction of the following text.
   const bool turns = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
   const bool line_end = code == 0x2028 || code == 0x2029;
   return shortest && !surrogate && !turns && !line_end && code <= 0x10ffff ? length : 0;
 }
 
-/// Removes the first character from a text and returns the character. A byte that is not printable
-/// is returned as an escape.
+/// Removes the first character from a text and returns the character, or an escape for an
+/// unprintable byte.
 std::string take_printable(std::string_view& text) {
   const std::size_t length = printable_length(text);
   std::string character = length > 0
@@ -43,8 +42,8 @@ std::string take_printable(std::string_view& text) {
   return character;
 }
 
-/// The first characters of a text after sanitising, in at most `max_columns` columns. An escape
-/// takes four columns.
+/// Returns the first characters of a text in at most `max_columns` columns, with unprintable bytes
+/// as escapes of four columns.
 std::string leading_columns(std::string_view text, std::size_t max_columns) {
   std::string result;
   for (std::size_t used = 0; !text.empty();) {

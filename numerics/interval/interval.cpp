@@ -6,7 +6,7 @@
 namespace fpkcheck::numerics {
 namespace {
 
-// Whether upward rounding is in effect, tested with the sums 1 + 2^-60 and -1 - 2^-60.
+// Tests upward rounding with the sums 1 + 2^-60 and -1 - 2^-60.
 bool is_rounding_upward() {
   volatile double one = 1, tiny = 0x1p-60;
   volatile double above = one + tiny, below = -one - tiny;
@@ -35,13 +35,14 @@ Interval power(const Interval& x, int n) {
 Interval exponential(const Interval& x) {
   assert(x.upper() <= 0);
   int squarings = 0;
-  double scale = 1;  // a power of two, so that scaling is exact
+  double scale = 1;  // the scale is a power of two, so that scaling is exact
   while (magnitude(x) * scale > 0.25) {
     scale /= 2;
     ++squarings;
   }
   const Interval z = x * scale;
-  // sum_{n <= 14} z^n / n!, remainder |z|^15 e^{|z|} / 15! <= 2 * 4^-15 / 15! < 2e-21
+  // The remainder of sum_{n <= 14} z^n / n! is at most |z|^15 e^{|z|} / 15! <= 2 * 4^-15 / 15! <
+  // 2e-21.
   Interval sum = 1;
   for (int n = 14; n > 0; --n) sum = 1.0 + z * sum / static_cast<double>(n);
   sum += symmetric_interval(2e-21);
@@ -56,7 +57,7 @@ double binomial_coefficient(int n, int j) {
 }
 
 BernsteinCoefficients elevate_degree(std::span<const Interval> b, int degree) {
-  // b_i of degree n+1: (i b_{i-1} + (n+1-i) b_i) / (n+1)
+  // Coefficient i of degree n+1 is (i b_{i-1} + (n+1-i) b_i) / (n+1).
   BernsteinCoefficients e(b.begin(), b.end());
   for (int n = static_cast<int>(b.size()) - 1; n < degree; ++n) {
     BernsteinCoefficients next(n + 2);
@@ -99,7 +100,7 @@ Interval bernstein_value(std::span<const Interval> b, const Interval& t) {
 }
 
 BernsteinCoefficients bernstein_from_power_coefficients(std::span<const Interval> a) {
-  // t^k = sum_j C(j, k)/C(n, k) B_j
+  // The Bernstein form of a power is t^k = sum_j C(j, k)/C(n, k) B_j(t).
   const int n = static_cast<int>(a.size()) - 1;
   BernsteinCoefficients b(n + 1, Interval(0));
   for (int j = 0; j <= n; ++j) {
@@ -110,7 +111,7 @@ BernsteinCoefficients bernstein_from_power_coefficients(std::span<const Interval
 }
 
 BernsteinCoefficients power_coefficients_from_bernstein(std::span<const Interval> b) {
-  // a_k = C(n, k) times the k-th forward difference of b at 0
+  // The power coefficient a_k is C(n, k) times the k-th forward difference of b at index 0.
   const int n = static_cast<int>(b.size()) - 1;
   BernsteinCoefficients difference(b.begin(), b.end()), a(n + 1);
   for (int k = 0; k <= n; ++k) {
@@ -122,7 +123,7 @@ BernsteinCoefficients power_coefficients_from_bernstein(std::span<const Interval
 
 BernsteinCoefficients bernstein_on_segment(std::span<const double> a, const Interval& origin,
                                            const Interval& from, const Interval& to) {
-  // Horner's rule with x - origin as a polynomial of degree 1
+  // Horner's rule in Bernstein form, with x - origin as a polynomial of degree 1 in t.
   const BernsteinCoefficients x{from - origin, to - origin};
   BernsteinCoefficients b{Interval(a.back())};
   for (std::size_t k = a.size() - 1; k-- > 0;) {

@@ -13,13 +13,13 @@
 /// Include this header only in targets that are compiled with -frounding-math -ffp-contract=off
 /// (`numerics`, `backward` and the tests of both). In other targets the compiler may round in the
 /// wrong direction, and the linker may keep the wrong copy of a template. All interval arithmetic
-/// runs inside `call_with_upward_rounding`, which sets the rounding mode of the thread to upward at
-/// the start of the call. The lower end of a result x is computed as -up(-x), where `up` denotes
-/// upward rounding.
+/// must run inside call_with_upward_rounding(), since the lower end of a result x is computed as
+/// -up(-x) with the upward rounding `up`.
 namespace fpkcheck::numerics {
 
-/// Access to the rounding mode of this thread, in the form that Boost's rounded_arith_opp requires.
-/// SSE2 arithmetic has no excess precision, so force_rounding() need not store a result to memory.
+/// Rounding control of the calling thread, with the interface that Boost's rounded_arith_opp
+/// requires. SSE2 arithmetic has no excess precision, so that force_rounding() need not store a
+/// result to memory.
 struct HardwareRounding {
   using rounding_mode = int;
   static void get_rounding_mode(rounding_mode& mode) { mode = std::fegetround(); }
@@ -31,10 +31,10 @@ struct HardwareRounding {
   static double to_int(double x) { return x; }
 };
 
-/// Boost's interval arithmetic under upward rounding, with another lower end of the square root.
-/// Boost computes this lower end with a change of the rounding mode within an expression, and the
-/// compiler may compute the root before the change. Here the lower end is s - 2^-52 s, where s is
-/// the upper end and 2^-52 s is at least one unit in the last place.
+/// Boost's interval arithmetic under upward rounding, except for the lower end of the square root.
+/// Boost computes the lower end with a change of the rounding mode within an expression, and the
+/// compiler may compute the root before the change. UpwardArithmetic computes the lower end as s -
+/// 2^-52 s, where s is the upper end and 2^-52 s is at least one unit in the last place.
 struct UpwardArithmetic
     : boost::numeric::interval_lib::rounded_arith_opp<double, HardwareRounding> {
   double sqrt_down(const double& x) {
@@ -49,7 +49,7 @@ using Interval =
                                  boost::numeric::interval_lib::save_state_nothing<UpwardArithmetic>,
                                  boost::numeric::interval_lib::checking_base<double>>>;
 
-/// Guard object: the rounding mode of the thread is upward during the lifetime of the object.
+/// Guard object that sets the rounding mode of the thread to upward during its lifetime.
 /// @throws std::runtime_error if setting the rounding mode has no effect on this processor or in
 /// this build
 class UpwardRounding {
@@ -83,44 +83,39 @@ auto call_with_upward_rounding(const Work& work) {
 inline Interval interval_from_enclosure(const Enclosure& e) { return {e.lower, e.upper}; }
 inline Enclosure enclosure_from_interval(const Interval& x) { return {x.lower(), x.upper()}; }
 
-/// The interval [-x, x].
 inline Interval symmetric_interval(double x) { return {-x, x}; }
-/// The magnitude of an interval: the largest |x| of its elements x.
+/// Returns the largest |x| of the elements x of an interval.
 inline double magnitude(const Interval& x) { return std::max(-x.lower(), x.upper()); }
 
-/// An enclosure of x^n, n >= 0, computed as a product of n factors. For even n and an interval that
-/// contains 0, the enclosure is not the tightest: its lower end may be negative, like that of x *
-/// x.
+/// Returns an enclosure of x^n, n >= 0, as a product of n factors. For even n and an interval that
+/// contains 0, the lower end of the enclosure may be negative.
 Interval power(const Interval& x, int n);
-/// An enclosure of e^x: the exponential series with its remainder on [-1/4, 1/4], followed by
-/// repeated squaring.
+/// Returns an enclosure of e^x, computed by the Taylor series with its remainder on [-1/4, 1/4] and
+/// by repeated squaring.
 /// @pre x <= 0
 Interval exponential(const Interval& x);
 
-/// The coefficients b_0 .. b_n, which are intervals, of a polynomial of t on [0, 1] in Bernstein
-/// form, sum_j b_j C(n, j) t^j (1-t)^(n-j). The values of such a polynomial lie between its smallest
-/// and its largest coefficient. Farouki, Comput. Aided Geom. Des. 29 (2012) 379.
+/// Interval coefficients b_0 .. b_n of the polynomial sum_j b_j C(n, j) t^j (1-t)^(n-j), 0 <= t <=
+/// 1, in Bernstein form (Farouki, Computer Aided Geometric Design 29 (2012) 379). The values of a
+/// polynomial lie between its smallest and its largest Bernstein coefficient.
 using BernsteinCoefficients = std::vector<Interval>;
 
-/// The binomial coefficient C(n, j), exact for n <= 40.
+/// Returns the binomial coefficient C(n, j), exact for n <= 40.
 double binomial_coefficient(int n, int j);
 
-/// Degree elevation: the Bernstein coefficients of the same polynomial in the Bernstein basis of a
-/// higher degree.
 BernsteinCoefficients elevate_degree(std::span<const Interval> b, int degree);
-/// Bernstein coefficients of the product of two polynomials.
 BernsteinCoefficients bernstein_product(std::span<const Interval> a, std::span<const Interval> b);
-/// Bernstein coefficients of the derivative with respect to t.
 BernsteinCoefficients bernstein_derivative(std::span<const Interval> b);
-/// The value of the polynomial at t in [0, 1], computed with de Casteljau's algorithm.
+/// Evaluates a polynomial in Bernstein form at t in [0, 1] by de Casteljau's algorithm.
 Interval bernstein_value(std::span<const Interval> b, const Interval& t);
 
-/// Bernstein coefficients of the polynomial sum_k a_k t^k, in the same degree.
+/// Returns the Bernstein coefficients of the polynomial sum_k a_k t^k, in the same degree.
 BernsteinCoefficients bernstein_from_power_coefficients(std::span<const Interval> a);
-/// Power coefficients a_k of the polynomial sum_k a_k t^k whose Bernstein coefficients are given.
+/// Returns the coefficients a_k of the polynomial sum_k a_k t^k that has the Bernstein coefficients
+/// b.
 BernsteinCoefficients power_coefficients_from_bernstein(std::span<const Interval> b);
-/// Bernstein coefficients of the polynomial sum_k a_k (x - origin)^k on the segment x = from + t
-/// (to - from), 0 <= t <= 1.
+/// Returns the Bernstein coefficients of the polynomial sum_k a_k (x - origin)^k on the segment x =
+/// from + t (to - from), 0 <= t <= 1.
 BernsteinCoefficients bernstein_on_segment(std::span<const double> a, const Interval& origin,
                                            const Interval& from, const Interval& to);
 

@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
-/// LU factorisation and singular values of dense matrices; Cholesky factorisation of block-banded
-/// matrices.
+/// LU factorisation and singular values of dense matrices, and Cholesky factorisation of
+/// block-banded matrices.
 namespace fpkcheck::numerics {
 
-/// LU factors of a square matrix, computed with partial pivoting. Only the source file of this
-/// class includes Eigen's decomposition, so that the decomposition is compiled once.
+/// LU factors of a square matrix with partial pivoting. Only factorisations.cpp includes Eigen's
+/// decomposition, so that Eigen's templates are compiled once.
 class LuFactors {
  public:
   explicit LuFactors(const Eigen::MatrixXd& matrix);
@@ -24,19 +24,18 @@ class LuFactors {
   std::unique_ptr<Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
 };
 
-/// Singular values of a matrix, in decreasing order.
+/// Returns the singular values of a matrix in decreasing order.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
-/// Indicators of a nearly singular square matrix.
 struct SingularityIndicators {
   double smallest_singular_value;
   int determinant_sign;  ///< sign of the determinant: -1, 0 or 1
 };
 SingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix);
 
-/// A symmetric positive definite matrix of dense blocks, replaced by its Cholesky factor in
-/// factorise(). Blocks at a distance of more than `bandwidth` blocks from the diagonal are zero.
-/// Blocks may differ in size.
+/// A symmetric positive definite matrix of dense blocks, which factorise() replaces by its Cholesky
+/// factor. Blocks may differ in size; blocks at a distance of more than `bandwidth` blocks from the
+/// diagonal are zero.
 class BlockBandedMatrix {
  public:
   BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth);
@@ -44,7 +43,7 @@ class BlockBandedMatrix {
   Eigen::Index size() const { return offsets_.back(); }
   int block_count() const { return static_cast<int>(offsets_.size()) - 1; }
   Eigen::Index block_offset(int block) const { return offsets_[block]; }
-  /// The block in a block row and a block column, column <= row <= column + bandwidth.
+  /// Returns the block in a block row and a block column, for column <= row <= column + bandwidth.
   Eigen::Ref<Eigen::MatrixXd> block(int row, int column);
 
   Eigen::VectorXd diagonal() const;
@@ -55,7 +54,7 @@ class BlockBandedMatrix {
   /// Replaces the matrix A by its Cholesky factor L, A = L L^T.
   /// @return false if A is not numerically positive definite
   bool factorise();
-  /// Replaces b by A^-1 b.
+  /// Replaces b by A^-1 b, where A is the factorised matrix.
   /// @param b shape (size, any number of columns)
   /// @pre factorise() has returned true
   void solve(Eigen::MatrixXd& b) const;
@@ -66,7 +65,7 @@ class BlockBandedMatrix {
   std::vector<Eigen::Index> offsets_;
   int bandwidth_;
   bool is_factorised_ = false;
-  // For each block column, its blocks `column` .. last_block_row(column).
+  // For each block column, the stacked blocks of the rows `column` .. last_block_row(column).
   std::vector<Eigen::MatrixXd> columns_;
 };
 

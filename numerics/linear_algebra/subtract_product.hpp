@@ -7,14 +7,14 @@ namespace fpkcheck::numerics {
 /// A matrix in memory, given by the address of its first element and two strides.
 struct StridedMatrix {
   const double* first;
-  /// Distances in memory of neighbours in a column, and of neighbours in a row.
+  /// Distances in memory between neighbouring elements of a column, and of a row.
   std::ptrdiff_t row_stride, column_stride;
 };
 
-/// Replaces the matrix C by C - A B. The shapes of C, A and B are (rows, columns), (rows, inner)
-/// and (inner, columns). C is stored by columns with the leading dimension `leading_dimension`. The
-/// function is compiled for several instruction sets with bit-identical results: each element of A
-/// B is one sum in the order of the inner index, and -ffp-contract=off prevents fused multiply-add.
+/// Replaces the matrix C, stored by columns, by C - A B. The shapes of C, A and B are (rows,
+/// columns), (rows, inner) and (inner, columns). The results are bit-identical for all instruction
+/// sets: each element of A B is one sum in the order of the inner index, and -ffp-contract=off
+/// prevents fused multiply-add.
 void subtract_product(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
                       const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,
                       std::ptrdiff_t inner);

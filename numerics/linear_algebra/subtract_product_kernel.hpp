@@ -4,7 +4,7 @@
 
 #include "numerics/linear_algebra/subtract_product.hpp"
 
-// This header is included by the source files that are compiled for different instruction sets.
+// Kernel of subtract_product() for source files that are compiled for different instruction sets.
 // Each source file chooses kVectors, kWidth and kColumns by the registers of its instruction set.
 // All functions of this header have internal linkage.
 
@@ -16,9 +16,9 @@ struct SimdVectorType {
   typedef double Type __attribute__((vector_size(8 * kWidth)));
 };
 
-/// subtract_product() by blocks: each block of C with kVectors * kWidth rows and kColumns columns
-/// is computed in registers. The parts of A and B that a block needs are copied in the order of
-/// access and padded with zeros.
+/// Computes C - A B by blocks: each block of C with kVectors * kWidth rows and kColumns columns is
+/// computed in registers. The required parts of A and B are copied in the order of access and
+/// padded with zeros.
 template <int kWidth, int kVectors, int kColumns>
 void subtract_product_blocked(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
                               const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,

@@ -15,8 +15,7 @@ class Polynomial {
 
   constexpr explicit Polynomial(const Coefficients& a) : a_(a) {}
 
-  /// Evaluates the polynomial at y by Horner's rule. The type `Real` is a number or an array of
-  /// numbers.
+  /// Evaluates the polynomial at y, a number or an array of numbers, by Horner's rule.
   template <class Real>
   constexpr Real operator()(const Real& y) const {
     Real value = a_[kDegree] + 0.0 * y;
@@ -26,7 +25,7 @@ class Polynomial {
 
   constexpr double coefficient(std::size_t n) const { return a_[n]; }
   constexpr const Coefficients& coefficients() const { return a_; }
-  /// The degree: the largest n with a_n != 0, or 0 for a constant.
+  /// Returns the largest n with a_n != 0; 0 for a constant.
   constexpr std::size_t degree() const {
     std::size_t n = kDegree;
     while (n > 0 && a_[n] == 0) --n;
@@ -38,8 +37,7 @@ class Polynomial {
     for (std::size_t n = 1; n <= kDegree; ++n) d[n - 1] = static_cast<double>(n) * a_[n];
     return Polynomial(d);
   }
-  /// Substitutes y = origin + sign x and returns the resulting polynomial of x, computed with
-  /// Horner's rule for polynomials.
+  /// Returns the polynomial of x that results from the substitution y = origin + sign x.
   constexpr Polynomial compose_affine(double origin, double sign) const {
     Coefficients q{};
     for (std::size_t n = kDegree + 1; n-- > 0;) {
@@ -53,14 +51,16 @@ class Polynomial {
     for (std::size_t n = 0; n <= kDegree; ++n) p[n] = factor * a_[n];
     return Polynomial(p);
   }
-  /// The product of y and this polynomial. @pre degree() < kDegree
+  /// Returns the product of y and this polynomial.
+  /// @pre degree() < kDegree
   constexpr Polynomial multiplied_by_argument() const {
     assert(degree() < kDegree);
     Coefficients p{};
     for (std::size_t n = 0; n < kDegree; ++n) p[n + 1] = a_[n];
     return Polynomial(p);
   }
-  /// The antiderivative that is 0 at y = 0. @pre degree() < kDegree
+  /// Returns the antiderivative that is 0 at y = 0.
+  /// @pre degree() < kDegree
   constexpr Polynomial antiderivative() const {
     assert(degree() < kDegree);
     Coefficients i{};
@@ -72,13 +72,12 @@ class Polynomial {
   Coefficients a_;
 };
 
-/// The points in (low, high) where the polynomial changes its sign, increasing: its real roots of
-/// odd multiplicity. The roots are searched between neighbouring sign changes of the derivative,
-/// where the polynomial is monotone.
+/// Returns the real roots of odd multiplicity in (low, high), increasing. The roots are searched
+/// between neighbouring sign changes of the derivative, where the polynomial is monotone.
 std::vector<double> sign_changes(const Polynomial& polynomial, double low, double high);
 
-/// Cauchy's bound of the roots, 1 + max |a_n / a_degree|: every root of the polynomial has a
-/// modulus below this bound. The bound is 0 for a constant polynomial.
+/// Returns Cauchy's bound 1 + max |a_n / a_degree| of the modulus of all roots; 0 for a constant
+/// polynomial.
 double root_modulus_bound(const Polynomial& polynomial);
 
 }  // namespace fpkcheck::numerics

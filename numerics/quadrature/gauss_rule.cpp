@@ -10,18 +10,18 @@
 namespace fpkcheck::numerics {
 namespace {
 
-// Three-term recurrence of orthonormal polynomials; entry i of each vector is for step i:
-//   off_diagonal[i] h_{i+1}(t) = (t - diagonal[i]) h_i(t) - off_diagonal[i-1] h_{i-1}(t),
-//   h_0 = 1.
+// Coefficients of the three-term recurrence of the orthonormal polynomials h_i, with h_0 = 1:
+//
+//     off_diagonal[i] h_{i+1}(t) = (t - diagonal[i]) h_i(t) - off_diagonal[i-1] h_{i-1}(t).
 struct ThreeTermRecurrence {
   Eigen::VectorXd diagonal;
   Eigen::VectorXd off_diagonal;
 };
 
-// Gauss rule of the method of Golub and Welsch: the nodes are the eigenvalues of the Jacobi matrix.
-// The weights follow from the recurrence, w = 1 / sum_i h_i(t)^2, not from the eigenvectors.
-// Moments of degree 5n need the small weights of the outer nodes with full relative accuracy.
-// Eigenvectors do not give this accuracy.
+// Computes a Gauss rule by the method of Golub and Welsch: the nodes are the eigenvalues of the
+// Jacobi matrix. The weights are computed from the recurrence as 1 / sum_i h_i(t)^2. Eigenvectors
+// would not give the small outer weights with full relative accuracy, which moments of degree 5n
+// (closure order n) require.
 QuadratureRule golub_welsch_rule(const ThreeTermRecurrence& recurrence) {
   const auto& [diagonal, off_diagonal] = recurrence;
   const Eigen::Index count = diagonal.size();
@@ -43,10 +43,10 @@ QuadratureRule golub_welsch_rule(const ThreeTermRecurrence& recurrence) {
   return rule;
 }
 
-// With t = u^2 / 2,  E[|u| g(u)] = int_0^inf [g(sqrt(2t)) + g(-sqrt(2t))] exp(-t) dt / sqrt(2 pi),
-// where the bracket is a polynomial in t of half the degree of g. E[sgn(u) g(u)] is the same
-// integral with g(u)/u in place of g(u). Only the odd part of g contributes to this integral, and
-// the odd part divided by u is a polynomial in t.
+// With t = u^2 / 2 and a standard normal u, the expectation E[|u| g(u)] is the integral int_0^inf
+// [g(sqrt(2t)) + g(-sqrt(2t))] exp(-t) dt / sqrt(2 pi), whose bracket is a polynomial in t of half
+// the degree of g. For E[sgn(u) g(u)], g(u)/u replaces g(u) in the integral: only the odd part of g
+// contributes, and the odd part divided by u is a polynomial in t.
 const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
 
 }  // namespace

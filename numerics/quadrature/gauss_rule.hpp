@@ -10,20 +10,19 @@
 
 namespace fpkcheck::numerics {
 
-/// A point of a quadrature rule, with its weight.
 struct QuadraturePoint {
   double at;
   double weight;
 };
 
-/// Points and weights of the composite Gauss-Legendre rule on [a, b], with N points on each of
-/// `panels` panels of equal width. The rule is exact for functions that are polynomials of degree
-/// 2 N - 1 on each panel. The points of a panel are ordered in pairs symmetric about its middle.
+/// Returns the points of the composite Gauss-Legendre rule on [a, b], with N points on each of
+/// `panels` panels of equal width. The composite rule is exact for polynomials of degree 2 N - 1 on
+/// each panel; the points of a panel are ordered in pairs symmetric about its middle.
 /// @pre panels > 0
 template <unsigned N = 10>
 std::vector<QuadraturePoint> composite_gauss_points(double a, double b, int panels) {
   assert(panels > 0);
-  using Rule = boost::math::quadrature::gauss<double, N>;  // Boost stores the abscissas >= 0
+  using Rule = boost::math::quadrature::gauss<double, N>;  // Boost stores only the abscissas >= 0
   const double half_width = (b - a) / panels / 2;
   std::vector<QuadraturePoint> points;
   points.reserve(N * static_cast<std::size_t>(panels));
@@ -39,18 +38,17 @@ std::vector<QuadraturePoint> composite_gauss_points(double a, double b, int pane
   return points;
 }
 
-/// Points and weights of a quadrature rule; both lists have the same length.
 struct QuadratureRule {
   std::vector<double> points;
   Eigen::VectorXd weights;
 
   Eigen::Index size() const { return weights.size(); }
-  /// The points as a vector for matrix products, valid as long as the rule.
+  /// Returns a view of the points as an Eigen vector, valid during the lifetime of the rule.
   Eigen::Map<const Eigen::VectorXd> point_vector() const { return {points.data(), size()}; }
 };
 
-/// The composite Gauss-Legendre rule with N points on each panel, for panels of different widths. A
-/// panel is the interval between two neighbouring ends.
+/// Returns the composite Gauss-Legendre rule with N points on each panel, for panels of different
+/// widths.
 /// @param panel_ends increasing ends of the panels, at least two
 template <unsigned N>
 QuadratureRule composite_gauss_rule(std::span<const double> panel_ends) {
@@ -66,27 +64,26 @@ QuadratureRule composite_gauss_rule(std::span<const double> panel_ends) {
   return rule;
 }
 
-/// Gauss-Legendre rule on [from, to] with increasing points.
+/// Returns the Gauss-Legendre rule on [from, to] with increasing points.
 /// @pre point_count > 0
 QuadratureRule gauss_legendre_rule(int point_count, double from, double to);
 
-/// Gauss-Hermite rule for E[g(u)] with a standard normal variable u. The rule is exact for
-/// polynomials g up to the given degree.
+/// Returns the Gauss-Hermite rule for E[g(u)] with a standard normal variable u, exact for
+/// polynomials g up to `degree`.
 QuadratureRule normal_quadrature_rule(int degree);
 
-/// Rule for E[|u| g(u)] with a standard normal variable u. The rule is exact for polynomials g up to
-/// the given degree.
+/// Returns a rule for E[|u| g(u)] with a standard normal variable u, exact for polynomials g up to
+/// `degree`.
 QuadratureRule absolute_weighted_normal_rule(int degree);
 
-/// Rule for E[sgn(u) g(u)] with a standard normal variable u. The rule is exact for polynomials g up
-/// to the given degree; some weights are negative.
+/// Returns a rule for E[sgn(u) g(u)] with a standard normal variable u, exact for polynomials g up
+/// to `degree`; some weights are negative.
 QuadratureRule sign_weighted_normal_rule(int degree);
 
-/// Gauss-Laguerre rule for int_0^inf g(t) exp(-t) dt. The rule is exact for polynomials g up to the
-/// given degree.
+/// Returns the Gauss-Laguerre rule for int_0^inf g(t) exp(-t) dt, exact for polynomials g up to
+/// `degree`.
 QuadratureRule exponential_quadrature_rule(int degree);
 
-/// The integral of f over [a, b], computed with the quadrature rule of composite_gauss_points().
 template <class Function>
 double integrate_by_composite_gauss(const Function& f, double a, double b, int panels) {
   double sum = 0;
@@ -94,8 +91,8 @@ double integrate_by_composite_gauss(const Function& f, double a, double b, int p
   return sum;
 }
 
-/// The average of f over [a, b], computed with the three-point Gauss-Legendre rule. The rule is
-/// exact for polynomials up to degree 5.
+/// Averages f over [a, b] with the three-point Gauss-Legendre rule, which is exact for polynomials
+/// up to degree 5.
 template <class Function>
 auto gauss_average(const Function& f, double a, double b) {
   const double centre = (a + b) / 2;

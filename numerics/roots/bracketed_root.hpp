@@ -6,8 +6,8 @@
 
 namespace fpkcheck::numerics {
 
-/// The root of a continuous function in the interval [low, high], by inverse cubic interpolation
-/// with bracketing (Alefeld, Potra, Shi, ACM Trans. Math. Softw. 21 (1995) 327).
+/// Computes the root of a continuous function in [low, high] by inverse cubic interpolation with
+/// bracketing (Alefeld, Potra and Shi, ACM Transactions on Mathematical Software 21 (1995) 327).
 /// @pre the signs of f(low) and f(high) differ, or one of the two values is 0
 /// @param bits number of correct bits of the root
 template <class Function>

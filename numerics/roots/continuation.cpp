@@ -46,7 +46,7 @@ CurvePoint predict(const CurvePoint& from, const VectorXd& tangent, double step)
   return {from.a + step * tangent.head(n), from.t + step * tangent[n]};
 }
 
-// The matrix [dG/da dG/dt] of the derivatives, extended by one row below.
+// Returns the matrix [dG/da dG/dt] of the derivatives, bordered by `last_row` below.
 MatrixXd CurveTracer::bordered_jacobian(const CurvePoint& at, const VectorXd& last_row) const {
   const Index n = at.a.size();
   MatrixXd matrix(n + 1, n + 1);
@@ -56,7 +56,8 @@ MatrixXd CurveTracer::bordered_jacobian(const CurvePoint& at, const VectorXd& la
   return matrix;
 }
 
-// The unit tangent of the solution curve, with positive scalar product with the previous tangent.
+// Returns the unit tangent of the solution curve whose scalar product with the previous tangent
+// `before` is positive.
 VectorXd CurveTracer::tangent(const CurvePoint& at, const VectorXd& before) const {
   const Index n = at.a.size();
   return LuFactors(bordered_jacobian(at, before)).solve(VectorXd::Unit(n + 1, n)).normalized();
@@ -67,7 +68,8 @@ bool CurveTracer::is_converged(const VectorXd& residual, double correction) cons
          correction < options_.correction_tolerance;
 }
 
-// The corrector: Newton steps within the hyperplane through `start` that is normal to the tangent.
+// Corrects a predicted point by Newton steps within the hyperplane through `start` that is normal
+// to the tangent.
 std::optional<CurvePoint> CurveTracer::correct(const CurvePoint& start, const VectorXd& tangent,
                                                double step) {
   const Index n = start.a.size();
@@ -90,7 +92,6 @@ std::optional<CurvePoint> CurveTracer::correct(const CurvePoint& start, const Ve
   return std::nullopt;
 }
 
-// Newton steps for a at a fixed value of t.
 std::optional<CurvePoint> CurveTracer::correct_at_fixed_t(CurvePoint point) {
   VectorXd residual = homotopy_.residual(point.a, point.t);
   for (int i = 0; i < kMaxCorrections && residual.allFinite(); ++i) {
@@ -103,8 +104,8 @@ std::optional<CurvePoint> CurveTracer::correct_at_fixed_t(CurvePoint point) {
   return std::nullopt;
 }
 
-// The point of the curve at an end of the interval of t, interpolated between a point inside the
-// interval and a point beyond its end.
+// Returns the point of the curve at an end of the interval of t, interpolated between a point
+// inside the interval and a point beyond its end.
 std::optional<CurvePoint> CurveTracer::point_at_limit(const CurvePoint& before,
                                                       const CurvePoint& beyond) {
   const double end = beyond.t >= 1 ? 1 : options_.min_t;
@@ -113,8 +114,8 @@ std::optional<CurvePoint> CurveTracer::point_at_limit(const CurvePoint& before,
   return options_.correct_end_point ? correct_at_fixed_t(between) : between;
 }
 
-// The fold, where t is stationary along the curve, between a point and the next point. The step
-// length to the fold is found by bisection.
+// Locates the fold, where t is stationary along the curve, by bisection of the step length from a
+// point to the next point.
 CurvePoint CurveTracer::locate_fold(const CurvePoint& from, const VectorXd& tangent_there,
                                     double step) {
   const Index n = from.a.size();

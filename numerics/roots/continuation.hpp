@@ -6,26 +6,26 @@
 
 namespace fpkcheck::numerics {
 
-/// A homotopy: equations G(a, t) = 0, as many as a has components, whose solutions form a curve in
-/// the space of (a, t).
+/// A homotopy: equations G(a, t) = 0, as many as a has components. The solutions of a homotopy form
+/// a curve in the space of (a, t).
 struct Homotopy {
   template <class Result>
   using FunctionOfPoint = std::function<Result(const Eigen::VectorXd& a, double t)>;
 
-  FunctionOfPoint<Eigen::VectorXd> residual;              ///< G
-  FunctionOfPoint<Eigen::MatrixXd> jacobian;              ///< dG/da
-  FunctionOfPoint<Eigen::VectorXd> parameter_derivative;  ///< dG/dt
+  FunctionOfPoint<Eigen::VectorXd> residual;              ///< residual vector G(a, t)
+  FunctionOfPoint<Eigen::MatrixXd> jacobian;              ///< Jacobian matrix dG/da
+  FunctionOfPoint<Eigen::VectorXd> parameter_derivative;  ///< derivative dG/dt
 };
 
-/// The Newton homotopy G(a, t) = R(a) - (1 - t) R(start). The solution curve begins at a = start
-/// for t = 0. Every point of the curve with t = 1 is a root of R.
+/// Returns the Newton homotopy G(a, t) = R(a) - (1 - t) R(start). The solution curve begins at a =
+/// start for t = 0, and every point with t = 1 is a root of R.
 Homotopy newton_homotopy(std::function<Eigen::VectorXd(const Eigen::VectorXd&)> residual,
                          std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> jacobian,
                          const Eigen::VectorXd& start);
 
 struct ContinuationOptions {
-  /// Convergence criteria of a corrector iteration: the iteration has converged if max |G_i| is
-  /// below `tolerance` or the last Newton step is shorter than `correction_tolerance`.
+  /// A corrector iteration has converged if max |G_i| is below `tolerance` or if the last Newton
+  /// step is shorter than `correction_tolerance`.
   double tolerance = 1e-10;
   double correction_tolerance = 0;
   double first_step = 0.05;  ///< arclength of the first predictor step in (a, t)
@@ -37,24 +37,22 @@ struct ContinuationOptions {
   /// branch of solutions.
   double max_relative_correction = 0.3;
   int max_points = 400;      ///< maximum number of steps, rejected steps included
-  double max_norm = 100;     ///< the continuation ends if |a| exceeds this limit
-  double min_t = 0;          ///< the continuation ends if t falls to this limit
-  bool locate_folds = true;  ///< compute each fold to rounding error and add it to the points
-  /// Whether the end point at t = 1 is corrected by Newton steps. Otherwise the end point is only
-  /// interpolated, and the caller refines the point.
+  double max_norm = 100;     ///< limit of |a| beyond which the continuation ends
+  double min_t = 0;          ///< limit of t below which the continuation ends
+  bool locate_folds = true;  ///< whether folds are computed and added to the points
+  /// Whether Newton steps correct the end point at t = 1; otherwise the end point is only
+  /// interpolated.
   bool correct_end_point = true;
-  /// Function that is called before each step; the continuation stops if the function returns true
-  /// (at a deadline, for example). May be empty.
+  /// Optional function that is called before each step; the continuation stops if the function
+  /// returns true, for example at a deadline.
   std::function<bool()> should_stop = {};
 };
 
-/// A point (a, t) of the solution curve of a homotopy.
 struct CurvePoint {
   Eigen::VectorXd a;
   double t;
 };
 
-/// The reason why a continuation ended.
 enum class TerminationReason {
   end_reached,     ///< t = 1 was reached
   fell_back,       ///< t fell to min_t
@@ -65,20 +63,18 @@ enum class TerminationReason {
 
 struct SolutionCurve {
   std::vector<CurvePoint> points;  ///< points in order of arclength from t = 0, folds included
-  /// Indices of the folds in `points`, where t has an extremum. Empty without
+  /// Indices in `points` of the folds, where t has an extremum; empty without
   /// ContinuationOptions::locate_folds.
   std::vector<std::size_t> folds;
   TerminationReason end = TerminationReason::step_underflow;
   int iterations = 0;  ///< number of Newton steps
 
-  /// The point of the curve with the largest t.
   const CurvePoint& point_with_largest_t() const;
 };
 
-/// Pseudo-arclength continuation (Keller): computes points of the solution curve of G = 0 from
-/// (start, 0) towards t = 1, in steps of arclength. At a fold dG/da is singular and t has an
-/// extremum, but the curve is smooth as a function of arclength, so that the continuation passes
-/// the fold.
+/// Computes points of the solution curve of G = 0 from (start, 0) towards t = 1 by pseudo-arclength
+/// continuation (Keller). The continuation passes folds, where dG/da is singular, since the curve
+/// is smooth as a function of arclength.
 /// @param start a solution of G(start, 0) = 0 within the tolerance of the options
 SolutionCurve trace_solution_curve(const Homotopy& homotopy, const Eigen::VectorXd& start,
                                    const ContinuationOptions& options);

@@ -8,14 +8,13 @@ namespace fpkcheck::numerics {
 struct NewtonOptions {
   double tolerance = 1e-10;  ///< convergence threshold of the norm of the residual
   int max_iterations = 30;
-  /// Whether each Newton step is multiplied by Equations::step_fraction (damped Newton method);
-  /// otherwise full steps are taken.
+  /// Whether Equations::step_fraction scales each Newton step (damped Newton method); otherwise
+  /// full steps are taken.
   bool damped = true;
-  bool polish = true;  ///< take one more step after convergence, to reach rounding error
+  bool polish =
+      true;  ///< whether one more step is taken after convergence, to reach rounding error
 };
 
-/// Result of a Newton iteration. An iteration that does not converge returns a result and throws no
-/// exception.
 struct NewtonResult {
   Eigen::VectorXd a;    ///< the root, or the iterate with the smallest residual
   double residual = 0;  ///< norm of the residual at `a`
@@ -23,9 +22,8 @@ struct NewtonResult {
   bool converged = false;
 };
 
-/// Backtracking of a step fraction. The fraction starts at the first argument and is halved until
-/// `accepts` returns true. Returns the accepted fraction, or 0 if the fraction has fallen to the
-/// second argument.
+/// Halves a step fraction, beginning with `first_step_fraction`, until `accepts` returns true.
+/// Returns the accepted fraction, or 0 if the fraction has fallen to `min_step_fraction`.
 template <class Accepts>
 double backtrack(double first_step_fraction, double min_step_fraction, const Accepts& accepts) {
   for (double step_fraction = first_step_fraction; step_fraction > min_step_fraction;
@@ -35,11 +33,11 @@ double backtrack(double first_step_fraction, double min_step_fraction, const Acc
   return 0;
 }
 
-/// Newton's method for the equations R(a) = 0. The type `Equations` has these functions:
+/// Solves the equations R(a) = 0 by Newton's method. The type `Equations` has these functions:
 ///
 ///     at(a)                 an iterate: `a` and `size`, the norm of R (finite where R exists)
 ///     step(iterate)         the Newton step at the iterate, with its `change` of a
-///     step_fraction(iterate, step)  the fraction of the step to take; 0 stops. Called when damped
+///     step_fraction(iterate, step)  the fraction of the step to take (0: stop); for damped steps only
 template <class Equations>
 NewtonResult solve_by_newton(const Equations& equations, const Eigen::VectorXd& start,
                              const NewtonOptions& options) {
@@ -49,7 +47,7 @@ NewtonResult solve_by_newton(const Equations& equations, const Eigen::VectorXd& 
     const bool polishing = best.converged;
     if (polishing && !options.polish) break;
     const auto step = equations.step(here);
-    // After convergence the full step is safe: only rounding errors remain.
+    // After convergence the full step is safe, since only rounding errors remain.
     const double step_fraction =
         polishing || !options.damped ? 1 : equations.step_fraction(here, step);
     if (step_fraction == 0) break;

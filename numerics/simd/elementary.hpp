@@ -4,33 +4,32 @@
 
 #include "numerics/simd/simd.hpp"
 
-/// Logarithm, exponential and sine functions that use only the operations +, -, * and /. These
-/// operations are correctly rounded, so that the results are bit-identical for all compilers,
-/// libraries, SIMD widths and instruction sets.
+/// Logarithm, exponential and sine functions that use only the operations +, -, * and /. Correct
+/// rounding of these operations makes the results bit-identical for all compilers, libraries, SIMD
+/// widths and instruction sets.
 namespace fpkcheck::simd {
 
-/// The number 2^52 + 2^51. In the sum of this number and a small integer n, the last bits of the
-/// double contain n.
+/// The number 2^52 + 2^51, whose sum with a small integer n has n in the last bits of the double.
 inline constexpr double kShift = 6755399441055744.0;
 inline constexpr std::int64_t kShiftBits = 0x4338000000000000;
-/// ln 2 as a sum of two numbers. The last bits of the first number are zero, so that its product
-/// with an exponent is exact.
+/// The number ln 2 as the sum kLn2High + kLn2Low. The last bits of kLn2High are zero, so that the
+/// product of kLn2High and an exponent is exact.
 inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
 
-/// The natural logarithm of a normal number x > 0, with an error of at most 1 unit in the last
-/// place. The method: x = 2^n m with sqrt(1/2) <= m < sqrt 2, and log m = 2 artanh s with s = (m -
-/// 1)/(m + 1).
+/// Computes the natural logarithm of a normalised number x > 0 with an error of at most 1 unit in
+/// the last place. With x = 2^n m, sqrt(1/2) <= m < sqrt 2 and s = (m - 1)/(m + 1), log x is n ln 2
+/// + 2 artanh s.
 template <class Real>
 FPKCHECK_INLINE Real logarithm(const Real& x) {
   using Bits = typename VectorTypes<kWidth<Real>>::Bits;
-  constexpr std::int64_t kHalfRoot = 0x3fe6a09e667f3bcd;  // sqrt(1/2)
+  constexpr std::int64_t kHalfRoot = 0x3fe6a09e667f3bcd;  // bits of sqrt(1/2)
   Bits bits;
   __builtin_memcpy(&bits, &x, sizeof bits);
-  const Bits exponent = (bits - kHalfRoot) >> 52;  // n
+  const Bits exponent = (bits - kHalfRoot) >> 52;  // binary exponent n of x
   const Bits fraction_bits = bits - (exponent << 52);
   Real m;
   __builtin_memcpy(&m, &fraction_bits, sizeof m);
-  const Bits shifted = exponent + kShiftBits;  // n in the last bits of a double
+  const Bits shifted = exponent + kShiftBits;  // the last bits of a double contain n
   Real n;
   __builtin_memcpy(&n, &shifted, sizeof n);
   n = n - kShift;
@@ -43,8 +42,8 @@ FPKCHECK_INLINE Real logarithm(const Real& x) {
   return n * kLn2High + (2.0 * s + (2.0 * s * (z * series) + n * kLn2Low));
 }
 
-/// The exponential function of x for |x| <= 700, with an error of about 1 unit in the last place.
-/// The method: x = n ln 2 + r with |r| <= ln(2)/2, and the Taylor series of exp r up to r^13.
+/// Computes exp x for |x| <= 700 with an error of about 1 unit in the last place. With x = n ln 2 +
+/// r and |r| <= ln(2)/2, exp x is 2^n times the Taylor series of exp r up to r^13.
 template <class Real>
 FPKCHECK_INLINE Real exponential(const Real& x) {
   using Bits = typename VectorTypes<kWidth<Real>>::Bits;
@@ -55,7 +54,7 @@ FPKCHECK_INLINE Real exponential(const Real& x) {
   Real series = Real{} + 1.0;
 #pragma GCC unroll 16
   for (int k = 13; k >= 1; --k) series = 1.0 + series * r * (1.0 / k);
-  // Multiply by 2^n by adding n to the exponent.
+  // Adding n to the exponent bits multiplies the series by 2^n.
   Bits bits, exponent;
   __builtin_memcpy(&bits, &series, sizeof bits);
   __builtin_memcpy(&exponent, &shifted, sizeof exponent);
@@ -64,10 +63,11 @@ FPKCHECK_INLINE Real exponential(const Real& x) {
   return series;
 }
 
-/// sin(pi t / 2) for -1 <= t <= 1, with an error of at most 5e-16, by the Taylor series up to t^21.
+/// Computes sin(pi t / 2) for -1 <= t <= 1 with an error of at most 5e-16, by the Taylor series up
+/// to t^21.
 template <class Real>
 FPKCHECK_INLINE Real sine_of_quarter_turns(const Real& t) {
-  // (-1)^k (pi/2)^(2k+1) / (2k+1)!
+  // Taylor coefficients (-1)^k (pi/2)^(2k+1) / (2k+1)!
   constexpr double kCoefficients[] = {
       1.5707963267948965580e+00,  -6.4596409750624628199e-01, 7.9692626246167047599e-02,
       -4.6817541353186883230e-03, 1.6044118478735982939e-04,  -3.5988432352120851779e-06,

@@ -9,17 +9,15 @@ namespace fpkcheck::simd {
 /// program uses the baseline instruction set.
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// A compiled variant of the SIMD code: its instruction set and its number of lanes.
 struct CodeVariant {
   InstructionSet instructions;
   int width;
 };
 
-/// The variants of the SIMD code that this program contains and this processor supports. The
-/// fastest variant is the last element.
+/// Returns the compiled variants of the SIMD code that this processor supports; the fastest variant
+/// is the last element.
 std::vector<CodeVariant> available_code_variants();
 
-/// Selects the variant of a function that was compiled for the given instruction set.
 template <class Function>
 Function* select_variant(InstructionSet instructions, Function* baseline, Function* avx2,
                          Function* avx512) {

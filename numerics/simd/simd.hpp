@@ -5,25 +5,24 @@
 #include <cmath>
 #include <cstdint>
 
-/// SIMD vectors of `W` doubles; each lane holds one trajectory. The types are the vector extension
-/// of GCC and Clang. The compiler translates operations on these types to the instruction set of
-/// the calling function (see instruction_set.hpp).
+/// SIMD vectors of `W` doubles, with one trajectory in each lane, in the vector extension of GCC
+/// and Clang. The compiler translates vector operations to the instruction set of the calling
+/// function (see instruction_set.hpp).
 ///
 /// The results in a lane are bit-identical for all W and all instruction sets, for three reasons:
 /// +, -, *, / and sqrt are correctly rounded; -ffp-contract=off prevents fused multiply-add; and no
 /// operation of this header combines different lanes.
 namespace fpkcheck::simd {
 
-/// Attribute of functions that are always inlined. Functions with SIMD arguments are inlined
-/// because SIMD vectors must not be passed between functions that are compiled for different
-/// instruction sets.
+/// Attribute that always inlines a function. SIMD vectors must not be passed between functions that
+/// are compiled for different instruction sets.
 #define FPKCHECK_INLINE inline __attribute__((always_inline))
 
 template <int W>
 struct VectorTypes {
   static_assert(std::has_single_bit(static_cast<unsigned>(W)));
-  // The types are defined by typedef: GCC 12 ignores the attribute in a `using` declaration if W is
-  // a template parameter.
+  // Typedefs are used, since GCC 12 ignores the vector attribute in a `using` declaration if W is a
+  // template parameter.
   typedef double Real __attribute__((vector_size(8 * W)));
   typedef std::int64_t Mask __attribute__((vector_size(8 * W)));  // each lane is 0 or -1
   typedef std::int64_t Bits __attribute__((vector_size(8 * W)));  // bit pattern of the doubles
@@ -49,7 +48,7 @@ FPKCHECK_INLINE Real square_root(const Real& x) {
   return root;
 }
 
-/// A vector with the lane of a if the lane of the mask is set, else with the lane of b.
+/// Returns, in each lane, the number of `a` if the mask is set in the lane, else the number of `b`.
 FPKCHECK_INLINE double select(bool mask, double a, double b) { return mask ? a : b; }
 template <class Mask, class Real>
 FPKCHECK_INLINE Real select(const Mask& mask, const Real& a, const Real& b) {
@@ -57,7 +56,7 @@ FPKCHECK_INLINE Real select(const Mask& mask, const Real& a, const Real& b) {
   // every lane.
   return (Real)((mask & (Mask)a) | (~mask & (Mask)b));
 }
-/// A vector with the lane of a if the lane of the mask is set, else with 0.
+/// Returns, in each lane, the number of `a` if the mask is set in the lane, else 0.
 FPKCHECK_INLINE double select_or_zero(bool mask, double a) { return mask ? a : 0; }
 template <class Mask, class Real>
 FPKCHECK_INLINE Real select_or_zero(const Mask& mask, const Real& a) {
@@ -86,7 +85,6 @@ FPKCHECK_INLINE bool any_lane_set(const Mask& mask) {
   return (pairs[0][0] | pairs[0][1]) != 0;
 }
 
-/// Broadcasts a number to all lanes.
 template <class Real>
 FPKCHECK_INLINE Real broadcast(double x) {
   return Real{} + x;
@@ -110,7 +108,8 @@ FPKCHECK_INLINE void store(const Real& x, double* to) {
   __builtin_memcpy(to, &x, sizeof(Real));
 }
 
-/// Truncates each number of a vector to an integer. @pre the numbers are in 0 .. 2^31 - 1
+/// Truncates each number of a vector to an integer.
+/// @pre the numbers are in 0 .. 2^31 - 1
 FPKCHECK_INLINE std::int32_t truncate_to_index(double x) {
   assert(x >= 0 && x < 0x1p31);
   return static_cast<std::int32_t>(x);

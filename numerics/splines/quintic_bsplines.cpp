@@ -22,14 +22,15 @@ QuinticBSplines::ValuesAndSlopes QuinticBSplines::values_and_slopes(double x) co
   const int span = static_cast<int>(after - breaks_.begin()) - 1;
   ValuesAndSlopes values{.first = first_[span], .value = {1}, .slope = {}};
   const int last = values.first + kDegree;  // index of the last knot at the beginning of the span
-  // Cox-de Boor recursion: value[l] is function last - p + l of degree p.
+  // Cox-de Boor recursion: after step p, value[l] is the value of basis function last - p + l of
+  // degree p.
   std::array<double, kDegree + 1>& b = values.value;
   for (int p = 1; p <= kDegree; ++p) {
     double saved = 0;
     for (int l = 0; l < p; ++l) {
       const double low = knots_[last - p + 1 + l], high = knots_[last + 1 + l];
       const double share = b[l] / (high - low);
-      // The slopes of degree 5 are p (previous share - share).
+      // The slopes of basis functions of degree p are differences p (previous share - share).
       if (p == kDegree && inside == x) {
         values.slope[l] -= p * share;
         values.slope[l + 1] += p * share;
@@ -48,8 +49,8 @@ std::array<double, QuinticBSplines::kDegree + 1> QuinticBSplines::second_derivat
   if (x < begin() || x > end()) return result;
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
   const int last = first_[after - breaks_.begin() - 1] + kDegree;
-  // The recursion of values_and_slopes(), in which the last two degrees are replaced by differences
-  // p (previous share - share).
+  // The recursion is that of values_and_slopes(), except that differences p (previous share -
+  // share) replace the values in the last two degrees.
   std::array<double, kDegree + 1> b{1};
   for (int p = 1; p <= kDegree; ++p) {
     double saved = 0;
@@ -69,7 +70,8 @@ std::vector<double> QuinticBSplines::coefficients_of_power(int power) const {
   constexpr std::array<double, kDegree + 1> kBinomials{1, 5, 10, 10, 5, 1};
   std::vector<double> coefficients;
   for (int i = 0; i < size(); ++i) {
-    std::array<double, kDegree + 1> symmetric{1};  // elementary symmetric polynomials
+    std::array<double, kDegree + 1> symmetric{
+        1};  // elementary symmetric polynomials of the five inner knots
     for (int k = 1; k <= kDegree; ++k) {
       for (int p = kDegree; p > 0; --p) symmetric[p] += knots_[i + k] * symmetric[p - 1];
     }
@@ -80,7 +82,7 @@ std::vector<double> QuinticBSplines::coefficients_of_power(int power) const {
 
 namespace {
 
-/// Knots at 0 and at the positive breaks; with `both`, also at the negatives of the positive
+/// Returns knots at 0 and at the positive breaks `side`; if `both` is true, also at the mirrored
 /// breaks.
 std::vector<double> mirrored_knots(const std::vector<double>& side, bool both, int multiplicity) {
   const double end = side.back();
@@ -108,7 +110,7 @@ std::vector<double> knots_from_breaks(const std::vector<double>& breaks, int mul
 std::vector<double> graded_knots(double begin, double end, double uniform_from, int cells,
                                  int multiplicity, int shrinking_cells) {
   constexpr double kShrink = 1.25;
-  const int half = begin < 0 ? cells / 2 : cells;  // cells on each side
+  const int half = begin < 0 ? cells / 2 : cells;  // number of cells on each side of 0
   const int outer = std::max(1, half / 7), inner = half - outer - shrinking_cells;
   // The sum of the powers kShrink^-1 .. kShrink^-shrinking_cells.
   const double shrunk = (1 - std::pow(kShrink, -shrinking_cells)) / (kShrink - 1);
@@ -122,7 +124,7 @@ std::vector<double> graded_knots(double begin, double end, double uniform_from, 
   while (end_position(highest) < end) highest *= 2;
   const double factor =
       bracketed_root([&](double trial) { return end_position(trial) - end; }, 0.0, highest);
-  std::vector<double> side;  // positive breaks
+  std::vector<double> side;  // the positive breaks, increasing
   for (int k = shrinking_cells; k > 0; --k) {
     side.push_back((side.empty() ? 0 : side.back()) + width * std::pow(kShrink, -k));
   }

@@ -5,9 +5,9 @@
 
 namespace fpkcheck::numerics {
 
-/// B-splines of degree 5 with arbitrary knots. Beyond each end of the knots every function is
-/// constant: the first function is 1 below the lower end, the last function is 1 above the upper
-/// end, and all others are 0 there. de Boor, A Practical Guide to Splines.
+/// Basis of B-splines of degree 5 with arbitrary knots (de Boor, A Practical Guide to Splines). The
+/// first basis function is 1 below the lower end of the knots, the last basis function is 1 above
+/// the upper end, and all other basis functions are 0 beyond the ends.
 class QuinticBSplines {
  public:
   static constexpr int kDegree = 5;
@@ -18,43 +18,43 @@ class QuinticBSplines {
 
   int size() const { return static_cast<int>(knots_.size()) - kDegree - 1; }
   const std::vector<double>& knots() const { return knots_; }
-  /// The distinct knots, increasing.
+  /// Returns the distinct knots, increasing.
   const std::vector<double>& breaks() const { return breaks_; }
   double begin() const { return breaks_.front(); }
   double end() const { return breaks_.back(); }
 
-  /// Values and slopes at a point of the six basis functions first .. first + 5. All other basis
-  /// functions are zero at the point.
+  /// Values and slopes at a point of the basis functions first .. first + 5, which include all
+  /// basis functions that are nonzero at the point.
   struct ValuesAndSlopes {
     int first;
     std::array<double, kDegree + 1> value, slope;
   };
   ValuesAndSlopes values_and_slopes(double x) const;
-  /// Second derivatives at x of the six basis functions that values_and_slopes(x) returns; 0 if x
+  /// Returns the second derivatives at x of the six basis functions of values_and_slopes(x); 0 if x
   /// is beyond an end.
   std::array<double, kDegree + 1> second_derivatives(double x) const;
 
-  /// Coefficients of the function x^power in this basis, 0 <= power <= 5, by Marsden's identity.
-  /// The coefficient of a basis function is the mean of all products of `power` different knots
-  /// among the five inner knots of the function.
+  /// Returns the coefficients of the function x^power in this basis, 0 <= power <= 5, by Marsden's
+  /// identity. The coefficient of a basis function is the mean of all products of `power` different
+  /// knots among the five inner knots of the basis function.
   std::vector<double> coefficients_of_power(int power) const;
 
  private:
   std::vector<double> knots_, breaks_;
-  std::vector<int> first_;  // first nonzero function of each span
+  std::vector<int> first_;  // index of the first nonzero basis function on each span
 };
 
-/// The sequence of knots at the given breaks, with multiplicity 6 at both ends.
+/// Returns the knot sequence of the given breaks, with multiplicity 6 at both ends.
 /// @param multiplicity multiplicity of the knot at 0, if 0 is an inner break
 std::vector<double> knots_from_breaks(const std::vector<double>& breaks, int multiplicity = 1);
 
-/// Graded knots from `begin` to `end`, with multiplicity 6 at both ends. From 0 to `uniform_from`
-/// the breaks are evenly spaced. Beyond `uniform_from` the cell widths form a geometric
-/// progression; this part has a seventh of all cells. `begin` is 0 or -end.
+/// Returns graded knots from `begin` (0 or -end) to `end`, with multiplicity 6 at both ends. From 0
+/// to `uniform_from` the breaks are evenly spaced. A seventh of all cells lies beyond
+/// `uniform_from`, where the cell widths form a geometric progression.
 /// @param cells number of cells; an even number if begin is -end
 /// @param multiplicity multiplicity of the knot at 0, if 0 is an inner knot
-/// @param shrinking_cells number of cells on each side of 0 whose widths decrease towards 0: each
-/// of these cells is narrower by a fifth than its neighbour farther from 0
+/// @param shrinking_cells number of cells on each side of 0 whose widths decrease towards 0, by a
+/// fifth from each cell to the next
 std::vector<double> graded_knots(double begin, double end, double uniform_from, int cells,
                                  int multiplicity = 1, int shrinking_cells = 0);
 

@@ -23,7 +23,7 @@ Eigen::MatrixXd SplineBasis::basis_derivatives(double x, int span, int derivativ
   const double begin = breaks_[span], width = breaks_[span + 1] - begin, t = (x - begin) / width;
   Eigen::MatrixXd rows = bezier_extraction<double>(*this, span, begin, begin + width);
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(derivatives + 1, degree_ + 1);
-  double scale = 1;  // p (p-1) .. / width^d
+  double scale = 1;  // factor p (p-1) .. / width^d of derivative d
   for (int d = 0; d <= std::min(derivatives, degree_); ++d) {
     Eigen::MatrixXd b = rows;  // de Casteljau's algorithm
     for (int n = degree_ - d; n > 0; --n) {

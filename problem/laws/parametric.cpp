@@ -70,7 +70,7 @@ ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation,
 double ExponentialLaw::standard_deviation() const { return std::abs(scale); }
 
 double ExponentialLaw::standardised_moment(int n) const {
-  double derangements = 1;  // recursion D_n = n D_{n-1} + (-1)^n
+  double derangements = 1;  // recursion of the number of derangements, D_n = n D_{n-1} + (-1)^n
   for (int i = 1; i <= n; ++i) derangements = i * derangements + (i % 2 == 0 ? 1 : -1);
   return scale < 0 && n % 2 != 0 ? -derangements : derangements;
 }
@@ -81,7 +81,7 @@ double ExponentialLaw::density(double y) const {
 }
 
 double ExponentialLaw::cumulative_probability(double y) const {
-  const double e = 1 + (y - mean) / scale;  // value of E; increases in y for a positive scale
+  const double e = 1 + (y - mean) / scale;  // value of the exponential variable E
   if (scale > 0) return e > 0 ? -std::expm1(-e) : 0;
   return e > 0 ? std::exp(-e) : 1;
 }
@@ -96,7 +96,7 @@ namespace {
 
 constexpr double kDefaultSkewness = 1, kMinSkewness = 0.01, kMaxSkewness = 2;
 
-// The value of the gamma variable G that gives Y = y.
+// Returns the value of the gamma variable G that gives Y = y.
 double standardised_variate(const GammaLaw& law, double y) {
   return law.shape() + (y - law.mean) / law.width() * std::sqrt(law.shape());
 }
@@ -137,9 +137,9 @@ double GammaLaw::cumulative_probability(double y) const {
 }
 
 std::vector<double> GammaLaw::density_breakpoints() const {
-  // The probability beyond each end of the break points is 1e-20. Near the end of the support the
-  // density is x^(k-1) times a smooth function. A ten-point quadrature rule integrates such a
-  // density between x and 3 x.
+  // The probability beyond each end of the break points is 1e-20. Near the finite end of the
+  // support the density is x^(k-1) times a smooth function, which a ten-point Gauss rule integrates
+  // accurately between x and 3 x.
   constexpr double kBeyond = 1e-20, kFirst = 1e-9, kGrowth = 3;
   const double k = shape(), deviations = std::sqrt(k);
   const double low = boost::math::gamma_p_inv(k, kBeyond);

@@ -9,7 +9,6 @@
 
 namespace fpkcheck::problem {
 
-/// The Gaussian law N(mean, deviation^2).
 struct GaussianLaw {
   double mean;
   double deviation;
@@ -20,7 +19,7 @@ struct GaussianLaw {
   double width() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
-  /// E[((Y - mean) / deviation)^n]: (n-1)!! for even n, 0 for odd n.
+  /// Returns E[((Y - mean) / deviation)^n], which is (n-1)!! for even n and 0 for odd n.
   double standardised_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
@@ -43,7 +42,8 @@ struct LaplaceLaw {
   double width() const { return scale; }
   double standard_deviation() const { return std::numbers::sqrt2 * scale; }
 
-  /// E[((Y - mean) / standard_deviation())^n]: n! / 2^(n/2) for even n, 0 for odd n.
+  /// Returns E[((Y - mean) / standard_deviation())^n], which is n! / 2^(n/2) for even n and 0 for
+  /// odd n.
   double standardised_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
@@ -53,7 +53,7 @@ struct LaplaceLaw {
   }
 };
 
-/// The two-point law: Y = mean - deviation or Y = mean + deviation, each with probability 1/2.
+/// The two-point law of Y = mean - deviation or Y = mean + deviation, each with probability 1/2.
 struct TwoPointLaw {
   double mean;
   double deviation;
@@ -89,7 +89,8 @@ struct UniformLaw {
   double width() const { return half_width; }
   double standard_deviation() const { return half_width / std::numbers::sqrt3; }
 
-  /// E[((Y - mean) / standard_deviation())^n]: 3^(n/2) / (n+1) for even n, 0 for odd n.
+  /// Returns E[((Y - mean) / standard_deviation())^n], which is 3^(n/2) / (n+1) for even n and 0
+  /// for odd n.
   double standardised_moment(int n) const {
     return n % 2 == 0 ? std::pow(3.0, n / 2) / (n + 1) : 0;
   }
@@ -99,35 +100,34 @@ struct UniformLaw {
   std::vector<double> density_breakpoints() const { return {mean - half_width, mean + half_width}; }
 };
 
-/// The shifted exponential law: Y = mean + scale (E - 1) with P(E > x) = exp(-x) for x >= 0. The
-/// support is y >= mean - scale for a positive scale and y <= mean - scale for a negative scale.
-/// The standard deviation is |scale|; the skewness is 2 for a positive scale and -2 for a negative
-/// scale.
+/// The shifted exponential law of Y = mean + scale (E - 1), where P(E > x) = exp(-x) for x >= 0.
+/// The support is y >= mean - scale for a positive scale and y <= mean - scale for a negative
+/// scale. The standard deviation is |scale|; the skewness is 2 for a positive scale and -2 for a
+/// negative scale.
 struct ExponentialLaw {
   double mean;
   double scale;
 
   static constexpr std::string_view kName = "exponential";
   static constexpr std::string_view kWidthName = "scale";
-  /// The exponential law with the given moments; the default skewness is 2.
+  /// Returns the exponential law with the given moments; the default skewness is 2.
   /// @throws InputError if the skewness is neither 2 nor -2
   static ExponentialLaw from_moments(double mean, double deviation,
                                      const LawShapeParameters& shape);
   double width() const { return scale; }
   double standard_deviation() const;
 
-  /// E[((Y - mean) / standard_deviation())^n]: the number of derangements of n objects, E[(E -
-  /// 1)^n], times the sign of scale^n.
+  /// Returns E[((Y - mean) / standard_deviation())^n], the number of derangements of n objects
+  /// times the sign of scale^n.
   double standardised_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
   std::vector<AmplitudeAtom> atoms() const { return {}; }
   std::vector<double> density_breakpoints() const;
-  /// The law of -Y.
   ExponentialLaw mirror_image() const { return {-mean, -scale}; }
 };
 
-/// The shifted gamma law: Y = mean + deviation (G - k) / (sqrt(k) sgn skewness), where G has the
+/// The shifted gamma law of Y = mean + deviation (G - k) / (sqrt(k) sgn skewness), where G has the
 /// gamma density x^(k-1) e^-x / Gamma(k) with k = 4 / skewness^2. For skewness 2 the law is
 /// exponential; for a small skewness the law is nearly Gaussian.
 struct GammaLaw {
@@ -137,29 +137,28 @@ struct GammaLaw {
 
   static constexpr std::string_view kName = "gamma";
   static constexpr std::string_view kWidthName = "deviation";
-  /// The gamma law with the given moments; the default skewness is 1.
+  /// Returns the gamma law with the given moments; the default skewness is 1.
   /// @throws InputError if |skewness| is outside 0.01 .. 2 (above 2 the density is unbounded)
   static GammaLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
-  /// The width parameter: the standard deviation times the sign of the skewness.
+  /// Returns the standard deviation times the sign of the skewness.
   double width() const;
   double standard_deviation() const { return deviation; }
-  /// The shape parameter k of the gamma density.
   double shape() const { return 4 / (skewness * skewness); }
 
-  /// The moment m_n = E[((Y - mean) / deviation)^n], by the recursion m_{n+1} = n (skewness/2 m_n +
-  /// m_{n-1}).
+  /// Returns the moment m_n = E[((Y - mean) / deviation)^n], computed by the recursion m_{n+1} = n
+  /// (skewness/2 m_n + m_{n-1}).
   double standardised_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
   std::vector<AmplitudeAtom> atoms() const { return {}; }
-  /// Break points of quadrature. The break points are closer together near the finite end of the
+  /// Returns break points of quadrature, which are closer together near the finite end of the
   /// support, where the density behaves like a power of the distance to the end.
   std::vector<double> density_breakpoints() const;
-  /// The law of -Y.
   GammaLaw mirror_image() const { return {-mean, deviation, -skewness}; }
 
-  /// The standardised quantile (x - k) / sqrt(k) of the gamma density, where P(G <= x) = p and P(G
-  /// > x) = q. The quantile is computed from the smaller of p and q. @pre p + q = 1
+  /// Returns the standardised quantile (x - k) / sqrt(k) of the gamma density, where P(G <= x) = p
+  /// and P(G > x) = q. The quantile is computed from the smaller of p and q.
+  /// @pre p + q = 1
   double standardised_quantile(double p, double q) const;
 };
 

@@ -6,7 +6,7 @@
 namespace fpkcheck::problem {
 
 /// Parameters of an amplitude law in addition to its mean and standard deviation, read from the
-/// case file. Most laws have no such parameters.
+/// case file.
 struct LawShapeParameters {
   /// The skewness E[(Y - mean)^3] / deviation^3.
   std::optional<double> skewness = {};
@@ -14,7 +14,7 @@ struct LawShapeParameters {
   std::string table = {};
 };
 
-/// An atom of an amplitude law: an amplitude with positive probability, and this probability.
+/// An amplitude with positive probability, and its probability.
 struct AmplitudeAtom {
   double amplitude;
   double probability;

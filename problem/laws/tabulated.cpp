@@ -18,7 +18,8 @@ bool has_atoms(const TabulatedLaw& law) {
   return law.standard->kind == AmplitudeTable::WeightType::probability;
 }
 
-// E[Z^n]. The rule with 20 points is exact for the integrand, a polynomial on each piece.
+// Computes the moment E[Z^n] of the standardised amplitude Z. The 20-point Gauss rule is exact for
+// the integrand, a polynomial on each piece of the table.
 double expectation_of_power(const AmplitudeTable& table, int n) {
   using Rule = boost::math::quadrature::gauss<double, 20>;
   double sum = 0;
@@ -29,7 +30,7 @@ double expectation_of_power(const AmplitudeTable& table, int n) {
       sum += w[k] * std::pow(z[k], n);
     } else if (k > 0) {
       const double length = z[k] - z[k - 1];
-      const auto integrand = [&](double part) {  // fraction of the piece
+      const auto integrand = [&](double part) {  // fraction of the length of the piece
         return std::lerp(w[k - 1], w[k], part) * length * std::pow(z[k - 1] + part * length, n);
       };
       sum += Rule::integrate(integrand, 0, 1);
@@ -38,7 +39,7 @@ double expectation_of_power(const AmplitudeTable& table, int n) {
   return sum;
 }
 
-// P(Z <= at) if `with_equal` is true, else P(Z < at).
+// Returns P(Z <= at) if `with_equal` is true, else P(Z < at).
 double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
   const auto& z = table.amplitude;
   const auto& w = table.weight;

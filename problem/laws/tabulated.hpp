@@ -10,9 +10,8 @@ namespace fpkcheck::problem {
 
 struct AmplitudeTable;
 
-/// The law of a table: Y = mean + scale Z. The law of Z is that of the table, shifted and scaled to
-/// mean 0 and standard deviation 1. Z is discrete or has a piecewise linear density. The mirrored
-/// law, that of -Y, has a negative scale.
+/// The law of Y = mean + scale Z, where Z has the law of an amplitude table, shifted and scaled to
+/// mean 0 and standard deviation 1. The law of -Y has a negative scale.
 struct TabulatedLaw {
   double mean;
   double scale;
@@ -20,7 +19,7 @@ struct TabulatedLaw {
 
   static constexpr std::string_view kName = "tabulated";
   static constexpr std::string_view kWidthName = "scale";
-  /// The law of shape.table, shifted and scaled to the given mean and standard deviation.
+  /// Returns the law of shape.table, shifted and scaled to the given mean and standard deviation.
   /// @throws InputError if the table is missing or invalid
   static TabulatedLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
   double width() const { return scale; }
@@ -31,9 +30,8 @@ struct TabulatedLaw {
   double cumulative_probability(double y) const;
   std::vector<AmplitudeAtom> atoms() const;
   std::vector<double> density_breakpoints() const;
-  /// The law of Z.
+  /// Returns the law of the standardised amplitude Z.
   TabulatedLaw standardised() const { return {0, 1, standard}; }
-  /// The law of -Y.
   TabulatedLaw mirror_image() const { return {-mean, -scale, standard}; }
 };
 
