@@ -8,21 +8,21 @@
 namespace fpkcheck::benchmarks {
 namespace {
 
-using epc::Equation;
+using epc::DensityEquation;
 
 // The paper's case `range(0)` at order `range(1)`: root search, assessment of the density, and the
 // distance from order n-2.
-void solve_gaussian(benchmark::State& state, Equation equation) {
+void solve_gaussian(benchmark::State& state, DensityEquation equation) {
   const auto problem = problem::load_case("case" + std::to_string(state.range(0)));
   const epc::Options options{.order = static_cast<int>(state.range(1)), .equation = equation};
   int iterations = 0;
   for (auto _ : state) iterations = epc::solve(problem, options).summary.iterations;
   state.counters["newton_steps"] = iterations;
 }
-BENCHMARK_CAPTURE(solve_gaussian, km4, Equation::km4)
+BENCHMARK_CAPTURE(solve_gaussian, km4, DensityEquation::km4)
     ->ArgsProduct({{1, 2, 3, 4}, {2, 4, 6, 8}})
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(solve_gaussian, kf, Equation::kf)
+BENCHMARK_CAPTURE(solve_gaussian, kf, DensityEquation::kf)
     ->ArgsProduct({{1, 2, 3, 4}, {4, 6, 8}})
     ->Unit(benchmark::kMillisecond);
 
@@ -31,7 +31,7 @@ void solve_moment(benchmark::State& state) {
   const auto problem = problem::load_case("case" + std::to_string(state.range(0)));
   const epc::Options options{.order = static_cast<int>(state.range(1)),
                              .formulation = epc::Formulation::moment,
-                             .equation = Equation::kf};
+                             .equation = DensityEquation::kf};
   int iterations = 0;
   for (auto _ : state) iterations = epc::solve(problem, options).summary.iterations;
   state.counters["newton_steps"] = iterations;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "case_on_grid.hpp"
-#include "fd_fpk/linear/eigenvectors.hpp"
 #include "fd_fpk/linear/klu.hpp"
+#include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 /// Fill-reducing orderings and sparse LU libraries on the matrix of the preconditioner.

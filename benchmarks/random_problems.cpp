@@ -20,11 +20,11 @@
 #include "compare/rest_atoms.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/method.hpp"
 #include "methods/run_cases.hpp"
-#include "problem/features.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
+#include "problem/problem_features.hpp"
 #include "random_oscillator.hpp"
 #include "random_problem.hpp"
 #include "transform/solution.hpp"
@@ -44,8 +44,8 @@ namespace {
 
 using transform::Marginal;
 using transform::Solution;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 struct Settings {
   int count = 200;
@@ -131,8 +131,8 @@ SimulationReference simulation_reference(const problem::Problem& problem,
   if (!solution.sampling)
     throw std::runtime_error(problem.name + " could not be simulated: " + solution.reason);
   SimulationReference simulation_reference{
-      .y = transform::marginal(solution, Variable::y, axes.y_edges),
-      .ydot = transform::marginal(solution, Variable::ydot, axes.v_edges),
+      .y = transform::marginal(solution, StateVariable::y, axes.y_edges),
+      .ydot = transform::marginal(solution, StateVariable::ydot, axes.v_edges),
       .y_sampling_l1 = solution.sampling->y.value_or(0),
       .ydot_sampling_l1 = solution.sampling->ydot.value_or(0),
       .atoms = solution.atoms,
@@ -153,19 +153,19 @@ SimulationReference simulation_reference(const problem::Problem& problem,
 MethodResult answer(const methods::Method& method, const problem::Problem& problem,
                     const compare::ComparisonAxes& axes,
                     const SimulationReference& simulation_reference) {
-  const Solution solution = methods::solve_with(method, problem, {axes, {}});
+  const Solution solution = methods::solve_with_method(method, problem, {axes, {}});
   MethodResult result{.status = std::string(name(solution.status)),
                       .seconds = solution.seconds,
                       .density = solution.density.has_value(),
                       .error_estimate = solution.error,
                       .reason = solution.reason};
   if (!result.density) return result;
-  const auto distance_to_reference = [&](Variable variable, const Marginal& judged) {
+  const auto distance_to_reference = [&](StateVariable variable, const Marginal& judged) {
     return transform::l1(transform::marginal(solution, variable, judged.edges), judged) +
            compare::rest_atom_l1_distance(solution.atoms, simulation_reference.atoms, variable);
   };
-  result.y_l1 = distance_to_reference(Variable::y, simulation_reference.y);
-  result.ydot_l1 = distance_to_reference(Variable::ydot, simulation_reference.ydot);
+  result.y_l1 = distance_to_reference(StateVariable::y, simulation_reference.y);
+  result.ydot_l1 = distance_to_reference(StateVariable::ydot, simulation_reference.ydot);
   return result;
 }
 
@@ -388,7 +388,7 @@ int run(const Settings& settings) {
       continue;
     }
     const auto& problem = problems.back();
-    const auto axes = compare::uniform_axes(compare::comparison_axes(problem));
+    const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
     references.push_back(simulation_reference(problem, axes, settings));
     std::vector<MethodResult> row(methods.size());
     base::parallel_for(methods.size(), 0, [&](std::size_t m) {

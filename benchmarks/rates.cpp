@@ -14,7 +14,7 @@
 #include "compare/comparison_axes.hpp"
 #include "exact/closed_forms.hpp"
 #include "fd_fpk/solve.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "rate_scan.hpp"
 #include "transform/solution.hpp"
@@ -30,7 +30,7 @@ namespace fpkcheck::benchmarks {
 namespace {
 
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 struct Settings {
   tests::RateScan scan = {};
@@ -48,8 +48,8 @@ struct MethodStatistics {
 // Whether a solution approximates the full problem; other equations are not compared with it.
 bool solves_the_full_problem(const Solution& solution) {
   return solution.identity.role != transform::SolutionRole::equation ||
-         (solution.identity.equation == problem::Equation::kf &&
-          solution.identity.impact == problem::Impact::map);
+         (solution.identity.equation == problem::DensityEquation::kf &&
+          solution.identity.impact == problem::ImpactCondition::map);
 }
 
 std::optional<Solution> reference_solution(const problem::Problem& problem) {
@@ -78,7 +78,7 @@ Comparison judged(const problem::Problem& problem, const Solution& solution,
                   const Solution& reference_solution, const compare::ComparisonAxes& axes) {
   Comparison result;
   for (const auto variable : transform::kVariables) {
-    const auto& edges = compare::bin_edges(axes, variable);
+    const auto& edges = compare::comparison_bin_edges(axes, variable);
     const double l1 = transform::l1(transform::marginal(solution, variable, edges),
                                     transform::marginal(reference_solution, variable, edges));
     const double own = transform::l1(*reference_solution.error, variable);
@@ -130,7 +130,7 @@ int run(const Settings& settings) {
   std::vector<MethodStatistics> tallies(methods.size());
   int problems = 0;
   for (const auto& problem : settings.scan.problems()) {
-    const auto axes = compare::uniform_axes(compare::comparison_axes(problem));
+    const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
     const auto reference = reference_solution(problem);
     if (settings.verbose) {
       fmt::print("{} ({})\n", problem.name, reference ? "with reference" : "no reference");

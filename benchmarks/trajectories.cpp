@@ -12,7 +12,7 @@
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/duffing_flight.hpp"
 #include "problem/case_file.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 // Simulation performance for the paper's cases: the program's SIMD simulation against a scalar loop
 // of the classical Runge-Kutta method with step 0.05, on the same number of threads. Also the error
@@ -88,7 +88,7 @@ struct SimulationResult {
 };
 
 SimulationResult simulation_loop(const problem::Problem& problem, double time, unsigned seed,
-                                 const simd::CodeVariant& lanes, bool records) {
+                                 const simd::SimdVariant& lanes, bool records) {
   const mcs::BinFinder y(uniform_edges(0, 5)), v(uniform_edges(-5, 5));
   const mcs::MotionParameters motion{
       .oscillator = mcs::make_oscillator(problem, problem::scales(problem)),
@@ -109,7 +109,7 @@ SimulationResult simulation_loop(const problem::Problem& problem, double time, u
                                   .until_sample = 0.1,
                                   .remaining = 0},
                        .source = source,
-                       .record = mcs::StreamRecord(y, v)});
+                       .record = mcs::StreamStatistics(y, v)});
     pointers.push_back(&streams.back());
   }
   mcs::advance(motion, pointers, time / kStreams, lanes);
@@ -230,7 +230,7 @@ int main(int argc, char** argv) {
   fmt::print("case1, {} threads; steps: simulated time / 0.05\n", threads);
   fmt::print("scalar RK4 loop                   {:.2e} steps/s   E[v^2] {:.4f}\n",
              plain / kRungeKuttaStep, found[0]);
-  for (const auto& lanes : simd::available_code_variants()) {
+  for (const auto& lanes : simd::available_simd_variants()) {
     for (const bool records : {false, true}) {
       std::vector<SimulationResult> results(static_cast<std::size_t>(threads));
       const double rate = simulated_time_per_second(threads, time, [&](unsigned t) {

@@ -12,8 +12,8 @@
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
 #include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
-#include "workflows/sweep/report/advice_text.hpp"
+#include "problem/problem_features.hpp"
+#include "workflows/sweep/report/recommendation_text.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -75,7 +75,7 @@ std::set<std::string> distinguishing_options(const methods::Solver& solver) {
 // Returns the command that solves the case by a method, with all options that differ from their
 // defaults.
 std::string method_command(const std::string& id, const std::string& words,
-                           const methods::Registry& registry) {
+                           const methods::SolverRegistry& registry) {
   // The validity map has results of `fd` from the direct solver, which makes no time steps.
   const auto method = registry.method_by_id(id, {{"stepper", std::string("direct")}});
   const auto* solver = method ? registry.find_solver(method->identity.method) : nullptr;
@@ -127,7 +127,7 @@ int advise_command(const CommandCall& call) {
   const std::string words = case_arguments(common);
   // By default `fd` refines its grid until its error estimate is below 1e-4.
   constexpr double kDefaultGridTolerance = 1e-4;
-  const sweep::AdviceContext setting{
+  const sweep::RecommendationContext setting{
       .name = problem.name,
       .command = [&](const std::string& id) { return method_command(id, words, call.registry); },
       .fallback_commands = {fmt::format("fpkcheck fd {} --{} {:g}", words,
@@ -135,9 +135,9 @@ int advise_command(const CommandCall& call) {
                                         accuracy),
                             fmt::format("fpkcheck mcs {}", words)},
       .registry = call.registry};
-  print_output(common.json ? sweep::advice_json(advice, setting, call.command_line) + '\n'
-                           : sweep::advice_text(advice, setting, terminal_format()));
-  return advice.promised_methods().empty() ? kFailure : kSuccess;
+  print_output(common.json ? sweep::recommendation_json(advice, setting, call.command_line) + '\n'
+                           : sweep::recommendation_text(advice, setting, terminal_format()));
+  return advice.sufficiently_accurate_methods().empty() ? kFailure : kSuccess;
 }
 
 }  // namespace fpkcheck::cli

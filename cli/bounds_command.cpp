@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
@@ -81,7 +81,7 @@ int bounds_command(const CommandCall& call) {
   const auto problems = load_cases(common);
   const OutputDirectory directory(common.out);
 
-  results::Run run{results::this_program(call.command_line), {}};
+  results::Run run{results::current_program(call.command_line), {}};
   bool reached = true;
   for (const auto& problem : problems) {
     run.cases.push_back({.problem = problem,
@@ -101,12 +101,12 @@ int bounds_command(const CommandCall& call) {
                              report::guaranteed_bounds_table(problem, bounds, terminal_format()),
                              bounds.seconds));
   }
-  if (common.json) print_output(results::summary_text(run) + '\n');
+  if (common.json) print_output(results::run_summary_text(run) + '\n');
   if (common.out) {
     const base::ExitBlocker in_hand;
-    base::PendingFiles files;
+    base::FileTransaction files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
-              results::summary_text(run) + '\n');
+              results::run_summary_text(run) + '\n');
     files.commit();
     set_exit_message("all files were written");
   }

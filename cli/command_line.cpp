@@ -32,7 +32,7 @@ po::options_description add_output_options(const po::options_description& comman
   // Boost would print a nested group of options after the other options, and in another width.
   for (const auto& option : command_options.options()) all.add(option);
   all.add_options()  //
-      ("out", optional_value(common.out, "DIR"), out_help)(
+      ("out", make_optional_option(common.out, "DIR"), out_help)(
           "quiet,q", po::bool_switch(&common.quiet), "print no table and no progress")(
           "json", po::bool_switch(&common.json), "print JSON to standard output, and nothing else")(
           "help,h", "print this text");
@@ -51,7 +51,7 @@ bool parse_arguments(const std::vector<std::string>& arguments, const std::strin
     po::store(po::command_line_parser(arguments).options(all).positional(rest).style(style).run(),
               values);
     if (values.count("help") > 0) {
-      emit_help(usage, options);
+      print_or_capture_help(usage, options);
       return false;
     }
     po::notify(values);

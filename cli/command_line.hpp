@@ -20,13 +20,13 @@ struct CommonArguments {
 };
 
 /// Returns a Boost option without a default value. Parsing stores the value of the option in
-/// `place`.
+/// `destination`.
 template <class T>
-boost::program_options::typed_value<T>* optional_value(std::optional<T>& place,
-                                                       const char* placeholder) {
+boost::program_options::typed_value<T>* make_optional_option(std::optional<T>& destination,
+                                                             const char* placeholder) {
   return boost::program_options::value<T>()
       ->value_name(placeholder)
-      ->notifier([&place](const T& value) { place = value; });
+      ->notifier([&destination](const T& value) { destination = value; });
 }
 
 /// Adds --set, --out, --quiet, --json and --help to the options of a command.

@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words method_names(const methods::Registry& registry) {
+Words method_names(const methods::SolverRegistry& registry) {
   Words names;
   std::set<std::string> seen;
   const auto add = [&](const std::string& name) {
@@ -42,7 +42,7 @@ Words case_keys() {
 // Returns the allowed values of an option for the solver that the command names, otherwise for all
 // solvers.
 Words option_choices(const std::string& flag, const std::string& command,
-                     const methods::Registry& registry) {
+                     const methods::SolverRegistry& registry) {
   Words choices;
   const auto* const own = registry.find_solver(command);
   for (const auto& solver : registry.solvers()) {
@@ -65,7 +65,7 @@ Words append_to_list(const std::string& word, Words items) {
 }
 
 Words option_values(const OptionHelp& option, const std::string& word, const CommandHelp& command,
-                    const methods::Registry& registry) {
+                    const methods::SolverRegistry& registry) {
   if (option.name == "--methods") return append_to_list(word, method_names(registry));
   if (option.name == "--formulations")
     return append_to_list(word, study::closure_formulations(registry));
@@ -117,7 +117,7 @@ Words words_after_prefix(const std::vector<CommandHelp>& commands, const std::st
 }  // namespace
 
 Words completion_candidates(const std::vector<CommandHelp>& commands,
-                            const methods::Registry& registry, const Words& words) {
+                            const methods::SolverRegistry& registry, const Words& words) {
   if (words.empty()) return {};
   const auto& word = words.back();
   const bool is_help = words.front() == "help" && words.size() > 1;

@@ -130,10 +130,10 @@ int evaluate_command(const CommandCall& call) {
   bool json = false, quiet = false;
   po::options_description options("options", 96);
   options.add_options()(
-      "at", optional_value(at, "FILE"),
+      "at", make_optional_option(at, "FILE"),
       "file with the points in two columns, y and y', in the format of --against; - is standard "
       "input (default: a grid of 41 x 81 points over the support)")(
-      "case", optional_value(case_name, "CASE"),
+      "case", make_optional_option(case_name, "CASE"),
       "case of the solution, for a summary with several cases; for a closed form in amplitude or "
       "energy, the case that defines amplitude and energy")("json", po::bool_switch(&json),
                                                             "print JSON instead of CSV")(

@@ -77,7 +77,7 @@ int integrate_and_report(const CommonArguments& common, const fd_fpk::Options& o
   }
   if (common.out) {
     const base::ExitBlocker in_hand;
-    for (const auto& warning : study::write_transient(*common.out, run, common.figures))
+    for (const auto& warning : study::write_transient_files(*common.out, run, common.figures))
       print_message(warning);
     set_exit_message("all files were written except the figure");
   }

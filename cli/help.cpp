@@ -16,7 +16,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Destination of the help during capture_help(); null if emit_help() prints the help.
+// Destination of the help during capture_help(); null if print_or_capture_help() prints the help.
 thread_local Help* captured_help = nullptr;
 
 std::size_t indentation(const std::string& line) {
@@ -154,7 +154,7 @@ std::string help_text(const Help& help, std::size_t width) {
   return text;
 }
 
-void emit_help(const std::string& usage, const po::options_description& options) {
+void print_or_capture_help(const std::string& usage, const po::options_description& options) {
   Help help{usage, {}};
   for (const auto& option : options.options()) help.options.push_back(option_help(*option));
   if (captured_help != nullptr) {
@@ -216,7 +216,7 @@ std::string option_entry(const OptionHelp& option) {
 }  // namespace
 
 std::string manual_page(const std::vector<CommandHelp>& commands) {
-  const auto program = results::this_program("");
+  const auto program = results::current_program("");
   std::string page = fmt::format(".TH FPKCHECK 1 \"\" \"{} {}\" \"User Commands\"\n", program.name,
                                  program.version);
   page += R"(.SH NAME

@@ -37,8 +37,8 @@ std::string help_text(const Help& help, std::size_t width);
 
 /// Prints the help of a command in the width of the terminal, or in 80 columns without a terminal.
 /// During a call of capture_help() the help is stored instead of printed.
-void emit_help(const std::string& usage,
-               const boost::program_options::options_description& options);
+void print_or_capture_help(const std::string& usage,
+                           const boost::program_options::options_description& options);
 
 /// Returns the help that `call` would print, where `call` calls a command with the argument --help.
 Help capture_help(const std::function<void()>& call);
@@ -53,7 +53,7 @@ inline constexpr const char* kDirectoryNamesCandidate = ":directories";
 /// Returns the completion candidates for the last word of a command line.
 /// @param words words after the program's name, up to the cursor; the last word may be empty
 std::vector<std::string> completion_candidates(const std::vector<CommandHelp>& commands,
-                                               const methods::Registry& registry,
+                                               const methods::SolverRegistry& registry,
                                                const std::vector<std::string>& words);
 
 }  // namespace fpkcheck::cli

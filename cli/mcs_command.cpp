@@ -39,7 +39,7 @@ void refuse_control_variates(const base::Values& values) {
 // All MPI ranks except the first call simulate_streams_of_rank().
 int simulate_streams_of_rank(const CommonArguments& common, const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
-    methods::solve_with(simulation, problem, {compare::comparison_axes(problem), {}});
+    methods::solve_with_method(simulation, problem, {compare::comparison_axes(problem), {}});
   }
   return kSuccess;
 }
@@ -65,10 +65,10 @@ int mcs_command(const CommandCall& call, const methods::Solver& solver) {
   const auto solve = [&] {
     const auto simulation =
         methods::with_runtime_settings(call.registry.make_method(solver, values), control);
-    return control.team.part > 0
+    return control.process_group.part > 0
                ? simulate_streams_of_rank(common, simulation)
                : solve_and_report(common, {simulation},
-                                  {.interruption_policy = control.team.parts == 1
+                                  {.interruption_policy = control.process_group.parts == 1
                                                               ? InterruptionPolicy::finish_early
                                                               : InterruptionPolicy::abort},
                                   call.command_line);
@@ -77,7 +77,7 @@ int mcs_command(const CommandCall& call, const methods::Solver& solver) {
 
   refuse_control_variates(values);
   const auto ranks = base::Communicator::initialise_mpi();
-  control.team = {
+  control.process_group = {
       .part = ranks->rank(), .parts = ranks->size(), .gather = [&ranks](const std::string& text) {
         return ranks->gather(text, throw_if_interrupted);
       }};

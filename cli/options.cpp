@@ -11,7 +11,8 @@
 
 namespace fpkcheck::cli {
 
-std::vector<std::string> parse_list(const std::string& option, const std::string& list) {
+std::vector<std::string> parse_comma_separated_list(const std::string& option,
+                                                    const std::string& list) {
   std::vector<std::string> result;
   std::istringstream stream(list);
   for (std::string item; std::getline(stream, item, ',');) {
@@ -25,7 +26,7 @@ std::vector<std::string> parse_list(const std::string& option, const std::string
 
 std::vector<int> parse_integers(const std::string& option, const std::string& list) {
   std::vector<int> result;
-  for (const auto& item : parse_list(option, list)) {
+  for (const auto& item : parse_comma_separated_list(option, list)) {
     int value = 0;
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
     if (error != std::errc{} || end != item.data() + item.size()) {
@@ -42,7 +43,7 @@ namespace {
 namespace po = boost::program_options;
 using base::NamedParameterValue;
 using base::Parameter;
-using base::Type;
+using base::ParameterType;
 using base::Value;
 using base::Values;
 
@@ -63,7 +64,7 @@ std::string default_text(const Value& value) {
 void add_option(const Parameter& parameter, const Value* usual, Values& values,
                 po::options_description& options) {
   const std::string label = "--" + parameter.flag;
-  if (parameter.type == Type::flag) {
+  if (parameter.type == ParameterType::flag) {
     options.add_options()(parameter.flag.c_str(),
                           po::bool_switch()->notifier([&values, parameter](bool given) {
                             if (given) set_value(values, parameter.name, true);
@@ -107,7 +108,8 @@ po::options_description make_command_line_options(const base::DescriptionBase& d
   return options;
 }
 
-po::options_description make_run_options(const methods::Registry& registry, base::Values& given) {
+po::options_description make_solver_run_options(const methods::SolverRegistry& registry,
+                                                base::Values& given) {
   po::options_description shared;
   for (const auto& solver : registry.solvers()) {
     shared.add(make_command_line_options(*solver.option_descriptions, solver.run_options, given));
@@ -128,7 +130,7 @@ using report::FigureWidth;
 
 std::vector<FigureFormat> parse_formats(const std::string& list) {
   std::vector<FigureFormat> formats;
-  for (const auto& item : parse_list("--figures", list)) {
+  for (const auto& item : parse_comma_separated_list("--figures", list)) {
     const auto format = base::enum_from_name<FigureFormat>(item);
     if (!format) {
       throw InputError(fmt::format("--figures {}: {} is not a format; use png, svg, pdf or tex",
@@ -169,8 +171,9 @@ po::options_description make_case_figure_options(report::FigureOptions& figures)
   po::options_description options = make_figure_options(figures);
   options.add_options()(
       "curves",
-      po::value<std::string>()->value_name("LIST")->notifier(
-          [&figures](const std::string& list) { figures.curves = parse_list("--curves", list); }),
+      po::value<std::string>()->value_name("LIST")->notifier([&figures](const std::string& list) {
+        figures.curves = parse_comma_separated_list("--curves", list);
+      }),
       "solutions in the figures of a case: ids, families or solvers separated by commas, or all "
       "(default: densities from files, and up to six curves: the reference, other solutions of the "
       "problem, and the closest closure of each formulation)");

@@ -13,7 +13,8 @@ namespace fpkcheck::cli {
 /// Returns the distinct entries of a comma-separated list, in the order of the list.
 /// @param option name of the option, for error messages
 /// @throws InputError for an empty list
-std::vector<std::string> parse_list(const std::string& option, const std::string& list);
+std::vector<std::string> parse_comma_separated_list(const std::string& option,
+                                                    const std::string& list);
 
 /// Returns the distinct integers of a comma-separated list, in the order of the list.
 /// @throws InputError for an empty list or an item that is not an integer
@@ -33,8 +34,8 @@ boost::program_options::options_description make_command_line_options(
     base::Values& given);
 
 /// Makes the solver options of commands with many methods (methods::Solver::run_options).
-boost::program_options::options_description make_run_options(const methods::Registry& registry,
-                                                             base::Values& given);
+boost::program_options::options_description make_solver_run_options(
+    const methods::SolverRegistry& registry, base::Values& given);
 
 /// Returns the number of threads for parallel methods: the value of --threads, or 0 without this
 /// option.

@@ -44,12 +44,12 @@ Supplement make_claims_supplement(const results::Run& run, report::FigureWidth w
   const auto judgements = paper::judge_claims(run);
   Supplement supplement{
       .report = paper::claims_supplement(judgements, run, width, terminal_format()),
-      .json = paper::summary_with_claims(judgements, run),
+      .json = paper::summary_json_with_claims(judgements, run),
       .failures = {}};
   for (const auto& judgement : judgements) {
     if (judgement.outcome != paper::ClaimOutcome::unjudged) continue;
     supplement.failures.push_back(fmt::format("case {}: '{}' was not judged: {}",
-                                              paper::cases_text(judgement.claim),
+                                              paper::claim_cases_text(judgement.claim),
                                               claim_text(judgement.claim), judgement.note));
   }
   return supplement;
@@ -60,7 +60,7 @@ Supplement make_claims_supplement(const results::Run& run, report::FigureWidth w
 int paper_command(const CommandCall& call) {
   CommonArguments common;
   base::Values given;
-  auto options = make_run_options(call.registry, given);
+  auto options = make_solver_run_options(call.registry, given);
   options.add(make_figure_options(common.figures));
   if (!parse_arguments(
           call.arguments, kPaperUsage,

@@ -20,9 +20,9 @@
 #include "cli/shutdown.hpp"
 #include "cli/terminal.hpp"
 #include "fd_fpk/solve.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/run.hpp"
 #include "results/saved_run.hpp"
@@ -37,7 +37,7 @@ std::string version_text() {
                                               BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100));
   libraries.emplace_back("fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000,
                                             FMT_VERSION / 100 % 100, FMT_VERSION % 100));
-  const auto program = results::this_program("");
+  const auto program = results::current_program("");
   std::string text = fmt::format("{} {}\n", program.name, program.version);
   for (const auto& [name, version] : libraries) text += fmt::format("  {:<14}{}\n", name, version);
   return text;
@@ -59,7 +59,7 @@ Command make_solver_command(const methods::Solver& solver) {
           [&solver, run](const CommandCall& call) { return run(call, solver); }};
 }
 
-std::vector<Command> all_commands(const methods::Registry& registry) {
+std::vector<Command> all_commands(const methods::SolverRegistry& registry) {
   std::vector<Command> all{
       {"run", "solve cases by all methods and compare: tables, report.html, figures", run_command}};
   all.push_back({"paper", "test the claims of the paper and draw its figures", paper_command});
@@ -125,7 +125,7 @@ accuracy, or a check failed; 2 bad input; 130 after Ctrl-C; 143 after SIGTERM.
 
 // Each subject of `study` counts as a command.
 std::vector<CommandHelp> collect_help(const std::vector<Command>& all,
-                                      const methods::Registry& registry) {
+                                      const methods::SolverRegistry& registry) {
   std::vector<CommandHelp> result;
   const auto add = [&](const Command& command, const std::string& subject) {
     Arguments help_arguments{"--help"};
@@ -142,7 +142,7 @@ std::vector<CommandHelp> collect_help(const std::vector<Command>& all,
   return result;
 }
 
-int call_named_command(const Arguments& arguments, const methods::Registry& registry) {
+int call_named_command(const Arguments& arguments, const methods::SolverRegistry& registry) {
   const auto all = all_commands(registry);
   if (arguments.empty()) {
     throw InputError(
@@ -193,8 +193,8 @@ int run_program(const Arguments& arguments) {
   return run_program(arguments, methods::builtin_registry());
 }
 
-int run_program(const Arguments& arguments, const methods::Registry& registry) {
-  const InterruptionGuard guard;
+int run_program(const Arguments& arguments, const methods::SolverRegistry& registry) {
+  const SignalHandlerGuard guard;
   set_exit_message("nothing was written");
   try {
     const int exit_code = call_named_command(arguments, registry);

@@ -24,12 +24,12 @@ constexpr int signal_exit_code(int signal) { return 128 + signal; }
 /// @return an ExitCode
 int run_program(const std::vector<std::string>& arguments);
 /// Runs the program with the methods of `registry` instead of the built-in methods.
-int run_program(const std::vector<std::string>& arguments, const methods::Registry& registry);
+int run_program(const std::vector<std::string>& arguments, const methods::SolverRegistry& registry);
 
 struct CommandCall {
   std::vector<std::string> arguments;  ///< arguments after the name of the command
   std::string command_line;            ///< whole command line, stored in summary.json
-  const methods::Registry& registry;
+  const methods::SolverRegistry& registry;
 };
 
 /// Each function NAME_command() runs the command NAME.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
@@ -41,7 +41,7 @@ int reference_command(const CommandCall& call) {
   CommonArguments common;
   study::ReferenceOptions options;
   po::options_description own;
-  own.add_options()("time", optional_value(options.simulation_time, "T"),
+  own.add_options()("time", make_optional_option(options.simulation_time, "T"),
                     "simulated time over all streams (default: 1e7 decay times)")(
       "seed",
       po::value<std::int64_t>()->value_name("S")->default_value(1)->notifier(
@@ -77,7 +77,7 @@ int reference_command(const CommandCall& call) {
   if (common.out) {
     const base::ExitBlocker in_hand;
     const std::filesystem::path place(*common.out);
-    base::PendingFiles files;
+    base::FileTransaction files;
     files.add(place / "reference.md", text);
     files.add(place / "reference.csv", study::reference_csv(references));
     files.commit();

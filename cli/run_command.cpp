@@ -54,7 +54,7 @@ Keys after the label:
 )";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
 
-std::string all_solver_names(const methods::Registry& registry) {
+std::string all_solver_names(const methods::SolverRegistry& registry) {
   std::string list;
   for (const auto& solver : registry.solvers()) list += solver.name + ',';
   return list;
@@ -69,14 +69,14 @@ int run_command(const CommandCall& call) {
   std::optional<std::string> list;
   std::vector<std::string> against;
   po::options_description own;
-  own.add_options()("methods", optional_value(list, "LIST"),
+  own.add_options()("methods", make_optional_option(list, "LIST"),
                     "solvers, families or ids of methods, separated by commas (default: all)");
   own.add_options()(
       "against", po::value(&against)->value_name("FILE[:LABEL][,KEY=VALUE]")->composing(),
       "also compare the density in FILE (formats above), for a single case; may be repeated. Files "
       "of p(y) and p(y') with the same LABEL (default: name of the file) form one solution");
   own.add(make_case_figure_options(common.figures));
-  own.add(make_run_options(call.registry, given));
+  own.add(make_solver_run_options(call.registry, given));
   if (!parse_arguments(call.arguments, kRunUsage, add_common_options(own, common), common.cases))
     return kSuccess;
 
@@ -99,7 +99,7 @@ int run_command(const CommandCall& call) {
   }
   if (!common.out) common.out = kDefaultDirectory;
   std::vector<std::string> requested_ids;
-  if (list) requested_ids = parse_list("--methods", *list);
+  if (list) requested_ids = parse_comma_separated_list("--methods", *list);
   return solve_and_report(
       common, methods,
       {.required = list ? RequiredSolutions::all : RequiredSolutions::references,

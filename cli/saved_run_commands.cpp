@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
@@ -41,7 +41,7 @@ examples:
 void write_files(const std::filesystem::path& directory, const results::Run& run,
                  const std::string& json) {
   const base::ExitBlocker in_hand;
-  base::PendingFiles files;
+  base::FileTransaction files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
   files.commit();
@@ -96,11 +96,11 @@ int check_command(const CommandCall& call) {
 
   auto result = check::check(baseline.run, run, tolerances, baseline.has_marginals);
   result.notes = baseline.notes;
-  const auto json = check::check_json(result, call.command_line, paths.front());
+  const auto json = check::check_result_json(result, call.command_line, paths.front());
   if (common.json) {
     print_output(json + '\n');
   } else if (!common.quiet) {
-    print_output(check::check_table(result, terminal_format()));
+    print_output(check::check_result_table(result, terminal_format()));
   }
   if (common.out) write_files(*common.out, run, json);
   if (!common.quiet && !common.json) {
@@ -144,12 +144,12 @@ int report_command(const CommandCall& call) {
     throw InputError("report takes one directory; name that of a saved run, e.g. fpkcheck-out");
   }
   results::Run run = results::load_run(directories.front());
-  call.registry.complete_identities(run);
+  call.registry.complete_solution_identities(run);
   std::vector<transform::SolutionIdentity> identities;
   for (const auto& case_result : run.cases) {
     for (const auto& solution : case_result.solutions) identities.push_back(solution.identity);
   }
-  report::validate_curves(figures.curves, identities);
+  report::require_available_curves(figures.curves, identities);
   const base::ExitBlocker in_hand;
   const auto format = terminal_format();
   const auto supplement =

@@ -42,7 +42,7 @@ extern "C" void handle_stop_signal(int signal) {
 
 }  // namespace
 
-InterruptionGuard::InterruptionGuard() {
+SignalHandlerGuard::SignalHandlerGuard() {
   base::request_stop(0);
   current_policy = InterruptionPolicy::abort;
   for (const int signal : kStopSignals) {
@@ -57,7 +57,7 @@ InterruptionGuard::InterruptionGuard() {
   }
 }
 
-InterruptionGuard::~InterruptionGuard() {
+SignalHandlerGuard::~SignalHandlerGuard() {
   for (const auto& [signal, action] : saved_actions_) sigaction(signal, &action, nullptr);
   base::request_stop(0);
 }
@@ -107,14 +107,14 @@ sem_t signal_received;
 // Writes a line to standard error by write(2), since another thread may block while that thread
 // holds the locks of stdio.
 void write_line_without_stdio(const std::string& line) {
-  const std::string text = (can_rewrite_line() ? "\r\033[K" : "") + line + '\n';
+  const std::string text = (stderr_is_interactive() ? "\r\033[K" : "") + line + '\n';
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
 // Ends the process, unless the command has claimed the shutdown.
 void shut_down_process() {
   if (shutdown_claimed) return;
-  base::stop_writes_of_other_threads();
+  base::wait_and_block_other_writers();
   if (shutdown_claimed.exchange(true)) return;
   std::vector<const std::function<void()>*> hooks;
   std::unique_lock lock(shutdown_state().mutex);

@@ -36,12 +36,12 @@ enum class InterruptionPolicy {
 /// Guard that installs signal handlers during its lifetime. The first SIGINT or SIGTERM sets the
 /// stop request (base/process/stop_request.hpp); a second signal ends the program at once. Signals
 /// that the process ignores (nohup) stay ignored.
-class InterruptionGuard {
+class SignalHandlerGuard {
  public:
-  InterruptionGuard();
-  ~InterruptionGuard();
-  InterruptionGuard(const InterruptionGuard&) = delete;
-  InterruptionGuard& operator=(const InterruptionGuard&) = delete;
+  SignalHandlerGuard();
+  ~SignalHandlerGuard();
+  SignalHandlerGuard(const SignalHandlerGuard&) = delete;
+  SignalHandlerGuard& operator=(const SignalHandlerGuard&) = delete;
 
  private:
   struct SavedAction {

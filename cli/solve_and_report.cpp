@@ -22,33 +22,33 @@
 namespace fpkcheck::cli {
 namespace {
 
-bool must_be_ok(const transform::Solution& solution, const SolveAndReportOptions& control) {
+bool must_be_ok(const transform::Solution& solution, const SolveAndReportOptions& options) {
   const auto& identity = solution.identity;
   if (transform::is_external(identity)) return false;  // no solver computed this density
   if (solution.status == transform::Status::not_offered) {
-    return control.required == RequiredSolutions::all &&
-           (control.requested_ids.empty() ||
-            std::ranges::count(control.requested_ids, identity.id) > 0);
+    return options.required == RequiredSolutions::all &&
+           (options.requested_ids.empty() ||
+            std::ranges::count(options.requested_ids, identity.id) > 0);
   }
-  if (control.required == RequiredSolutions::all) return true;
+  if (options.required == RequiredSolutions::all) return true;
   return identity.role != transform::SolutionRole::closure &&
-         identity.impact != problem::Impact::delta;
+         identity.impact != problem::ImpactCondition::delta;
 }
 
 std::vector<std::string> failure_messages(const results::Run& run,
-                                          const SolveAndReportOptions& control) {
+                                          const SolveAndReportOptions& options) {
   std::vector<std::string> lines;
   for (const auto& case_result : run.cases) {
     if (case_result.bounds) {
       for (const auto& outside :
-           compare::bound_contradictions(*case_result.bounds, case_result.solutions)) {
+           compare::violations_beyond_error_estimate(*case_result.bounds, case_result.solutions)) {
         lines.push_back(fmt::format("{}: {} contradicts the guaranteed bounds of {}",
                                     case_result.name(), outside.solution->id(),
                                     outside.bound->functional));
       }
     }
     for (const auto& solution : case_result.solutions) {
-      if (solution.is_ok() || !must_be_ok(solution, control)) continue;
+      if (solution.is_ok() || !must_be_ok(solution, options)) continue;
       lines.push_back(fmt::format("{}: {} {}: {}", case_result.name(), solution.id(),
                                   name(solution.status), solution.reason));
     }
@@ -122,21 +122,21 @@ void write_partial_report(const std::filesystem::path& directory, const results:
 }  // namespace
 
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
-                     const SolveAndReportOptions& control, const std::string& command_line) {
+                     const SolveAndReportOptions& options, const std::string& command_line) {
   const auto begin = std::chrono::steady_clock::now();
   const auto problems = load_cases(common);
   std::vector<transform::SolutionIdentity> identities;
   for (const auto& method : methods) identities.push_back(method.identity);
-  report::validate_curves(common.figures.curves, identities);
+  report::require_available_curves(common.figures.curves, identities);
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
-  results::Run run{results::this_program(command_line), {}};
+  results::Run run{results::current_program(command_line), {}};
   FinishedCases finished;
   std::atomic<bool> solved = false;
   const auto stopped_run = [&] {
-    results::Run stopped{results::this_program(command_line), finished.cases_in_order(problems)};
-    if (!solved) stopped.stopped = stop_summary(stopped.cases, problems, control.with_backward);
+    results::Run stopped{results::current_program(command_line), finished.cases_in_order(problems)};
+    if (!solved) stopped.stopped = stop_summary(stopped.cases, problems, options.with_backward);
     return stopped;
   };
   std::optional<ShutdownHook> hook;
@@ -149,12 +149,12 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   try {
     run.cases = methods::compute_case_results(
         problems, methods,
-        {.threads = control.threads,
-         .with_backward = control.with_backward,
+        {.threads = options.threads,
+         .with_backward = options.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
                // At the fraction 0 the running method has no partial result.
-               set_interruption_policy(at.fraction > 0 ? control.interruption_policy
+               set_interruption_policy(at.fraction > 0 ? options.interruption_policy
                                                        : InterruptionPolicy::abort);
                progress.rewrite(at);
              },
@@ -178,9 +178,10 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   }
 
   const Supplement supplement =
-      control.supplement && !stopped ? control.supplement(run) : Supplement{};
+      options.supplement && !stopped ? options.supplement(run) : Supplement{};
   if (common.json) {
-    print_output((supplement.json.empty() ? results::summary_text(run) : supplement.json) + '\n');
+    print_output((supplement.json.empty() ? results::run_summary_text(run) : supplement.json) +
+                 '\n');
   } else if (!common.quiet) {
     print_output(report::terminal_text(run, supplement.report, terminal_format()));
   }
@@ -219,7 +220,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
             : "Done in ",
         elapsed.count()));
   }
-  auto failed = failure_messages(run, control);
+  auto failed = failure_messages(run, options);
   failed.insert(failed.end(), supplement.failures.begin(), supplement.failures.end());
   if (common.quiet) {
     for (const auto& line : failed) print_message(line);

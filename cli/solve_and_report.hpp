@@ -44,6 +44,6 @@ struct SolveAndReportOptions {
 /// written to a directory that is prepared before the first solution.
 /// @return an ExitCode
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
-                     const SolveAndReportOptions& control, const std::string& command_line);
+                     const SolveAndReportOptions& options, const std::string& command_line);
 
 }  // namespace fpkcheck::cli

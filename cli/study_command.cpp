@@ -56,7 +56,7 @@ const std::vector<StudySubject>& study_subjects() {
 int study_command(const CommandCall& call) {
   const auto& arguments = call.arguments;
   if (!arguments.empty() && is_help_flag(arguments.front())) {
-    emit_help(study_usage(), {});
+    print_or_capture_help(study_usage(), {});
     return kSuccess;
   }
   const auto subject_argument =

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
@@ -17,8 +17,8 @@
 #include "report/figure/drawing.hpp"
 #include "workflows/study/closure_order.hpp"
 #include "workflows/study/grid.hpp"
-#include "workflows/study/output.hpp"
 #include "workflows/study/regularisation.hpp"
+#include "workflows/study/study_report.hpp"
 
 namespace fpkcheck::cli {
 
@@ -27,7 +27,7 @@ namespace {
 void write_files(const std::filesystem::path& directory, const study::StudyReport& output,
                  const report::FigureOptions& options) {
   const base::ExitBlocker in_hand;
-  base::PendingFiles files;
+  base::FileTransaction files;
   files.add(directory / (output.file_stem + ".json"), output.json + '\n');
   files.add(directory / (output.file_stem + ".csv"), output.csv);
   files.commit();
@@ -67,7 +67,8 @@ class StudyCall {
                             [&](const methods::RunProgress& progress) { line.rewrite(progress); });
     throw_if_interrupted();
     line.erase();
-    write(study::make_report(result, call_.command_line, terminal_format(), common.figures.width));
+    write(study::make_study_report(result, call_.command_line, terminal_format(),
+                                   common.figures.width));
     if (study::has_converged(result)) return kSuccess;
     if (common.quiet) {
       print_message(
@@ -195,8 +196,9 @@ int study_order(const CommandCall& call) {
   if (!study_call.parse(kOrderUsage, own,
                         "write study-order.json, .csv and a figure to DIR (default: no files)"))
     return kSuccess;
-  const study::ClosureOrderStudyOptions options{parse_list("--formulations", formulation_list),
-                                                parse_integers("--orders", order_list)};
+  const study::ClosureOrderStudyOptions options{
+      parse_comma_separated_list("--formulations", formulation_list),
+      parse_integers("--orders", order_list)};
   return study_call.run_and_write([&](const problem::Problem& problem, const auto& show) {
     return study::study_closure_orders(problem, options, call.registry, show);
   });

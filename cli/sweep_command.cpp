@@ -70,27 +70,27 @@ struct SweepArguments {
 };
 
 boost::program_options::options_description sweep_options(SweepArguments& arguments,
-                                                          const methods::Registry& registry) {
+                                                          const methods::SolverRegistry& registry) {
   namespace po = boost::program_options;
   po::options_description own;
   own.add_options()  //
       ("vary", po::value(&arguments.vary)->value_name("KEY=VALUES")->composing(),
        "vary KEY of the case over VALUES (see above); may be repeated")  //
-      ("design", optional_value(arguments.design, "NAME"),
+      ("design", make_optional_option(arguments.design, "NAME"),
        "product (default): all combinations of the values; list: the k-th values of all keys form "
        "point k; sobol: a Sobol sequence in the box of the ranges FROM:TO or log:FROM:TO")  //
-      ("points", optional_value(arguments.points, "N"),
+      ("points", make_optional_option(arguments.points, "N"),
        "number of points of the design sobol, 1 .. 1000000")  //
-      ("methods", optional_value(arguments.methods, "LIST"),
+      ("methods", make_optional_option(arguments.methods, "LIST"),
        "solvers, families or ids of methods, separated by commas (default: epc,fd); fd uses the "
        "stepper direct")  //
-      ("closure-errors", optional_value(arguments.closure_errors, "HOW"),
+      ("closure-errors", make_optional_option(arguments.closure_errors, "HOW"),
        "error estimate of closures. reference (default): distance to the most accurate solution of "
        "the point; residuals: by the backward equation, as in run, which takes longer and is used "
        "at all points without a reference")  //
       ("marginals", po::bool_switch(&arguments.marginals),
        "store p(y) and p(y') of every point in DIR/marginals/NUMBER.csv")  //
-      ("shard", optional_value(arguments.shard, "i/N"),
+      ("shard", make_optional_option(arguments.shard, "i/N"),
        "solve every N-th point from point i on, 1 <= i <= N; --merge combines the shards")  //
       ("merge", po::bool_switch(&arguments.merge),
        "combine the shards in the directories DIR ... into one set of tables")  //
@@ -104,7 +104,7 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
        "e.g. 2,64,1024");
   // A sweep uses the threads for points; each method has one thread.
   own.add(make_figure_options(arguments.common.figures));
-  own.add(make_run_options(registry, arguments.given));
+  own.add(make_solver_run_options(registry, arguments.given));
   return own;
 }
 
@@ -128,8 +128,8 @@ sweep::Axis parse_varied_key(const std::string& text) {
 }
 
 // Adds the method options of the plan to `given`, unless the command line sets the same options.
-void add_plan_options(const std::vector<base::IniSetting>& lines, const methods::Registry& registry,
-                      base::Values& given) {
+void add_plan_options(const std::vector<base::IniSetting>& lines,
+                      const methods::SolverRegistry& registry, base::Values& given) {
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
   std::vector<const base::Parameter*> options;
   for (const auto& solver : registry.solvers()) {
@@ -152,7 +152,8 @@ void add_plan_options(const std::vector<base::IniSetting>& lines, const methods:
 }
 
 // Options on the command line take precedence over the plan file.
-sweep::Plan make_sweep_plan(const SweepArguments& arguments, const methods::Registry& registry) {
+sweep::Plan make_sweep_plan(const SweepArguments& arguments,
+                            const methods::SolverRegistry& registry) {
   if (arguments.common.cases.size() != 1) {
     throw InputError("a sweep takes one case or plan; name it");
   }
@@ -193,7 +194,7 @@ void write_results(const SweepArguments& arguments, const sweep::SweepResults& r
                    const CommandCall& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
   const base::ExitBlocker in_hand;
-  sweep::write_tables(directory, results, call.command_line);
+  sweep::write_sweep_tables(directory, results, call.command_line);
   set_exit_message("sweep.csv and sweep.nc were written, but not report.html");
   if (arguments.common.json) {
     print_output(sweep::json(results, call.command_line) + '\n');
@@ -268,8 +269,8 @@ int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sw
                               : ""});
   };
   std::optional<OutputDirectory> directory;
-  std::optional<sweep::JournaledQueue> progress;
-  const auto open_queue = [&]() -> sweep::JournaledQueue& {
+  std::optional<sweep::JournaledPointQueue> progress;
+  const auto open_queue = [&]() -> sweep::JournaledPointQueue& {
     directory.emplace(common.out);
     progress.emplace(plan, *common.out, shard, report_progress);
     report_progress(progress->state());

@@ -49,7 +49,7 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-bool can_rewrite_line() {
+bool stderr_is_interactive() {
   const char* const terminal = std::getenv("TERM");
   return isatty(STDERR_FILENO) == 1 &&
          (terminal == nullptr || std::string_view(terminal) != "dumb");
@@ -68,7 +68,7 @@ std::string progress_text(const methods::RunProgress& progress, double seconds,
   return progress.note.empty() ? text : text + "  " + progress.note;
 }
 
-ProgressLine::ProgressLine(bool silent) : active_(!silent && can_rewrite_line()) {}
+ProgressLine::ProgressLine(bool silent) : active_(!silent && stderr_is_interactive()) {}
 
 ProgressLine::~ProgressLine() { erase(); }
 

@@ -39,10 +39,10 @@ std::string progress_text(const methods::RunProgress& progress, double seconds,
 
 /// Returns whether standard error is a terminal that accepts control sequences (TERM is not
 /// `dumb`).
-bool can_rewrite_line();
+bool stderr_is_interactive();
 
 /// Progress line on standard error. A ProgressLine prints nothing if `silent` is true or
-/// can_rewrite_line() is false.
+/// stderr_is_interactive() is false.
 class ProgressLine {
  public:
   explicit ProgressLine(bool silent);

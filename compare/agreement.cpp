@@ -6,7 +6,7 @@
 namespace fpkcheck::compare {
 
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 double critical_sampling_l1_distance(double quantile_99) {
   // Quantiles of |N| for a standard normal N at the probabilities 1 - kAgreementSignificance / 2
@@ -17,7 +17,7 @@ double critical_sampling_l1_distance(double quantile_99) {
 }
 
 std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sampling,
-                                              Variable variable) {
+                                              StateVariable variable) {
   constexpr double kQuantileToMeanRatio = 2;
   if (const auto most = l1_error_quantile_99(sampling, variable)) return most;
   if (const auto mean = expected_l1_error(sampling, variable)) return kQuantileToMeanRatio * *mean;
@@ -25,7 +25,7 @@ std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sa
 }
 
 std::optional<double> critical_l1_distance(const Solution& first, const Solution& second,
-                                           Variable variable, bool over_smooth_bins) {
+                                           StateVariable variable, bool over_smooth_bins) {
   double sampling_l1 = 0, stated = 0;
   int estimate_count = 0;
   for (const Solution* solution : {&first, &second}) {
@@ -41,7 +41,7 @@ std::optional<double> critical_l1_distance(const Solution& first, const Solution
 
 bool has_agreement(const Solution& first, const Solution& second,
                    std::span<const PairDistances> pairs) {
-  return std::ranges::all_of(transform::kVariables, [&](Variable variable) {
+  return std::ranges::all_of(transform::kVariables, [&](StateVariable variable) {
     const PairDistances* pair = find_pair_distances(pairs, first.id(), second.id(), variable);
     if (pair == nullptr || !std::isfinite(pair->distances.l1)) return true;
     const auto most =

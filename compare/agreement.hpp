@@ -27,7 +27,7 @@ double critical_sampling_l1_distance(double quantile_99);
 /// L1 error is known, the result is twice the expected error, which L1 errors of single runs nearly
 /// reach. The result is empty if both the quantile and the expected error are unknown.
 std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sampling,
-                                              transform::Variable variable);
+                                              transform::StateVariable variable);
 
 /// Returns the critical L1 distance of two solutions: the largest distance that their errors
 /// explain. The critical distance is the sum of two terms: the critical distance for independent
@@ -38,7 +38,8 @@ std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sa
 /// @param over_smooth_bins whether the distance is over smooth bins (B-spline weights)
 std::optional<double> critical_l1_distance(const transform::Solution& first,
                                            const transform::Solution& second,
-                                           transform::Variable variable, bool over_smooth_bins);
+                                           transform::StateVariable variable,
+                                           bool over_smooth_bins);
 
 /// Returns whether the errors of two solutions explain their L1 distances in p(y) and in p(y'). A
 /// missing distance or error estimate counts as agreement.

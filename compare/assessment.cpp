@@ -7,11 +7,11 @@
 
 namespace fpkcheck::compare {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using transform::Solution;
 using transform::SolutionRole;
-using transform::Variable;
+using transform::StateVariable;
 
 namespace {
 
@@ -27,15 +27,15 @@ const Solution* select_reference(std::span<const Solution> solutions) {
   return best;
 }
 
-std::optional<Confirmation> confirmation_of(const Solution& reference,
-                                            std::span<const Solution> solutions,
-                                            std::span<const PairDistances> pairs) {
+std::optional<ReferenceConfirmation> confirmation_of(const Solution& reference,
+                                                     std::span<const Solution> solutions,
+                                                     std::span<const PairDistances> pairs) {
   const Solution* second = nullptr;
   for (const auto& solution : solutions) {
     if (&solution != &reference && is_solution_of_full_problem(solution)) second = &solution;
   }
   if (second == nullptr) return std::nullopt;
-  return Confirmation{second->id(), has_agreement(reference, *second, pairs)};
+  return ReferenceConfirmation{second->id(), has_agreement(reference, *second, pairs)};
 }
 
 // Returns whether both distances are at most the error estimate of the reference.
@@ -75,7 +75,7 @@ void rank_closures(std::span<const Solution> solutions, Assessment& assessment) 
 
 }  // namespace
 
-double l1_error_estimate(const Solution& solution, Variable variable) {
+double l1_error_estimate(const Solution& solution, StateVariable variable) {
   if (solution.error) return l1(*solution.error, variable);
   if (const auto& sampling = best_sampling_error(solution)) {
     return expected_l1_error(*sampling, variable).value_or(kUnknownError);
@@ -84,7 +84,8 @@ double l1_error_estimate(const Solution& solution, Variable variable) {
 }
 
 double l1_error_estimate(const Solution& solution) {
-  return l1_error_estimate(solution, Variable::y) + l1_error_estimate(solution, Variable::ydot);
+  return l1_error_estimate(solution, StateVariable::y) +
+         l1_error_estimate(solution, StateVariable::ydot);
 }
 
 bool is_solution_of_full_problem(const Solution& solution) {
@@ -92,7 +93,8 @@ bool is_solution_of_full_problem(const Solution& solution) {
   const bool independent =
       identity.role == SolutionRole::equation || identity.role == SolutionRole::simulation;
   return solution.is_ok() && solution.has_density() && independent &&
-         identity.equation == Equation::kf && identity.impact && *identity.impact != Impact::delta;
+         identity.equation == DensityEquation::kf && identity.impact &&
+         *identity.impact != ImpactCondition::delta;
 }
 
 std::optional<double> SolutionAssessment::largest_l1() const {
@@ -105,11 +107,11 @@ bool SolutionAssessment::reproduces_reference() const {
          agreement == Agreement::close;
 }
 
-bool Assessment::is_selected_by_error_estimate() const {
+bool Assessment::is_reference_selected_by_error() const {
   return std::isfinite(reference_y_l1 + reference_ydot_l1);
 }
 
-double Assessment::largest_reference_l1() const {
+double Assessment::largest_reference_l1_error() const {
   return std::max(reference_y_l1, reference_ydot_l1);
 }
 
@@ -127,9 +129,9 @@ std::vector<const SolutionAssessment*> Assessment::ranked_closures() const {
   return closures;
 }
 
-bool Assessment::are_indistinguishable(const SolutionAssessment& first,
-                                       const SolutionAssessment& second) const {
-  return is_selected_by_error_estimate() &&
+bool Assessment::are_closures_indistinguishable(const SolutionAssessment& first,
+                                                const SolutionAssessment& second) const {
+  return is_reference_selected_by_error() &&
          std::abs(l1_sum(first) - l1_sum(second)) <= reference_y_l1 + reference_ydot_l1;
 }
 
@@ -138,20 +140,21 @@ Assessment assess_solutions(std::span<const Solution> solutions,
                             std::span<const ErrorBudgetRow> budget) {
   Assessment assessment;
   if (const Solution* reference = select_reference(solutions)) {
-    const auto known = [&](Variable variable) {
+    const auto known = [&](StateVariable variable) {
       const double error = l1_error_estimate(*reference, variable);
       return std::isfinite(error) ? error : kUnknownError;
     };
     assessment.reference = reference->id();
-    assessment.reference_y_l1 = known(Variable::y);
-    assessment.reference_ydot_l1 = known(Variable::ydot);
+    assessment.reference_y_l1 = known(StateVariable::y);
+    assessment.reference_ydot_l1 = known(StateVariable::ydot);
     assessment.confirmation = confirmation_of(*reference, solutions, pairs);
   }
   for (const auto& solution : solutions) {
     SolutionAssessment assessed{.id = solution.id()};
     if (!assessment.reference.empty() && assessed.id != assessment.reference) {
-      assessed.y = l1_distance_between(pairs, assessed.id, assessment.reference, Variable::y);
-      assessed.ydot = l1_distance_between(pairs, assessed.id, assessment.reference, Variable::ydot);
+      assessed.y = l1_distance_between(pairs, assessed.id, assessment.reference, StateVariable::y);
+      assessed.ydot =
+          l1_distance_between(pairs, assessed.id, assessment.reference, StateVariable::ydot);
     }
     assessed.agreement = agreement_of(assessment, solution, assessed);
     assessment.solutions.push_back(std::move(assessed));

@@ -23,7 +23,7 @@ inline constexpr double kCloseL1 = 0.02;
 
 /// Returns the L1 error estimate of a marginal density. The estimate comes from the method, else
 /// from the expected sampling error; without both the result is infinity.
-double l1_error_estimate(const transform::Solution& solution, transform::Variable variable);
+double l1_error_estimate(const transform::Solution& solution, transform::StateVariable variable);
 double l1_error_estimate(const transform::Solution& solution);
 
 /// Returns whether a solution has a density and the status `ok`, and solves the full problem. A
@@ -73,11 +73,11 @@ struct SolutionAssessment {
 };
 
 /// The most trusted solution of the full problem besides the reference.
-struct Confirmation {
+struct ReferenceConfirmation {
   std::string id;
   bool has_agreement;  ///< whether the errors explain the distances (has_agreement())
 
-  bool operator==(const Confirmation&) const = default;
+  bool operator==(const ReferenceConfirmation&) const = default;
 };
 
 struct Assessment {
@@ -89,21 +89,21 @@ struct Assessment {
   /// L1 error estimates of p(y) and p(y') of the reference; infinite if unknown.
   double reference_y_l1 = std::numeric_limits<double>::infinity();
   double reference_ydot_l1 = std::numeric_limits<double>::infinity();
-  std::optional<Confirmation> confirmation = {};   ///< empty without such a solution
+  std::optional<ReferenceConfirmation> confirmation = {};  ///< empty without such a solution
   std::vector<SolutionAssessment> solutions = {};  ///< in the order of the solutions of the case
   LimitingErrors limiting_errors = {};
 
   /// Returns whether the reference was selected by its error estimate, instead of by trust.
-  bool is_selected_by_error_estimate() const;
+  bool is_reference_selected_by_error() const;
   /// Returns the larger of the two L1 error estimates of the reference.
-  double largest_reference_l1() const;
+  double largest_reference_l1_error() const;
   const SolutionAssessment* find(std::string_view id) const;
   /// Returns the closures with a rank, in the order of their ranks.
   std::vector<const SolutionAssessment*> ranked_closures() const;
   /// Returns whether the sums of the L1 distances of two ranked closures differ by at most the
   /// error estimate of the reference.
-  bool are_indistinguishable(const SolutionAssessment& first,
-                             const SolutionAssessment& second) const;
+  bool are_closures_indistinguishable(const SolutionAssessment& first,
+                                      const SolutionAssessment& second) const;
 
   bool operator==(const Assessment&) const = default;
 };

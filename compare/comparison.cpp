@@ -14,9 +14,9 @@ namespace fpkcheck::compare {
 namespace {
 
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
-bool has_marginal_over_bins(const Solution& solution, Variable variable,
+bool has_marginal_over_bins(const Solution& solution, StateVariable variable,
                             const std::vector<double>& bins) {
   return solution.density ||
          std::ranges::any_of(solution.estimated_marginals, [&](const auto& estimate) {
@@ -61,7 +61,7 @@ void clip_negative_densities(std::span<const Solution> solutions,
 
 const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
                                          std::string_view first, std::string_view second,
-                                         Variable variable) {
+                                         StateVariable variable) {
   const auto found = std::ranges::find_if(pairs, [&](const PairDistances& pair) {
     const bool same =
         (pair.a == first && pair.b == second) || (pair.a == second && pair.b == first);
@@ -72,7 +72,7 @@ const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
 
 std::optional<double> l1_distance_between(std::span<const PairDistances> pairs,
                                           std::string_view first, std::string_view second,
-                                          Variable variable) {
+                                          StateVariable variable) {
   const PairDistances* pair = find_pair_distances(pairs, first, second, variable);
   if (pair == nullptr || !std::isfinite(pair->distances.l1)) return std::nullopt;
   return pair->distances.l1;
@@ -88,7 +88,7 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
   }
   std::vector<SolutionMarginal> over_uniform_bins;
   for (const auto variable : transform::kVariables) {
-    const auto& bins = bin_edges(axes, variable);
+    const auto& bins = comparison_bin_edges(axes, variable);
     std::vector<SolutionMarginal> unmerged;
     for (const auto& solution : solutions) {
       if (!has_marginal_over_bins(solution, variable, bins)) continue;
@@ -100,7 +100,7 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
     }
     const auto smooth = smooth_reference == nullptr
                             ? std::vector<SolutionMarginal>{}
-                            : smooth_bin_marginals(unmerged, solutions, *smooth_reference);
+                            : to_smooth_bin_marginals(unmerged, solutions, *smooth_reference);
     for (std::size_t a = 0; a < unmerged.size(); ++a) {
       for (std::size_t b = a + 1; b < unmerged.size(); ++b) {
         auto pair = compare_pair(merged, smooth, a, b, smooth_reference, with_sampling_error);

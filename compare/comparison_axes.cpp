@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "problem/equivalent_linearisation.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -71,19 +71,21 @@ ComparisonAxes comparison_axes(const problem::Problem& problem) {
           make_divided_bins(scales.v_high, true, divisions), divisions};
 }
 
-const std::vector<double>& bin_edges(const ComparisonAxes& axes, transform::Variable variable) {
-  return variable == transform::Variable::y ? axes.y_edges : axes.v_edges;
+const std::vector<double>& comparison_bin_edges(const ComparisonAxes& axes,
+                                                transform::StateVariable variable) {
+  return variable == transform::StateVariable::y ? axes.y_edges : axes.v_edges;
 }
 
-ComparisonAxes uniform_axes(const ComparisonAxes& axes) {
+ComparisonAxes undivided_axes(const ComparisonAxes& axes) {
   return {undivided_edges(axes.y_edges, axes.divisions),
           undivided_edges(axes.v_edges, axes.divisions)};
 }
 
-transform::Marginal merge_divided_bins(const ComparisonAxes& axes, transform::Variable variable,
+transform::Marginal merge_divided_bins(const ComparisonAxes& axes,
+                                       transform::StateVariable variable,
                                        const transform::Marginal& marginal) {
   if (axes.divisions == 0) return marginal;
-  transform::Marginal even{bin_edges(uniform_axes(axes), variable), {}, {}, {}};
+  transform::Marginal even{comparison_bin_edges(undivided_axes(axes), variable), {}, {}, {}};
   // The squared half-widths of the confidence intervals of the parts are added.
   const auto interval_half_width = [&](const std::vector<double>& ends, std::size_t from,
                                        std::size_t to) {

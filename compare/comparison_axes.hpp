@@ -28,14 +28,16 @@ struct ComparisonAxes {
 /// simulation can therefore use the comparison bins without interpolation.
 ComparisonAxes comparison_axes(const problem::Problem& problem);
 
-const std::vector<double>& bin_edges(const ComparisonAxes& axes, transform::Variable variable);
+const std::vector<double>& comparison_bin_edges(const ComparisonAxes& axes,
+                                                transform::StateVariable variable);
 
-ComparisonAxes uniform_axes(const ComparisonAxes& axes);
+ComparisonAxes undivided_axes(const ComparisonAxes& axes);
 
 /// Merges the parts of each divided bin of a marginal density into one undivided bin with the same
 /// mass. The confidence interval of a merged bin assumes independent errors of the parts.
 /// @param marginal averages over the bins of `axes`
-transform::Marginal merge_divided_bins(const ComparisonAxes& axes, transform::Variable variable,
+transform::Marginal merge_divided_bins(const ComparisonAxes& axes,
+                                       transform::StateVariable variable,
                                        const transform::Marginal& marginal);
 
 }  // namespace fpkcheck::compare

@@ -18,8 +18,8 @@ namespace {
 using transform::Marginal;
 using transform::Solution;
 using transform::SolutionRole;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 // The tail is two decades of density, below the densities that contribute to the L1 distance. There
 // the 95 % intervals of a simulation of the default length are within +-40 % of the density.
@@ -47,7 +47,7 @@ double tail_distance(const Marginal& a, const Marginal& b, const std::vector<std
   return sum / static_cast<double>(bins.size());
 }
 
-ErrorBudgetPart make_error_budget_part(Variable variable, const ChainModel& from,
+ErrorBudgetPart make_error_budget_part(StateVariable variable, const ChainModel& from,
                                        const ChainModel& to, const std::vector<std::size_t>& bins) {
   ErrorBudgetPart part{.approximations = to.approximations,
                        .from = from.id,
@@ -65,7 +65,7 @@ ErrorBudgetPart make_error_budget_part(Variable variable, const ChainModel& from
   return part;
 }
 
-ErrorBudgetRow make_error_budget_row(const Solution& closure, Variable variable,
+ErrorBudgetRow make_error_budget_row(const Solution& closure, StateVariable variable,
                                      const std::vector<ChainModel>& chain) {
   const auto bins = tail_bins(chain);
   const ChainModel &first = chain.front(), &last = chain.back();
@@ -165,7 +165,7 @@ std::vector<ClosureErrorBudget> closure_error_budgets(std::span<const ErrorBudge
       found = closures.insert(found,
                               {row.solution, solution == nullptr ? Status::ok : solution->status});
     }
-    (row.variable == Variable::y ? found->y : found->ydot) = &row;
+    (row.variable == StateVariable::y ? found->y : found->ydot) = &row;
   }
   return closures;
 }

@@ -61,7 +61,7 @@ struct ErrorBudgetPart {
 /// is at most the sum of the distances of the parts, for L1 distances and for tail distances.
 struct ErrorBudgetRow {
   std::string solution;  ///< id of the closure
-  transform::Variable variable;
+  transform::StateVariable variable;
   std::string reference;  ///< id of the last model of the chain: "mcs", "fd-kf limit" or "fd-kf"
   double total;
   /// Tail distance of the closure from the reference: the mean of |log10 p - log10 p_reference|
@@ -93,8 +93,8 @@ struct ClosureErrorBudget {
   const ErrorBudgetRow* y = nullptr;
   const ErrorBudgetRow* ydot = nullptr;
 
-  const ErrorBudgetRow* row(transform::Variable variable) const {
-    return variable == transform::Variable::y ? y : ydot;
+  const ErrorBudgetRow* row(transform::StateVariable variable) const {
+    return variable == transform::StateVariable::y ? y : ydot;
   }
   /// Returns the existing budgets, y before y'.
   std::vector<const ErrorBudgetRow*> rows() const;

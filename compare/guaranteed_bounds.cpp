@@ -48,8 +48,8 @@ std::vector<BoundViolation> bound_violations(const GuaranteedBounds& bounds,
   return found;
 }
 
-std::vector<BoundViolation> bound_contradictions(const GuaranteedBounds& bounds,
-                                                 std::span<const Solution> solutions) {
+std::vector<BoundViolation> violations_beyond_error_estimate(const GuaranteedBounds& bounds,
+                                                             std::span<const Solution> solutions) {
   std::vector<BoundViolation> found = bound_violations(bounds, solutions);
   std::erase_if(found, [](const BoundViolation& one) {
     return !is_solution_of_full_problem(*one.solution) || !one.exceeds_error_estimate();

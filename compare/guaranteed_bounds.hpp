@@ -55,7 +55,7 @@ std::vector<BoundViolation> bound_violations(const GuaranteedBounds& bounds,
 /// Returns the violations beyond the error estimate by solutions of the full problem
 /// (is_solution_of_full_problem). Such solutions are wrong: guaranteed bounds hold for the full
 /// problem.
-std::vector<BoundViolation> bound_contradictions(const GuaranteedBounds& bounds,
-                                                 std::span<const transform::Solution> solutions);
+std::vector<BoundViolation> violations_beyond_error_estimate(
+    const GuaranteedBounds& bounds, std::span<const transform::Solution> solutions);
 
 }  // namespace fpkcheck::compare

@@ -9,15 +9,15 @@
 namespace fpkcheck::compare {
 namespace {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using transform::Marginal;
 using transform::Solution;
 using transform::SolutionRole;
-using transform::Variable;
+using transform::StateVariable;
 
 const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const std::string& id,
-                              Variable variable) {
+                              StateVariable variable) {
   for (const auto& candidate : marginals) {
     if (candidate.solution != id || candidate.variable != variable) continue;
     const bool finite =
@@ -31,8 +31,8 @@ const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const
 class ModelChainBuilder {
  public:
   ModelChainBuilder(const ComparisonAxes& axes, std::span<const Solution> solutions,
-                    std::span<const SolutionMarginal> marginals, Variable variable)
-      : edges_(bin_edges(uniform_axes(axes), variable)),
+                    std::span<const SolutionMarginal> marginals, StateVariable variable)
+      : edges_(comparison_bin_edges(undivided_axes(axes), variable)),
         solutions_(solutions),
         marginals_(marginals),
         variable_(variable),
@@ -42,7 +42,8 @@ class ModelChainBuilder {
     nodes_.push_back({closure.id(), {}, marginal, 0.0});
   }
 
-  void append_discretised_equation(Approximation approximation, Equation equation, Impact impact) {
+  void append_discretised_equation(Approximation approximation, DensityEquation equation,
+                                   ImpactCondition impact) {
     pending_approximations_.push_back(approximation);
     for (const auto& s : solutions_) {
       const auto& identity = s.identity;
@@ -52,7 +53,7 @@ class ModelChainBuilder {
       }
       if (const auto* m = usable_marginal(s)) {
         append_model({s.id(), {}, *m, discretisation_error(s)});
-        if (equation == Equation::kf && impact == Impact::map) full_equation_ = &s;
+        if (equation == DensityEquation::kf && impact == ImpactCondition::map) full_equation_ = &s;
         return;
       }
     }
@@ -72,7 +73,7 @@ class ModelChainBuilder {
     // Without a solution of a density equation no part of the budget is a discretisation error.
     if (nodes_.size() == 1) std::erase(pending_approximations_, Approximation::discretisation);
     for (const auto& s : solutions_) {
-      if (s.identity.role != SolutionRole::simulation || s.identity.equation != Equation::kf)
+      if (s.identity.role != SolutionRole::simulation || s.identity.equation != DensityEquation::kf)
         continue;
       if (smooth_reference_ != nullptr && &s != smooth_reference_) continue;
       if (const auto* m = usable_marginal(s)) {
@@ -114,7 +115,7 @@ class ModelChainBuilder {
   std::vector<double> edges_;
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginal> marginals_;
-  Variable variable_;
+  StateVariable variable_;
   /// Smooth reference, or null. Its smooth bins are the bins of all marginal densities.
   const Solution* smooth_reference_;
   std::vector<ChainModel> nodes_;
@@ -127,23 +128,23 @@ class ModelChainBuilder {
 
 std::vector<ChainModel> model_chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
                                     std::span<const SolutionMarginal> marginals,
-                                    const Solution& closure, Variable variable) {
+                                    const Solution& closure, StateVariable variable) {
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
-  const Equation equation = closure.identity.equation.value_or(Equation::kf);
+  const DensityEquation equation = closure.identity.equation.value_or(DensityEquation::kf);
   // A closure with exact reflection of trajectories solves the equation with the impact condition
   // `map`.
-  const bool to_first_order = closure.identity.impact == Impact::delta;
-  const Impact impact = to_first_order ? Impact::delta : Impact::map;
+  const bool to_first_order = closure.identity.impact == ImpactCondition::delta;
+  const ImpactCondition impact = to_first_order ? ImpactCondition::delta : ImpactCondition::map;
   ModelChainBuilder chain(axes, solutions, marginals, variable);
   chain.append_closure(closure, *marginal);
   chain.append_discretised_equation(Approximation::closure, equation, impact);
   if (to_first_order)
-    chain.append_discretised_equation(Approximation::impact, equation, Impact::map);
-  if (equation != Equation::kf) {
+    chain.append_discretised_equation(Approximation::impact, equation, ImpactCondition::map);
+  if (equation != DensityEquation::kf) {
     chain.append_discretised_equation(
-        equation == Equation::white ? Approximation::white_noise : Approximation::truncation,
-        Equation::kf, Impact::map);
+        equation == DensityEquation::white ? Approximation::white_noise : Approximation::truncation,
+        DensityEquation::kf, ImpactCondition::map);
   }
   chain.append_grid_limit();
   chain.append_simulation();

@@ -52,6 +52,6 @@ std::vector<ChainModel> model_chain(const ComparisonAxes& axes,
                                     std::span<const transform::Solution> solutions,
                                     std::span<const SolutionMarginal> marginals,
                                     const transform::Solution& closure,
-                                    transform::Variable variable);
+                                    transform::StateVariable variable);
 
 }  // namespace fpkcheck::compare

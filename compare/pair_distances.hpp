@@ -13,7 +13,7 @@ namespace fpkcheck::compare {
 /// A marginal density of a solution over the comparison bins.
 struct SolutionMarginal {
   std::string solution;
-  transform::Variable variable;
+  transform::StateVariable variable;
   transform::Marginal marginal;
 };
 
@@ -24,7 +24,7 @@ struct SolutionMarginal {
 struct PairDistances {
   std::string a;
   std::string b;  ///< the more trusted solution
-  transform::Variable variable;
+  transform::StateVariable variable;
   Distances distances;
   /// Standard error of the L1 distance over smooth bins; empty for distances over uniform bins.
   std::optional<double> l1_standard_error = {};
@@ -33,11 +33,11 @@ struct PairDistances {
 /// Returns the distances between two solutions in either order, or null.
 const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
                                          std::string_view first, std::string_view second,
-                                         transform::Variable variable);
+                                         transform::StateVariable variable);
 
 /// Returns the L1 distance of two solutions; empty if the distance is missing or not finite.
 std::optional<double> l1_distance_between(std::span<const PairDistances> pairs,
                                           std::string_view first, std::string_view second,
-                                          transform::Variable variable);
+                                          transform::StateVariable variable);
 
 }  // namespace fpkcheck::compare

@@ -13,6 +13,6 @@ namespace fpkcheck::compare {
 /// and the contribution is |sum of P0 - sum of Q0|.
 double rest_atom_l1_distance(const std::vector<transform::RestAtom>& a,
                              const std::vector<transform::RestAtom>& b,
-                             transform::Variable variable);
+                             transform::StateVariable variable);
 
 }  // namespace fpkcheck::compare

@@ -8,19 +8,19 @@
 namespace fpkcheck::compare {
 
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 const Solution* find_smooth_reference(std::span<const Solution> solutions) {
   const auto found = std::ranges::find_if(solutions, [](const Solution& s) {
     return s.is_ok() && s.identity.role == transform::SolutionRole::simulation &&
-           s.identity.equation == problem::Equation::kf && !s.smooth_estimates.empty();
+           s.identity.equation == problem::DensityEquation::kf && !s.smooth_estimates.empty();
   });
   return found == solutions.end() ? nullptr : &*found;
 }
 
-std::vector<SolutionMarginal> smooth_bin_marginals(std::span<const SolutionMarginal> sharp,
-                                                   std::span<const Solution> solutions,
-                                                   const Solution& smooth_reference) {
+std::vector<SolutionMarginal> to_smooth_bin_marginals(std::span<const SolutionMarginal> sharp,
+                                                      std::span<const Solution> solutions,
+                                                      const Solution& smooth_reference) {
   std::vector<SolutionMarginal> smooth;
   for (const auto& [id, variable, marginal] : sharp) {
     const auto* estimate = transform::find_smooth_bin_estimate(smooth_reference, variable);
@@ -35,10 +35,10 @@ std::vector<SolutionMarginal> smooth_bin_marginals(std::span<const SolutionMargi
     smooth.push_back(
         {id, variable,
          transform::average_over_smooth_bins(
-             cells == nullptr
-                 ? marginal
-                 : transform::marginal(*solution, variable,
-                                       variable == Variable::y ? cells->y_edges : cells->v_edges),
+             cells == nullptr ? marginal
+                              : transform::marginal(
+                                    *solution, variable,
+                                    variable == StateVariable::y ? cells->y_edges : cells->v_edges),
              estimate->bins)});
   }
   return smooth;

@@ -20,9 +20,9 @@ const transform::Solution* find_smooth_reference(std::span<const transform::Solu
 /// grid are computed from the cells of the grid, since these cells resolve narrow peaks better than
 /// the comparison bins.
 /// @param sharp marginal densities of the solutions over the comparison bins
-std::vector<SolutionMarginal> smooth_bin_marginals(std::span<const SolutionMarginal> sharp,
-                                                   std::span<const transform::Solution> solutions,
-                                                   const transform::Solution& smooth_reference);
+std::vector<SolutionMarginal> to_smooth_bin_marginals(
+    std::span<const SolutionMarginal> sharp, std::span<const transform::Solution> solutions,
+    const transform::Solution& smooth_reference);
 
 /// Returns the standard error of the L1 distance of a marginal density a from a smooth estimate p,
 /// to first order. The result is the standard error of sum_b s_b (a_b - p_b) w_b, with the width

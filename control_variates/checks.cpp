@@ -74,8 +74,8 @@ Eigen::MatrixXd polynomial_coefficients(const DepositLayout& deposit_layout) {
   const Eigen::Index nv = deposit_layout.v.size();
   Eigen::MatrixXd all(deposit_layout.y.size() * nv, static_cast<Eigen::Index>(mcs::kPowers.size()));
   for (std::size_t n = 0; n < mcs::kPowers.size(); ++n) {
-    const auto in_y = deposit_layout.y.coefficients_of_power(mcs::kPowers[n].first);
-    const auto in_v = deposit_layout.v.coefficients_of_power(mcs::kPowers[n].second);
+    const auto in_y = deposit_layout.y.coefficients_of_monomial(mcs::kPowers[n].first);
+    const auto in_v = deposit_layout.v.coefficients_of_monomial(mcs::kPowers[n].second);
     for (std::size_t i = 0; i < in_y.size(); ++i) {
       for (std::size_t j = 0; j < in_v.size(); ++j) {
         all(static_cast<Eigen::Index>(i) * nv + static_cast<Eigen::Index>(j),
@@ -106,7 +106,8 @@ HotellingTest hotelling_test(const Eigen::MatrixXd& all) {
   return {.statistic = statistic, .dimensions = static_cast<int>(p), .p_value = odds};
 }
 
-SimulationChecks check_simulation(const ControlSetup& setup, const Eigen::MatrixXd& generator,
+SimulationChecks check_simulation(const ControlVariateSetup& setup,
+                                  const Eigen::MatrixXd& generator,
                                   std::span<const mcs::StreamDeposit> streams,
                                   const FunctionalEstimates& estimates) {
   const Sums sums(streams);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "control_variates/control_setup.hpp"
+#include "control_variates/control_variate_setup.hpp"
 #include "control_variates/estimates.hpp"
 
 namespace fpkcheck::control_variates {
@@ -51,7 +51,8 @@ struct SimulationChecks {
   std::vector<std::string> failed_deterministic_checks() const;
 };
 
-SimulationChecks check_simulation(const ControlSetup& setup, const Eigen::MatrixXd& generator,
+SimulationChecks check_simulation(const ControlVariateSetup& setup,
+                                  const Eigen::MatrixXd& generator,
                                   std::span<const mcs::StreamDeposit> streams,
                                   const FunctionalEstimates& estimates);
 

@@ -56,7 +56,7 @@ BinEstimates bin_estimates(const transform::SmoothBins& bins, const Eigen::Matri
 
 }  // namespace
 
-Eigen::MatrixXd generator_means(const ControlSetup& setup,
+Eigen::MatrixXd generator_means(const ControlVariateSetup& setup,
                                 std::span<const mcs::StreamDeposit> streams) {
   const Eigen::Index ny = setup.deposit_layout.y.size(), nv = setup.deposit_layout.v.size();
   Eigen::MatrixXd means(ny * nv, static_cast<Eigen::Index>(streams.size()));
@@ -73,10 +73,10 @@ Eigen::MatrixXd generator_means(const ControlSetup& setup,
   return means;
 }
 
-FunctionalEstimates estimate_functionals(const ControlSetup& setup,
+FunctionalEstimates estimate_functionals(const ControlVariateSetup& setup,
                                          const Eigen::MatrixXd& generator,
                                          std::span<const mcs::StreamDeposit> streams) {
-  const Functionals& functionals = setup.deposit_layout.functionals;
+  const EstimatedFunctionals& functionals = setup.deposit_layout.functionals;
   Eigen::MatrixXd plain(functionals.size(), generator.cols());
   for (std::size_t s = 0; s < streams.size(); ++s) {
     const std::vector<double> means = functionals.stream_means(streams[s]);
@@ -97,7 +97,7 @@ FunctionalEstimates estimate_functionals(const ControlSetup& setup,
   return {.moments = std::move(moments),
           .y = bins(functionals.y_bins, std::ssize(kMoments)),
           .v = bins(functionals.v_bins, std::ssize(kMoments) + functionals.y_bins.count),
-          .interval_factor = boost::math::quantile(student, 0.975)};
+          .confidence_interval_factor = boost::math::quantile(student, 0.975)};
 }
 
 }  // namespace fpkcheck::control_variates

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "control_variates/control_setup.hpp"
+#include "control_variates/control_variate_setup.hpp"
 #include "mcs/estimate/density_estimate.hpp"
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/summary.hpp"
@@ -28,19 +28,19 @@ struct FunctionalEstimates {
   std::vector<ControlledAndPlainEstimate> moments;
   BinEstimates y, v;
   /// Half-width of a 95 % confidence interval in standard errors, from Student's t distribution.
-  double interval_factor = 0;
+  double confidence_interval_factor = 0;
 };
 
 /// Returns the mean of L A_i B_j in each stream, including the contribution of impacts, where L is
 /// the generator. The matrix has the shape (functions, streams), with the function A_i B_j in row i
 /// * v.size() + j.
-Eigen::MatrixXd generator_means(const ControlSetup& setup,
+Eigen::MatrixXd generator_means(const ControlVariateSetup& setup,
                                 std::span<const mcs::StreamDeposit> streams);
 
 /// Estimates each functional E[f] by the mean of f + L h with the control function h. The estimate
 /// is unbiased for every function h. The standard errors are computed from the differences between
 /// streams.
-FunctionalEstimates estimate_functionals(const ControlSetup& setup,
+FunctionalEstimates estimate_functionals(const ControlVariateSetup& setup,
                                          const Eigen::MatrixXd& generator,
                                          std::span<const mcs::StreamDeposit> streams);
 

@@ -11,7 +11,7 @@ namespace fpkcheck::control_variates {
 namespace {
 
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 // Both arrays list the moments in the same order.
 static_assert(std::size(transform::kMoments) == kMoments.size());
@@ -29,19 +29,19 @@ void add_plain_metrics(const FunctionalEstimates& estimates, transform::MetricBu
 }
 
 void add_check_metrics(const SimulationChecks& checks, transform::MetricBuilder& builder) {
-  builder.add_work("checks.flights.momentum", checks.momentum)
-      .add_work("checks.flights.virial", checks.virial)
-      .add_work("checks.flights.power", checks.power)
-      .add_work("checks.impacts.restitution", checks.restitution)
-      .add_work("checks.impacts.wall_distance", checks.wall_distance)
-      .add_work("checks.impulses.rate", checks.rate)
-      .add_work("checks.impulses.mean", checks.mean)
-      .add_work("checks.impulses.mean_square", checks.mean_square)
-      .add_work("checks.generator.hotelling", checks.generator.statistic)
-      .add_work("checks.generator.dimensions",
-                transform::value_from_count(checks.generator.dimensions))
-      .add_work("checks.generator.p_value", checks.generator.p_value)
-      .add_work("checks.plain_moments", checks.plain_moments);
+  builder.add_diagnostic("checks.flights.momentum", checks.momentum)
+      .add_diagnostic("checks.flights.virial", checks.virial)
+      .add_diagnostic("checks.flights.power", checks.power)
+      .add_diagnostic("checks.impacts.restitution", checks.restitution)
+      .add_diagnostic("checks.impacts.wall_distance", checks.wall_distance)
+      .add_diagnostic("checks.impulses.rate", checks.rate)
+      .add_diagnostic("checks.impulses.mean", checks.mean)
+      .add_diagnostic("checks.impulses.mean_square", checks.mean_square)
+      .add_diagnostic("checks.generator.hotelling", checks.generator.statistic)
+      .add_diagnostic("checks.generator.dimensions",
+                      transform::value_from_count(checks.generator.dimensions))
+      .add_diagnostic("checks.generator.p_value", checks.generator.p_value)
+      .add_diagnostic("checks.plain_moments", checks.plain_moments);
 }
 
 std::string checks_note(const SimulationChecks& checks) {
@@ -64,10 +64,10 @@ void set_status(const SimulationChecks& checks, Solution& solution) {
 }
 
 transform::SmoothBinEstimate find_smooth_bin_estimate(const BinEstimates& bins,
-                                                      double interval_factor) {
+                                                      double confidence_interval_factor) {
   std::vector<double> averages, lower, upper;
   for (const auto& [controlled, plain] : bins.averages) {
-    const double half = interval_factor * controlled.standard_error;
+    const double half = confidence_interval_factor * controlled.standard_error;
     averages.push_back(controlled.mean);
     lower.push_back(controlled.mean - half);
     upper.push_back(controlled.mean + half);
@@ -82,7 +82,7 @@ transform::SmoothBinEstimate find_smooth_bin_estimate(const BinEstimates& bins,
 
 }  // namespace
 
-Result make_result(const ControlSetup& setup, mcs::Result simulation) {
+Result estimate_and_check(const ControlVariateSetup& setup, mcs::Result simulation) {
   const auto streams = std::exchange(simulation.summary.deposits, {});
   const Eigen::MatrixXd generator = generator_means(setup, streams);
   FunctionalEstimates estimates = estimate_functionals(setup, generator, streams);
@@ -102,9 +102,10 @@ Solution make_solution(Result&& result) {
     solution.moments.*moment = controlled.mean;
     solution.standard_errors->moments.*moment = controlled.standard_error;
   }
-  const double factor = estimates.interval_factor;
-  solution.smooth_estimates = {{Variable::y, find_smooth_bin_estimate(estimates.y, factor)},
-                               {Variable::ydot, find_smooth_bin_estimate(estimates.v, factor)}};
+  const double factor = estimates.confidence_interval_factor;
+  solution.smooth_estimates = {
+      {StateVariable::y, find_smooth_bin_estimate(estimates.y, factor)},
+      {StateVariable::ydot, find_smooth_bin_estimate(estimates.v, factor)}};
   const auto &y = estimates.y.controlled_l1, &v = estimates.v.controlled_l1;
   solution.smooth_sampling = transform::SamplingError{
       .y = y.expected, .ydot = v.expected, .y_99 = y.quantile_99, .ydot_99 = v.quantile_99};
@@ -118,7 +119,7 @@ Solution make_solution(Result&& result) {
   return solution;
 }
 
-Solution make_plain_solution(Solution&& plain, const std::string& reason) {
+Solution annotate_plain_solution(Solution&& plain, const std::string& reason) {
   transform::MetricBuilder builder;
   builder.add_text("notes[0]",
                    fmt::format("plain simulation without control variates: {}", reason));

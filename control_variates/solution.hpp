@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "control_variates/checks.hpp"
-#include "control_variates/control_setup.hpp"
+#include "control_variates/control_variate_setup.hpp"
 #include "control_variates/estimates.hpp"
 #include "mcs/solve.hpp"
 #include "transform/solution.hpp"
@@ -20,7 +20,7 @@ struct Result {
 
 /// Computes estimates and checks from the deposited sums of a simulation.
 /// @pre the simulation used setup.deposit_layout.grid
-Result make_result(const ControlSetup& setup, mcs::Result simulation);
+Result estimate_and_check(const ControlVariateSetup& setup, mcs::Result simulation);
 
 /// Returns the solution with moments and smooth bins estimated by control variates. The estimates
 /// without control variates and the results of the checks become metrics.
@@ -28,6 +28,6 @@ transform::Solution make_solution(Result&& result);
 
 /// Adds a note to the solution of a simulation without control variates.
 /// @param reason clause of the note: why the simulation uses no control variates
-transform::Solution make_plain_solution(transform::Solution&& plain, const std::string& reason);
+transform::Solution annotate_plain_solution(transform::Solution&& plain, const std::string& reason);
 
 }  // namespace fpkcheck::control_variates

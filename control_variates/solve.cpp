@@ -20,13 +20,14 @@ constexpr double kStep = 0.5;
 constexpr double kMostBytes = 256e6;  // limit on the memory of the velocity lattices of all streams
 
 constexpr double kFewSamples = 2e5;
-constexpr ControlCells kCoarse{.y = 40, .v = 88};
+constexpr ControlSplineCells kCoarse{.y = 40, .v = 88};
 
-ControlCells choose_cells(const problem::Problem& problem, const Options& options) {
+ControlSplineCells choose_cells(const problem::Problem& problem, const Options& options) {
   if (options.cells) return *options.cells;
   if (!options.simulation.time) return {};
   const auto plan = mcs::make_simulation_plan(problem, options.simulation);
-  return *options.simulation.time < kFewSamples * plan.sampling_interval ? kCoarse : ControlCells{};
+  return *options.simulation.time < kFewSamples * plan.sampling_interval ? kCoarse
+                                                                         : ControlSplineCells{};
 }
 
 double lattice_bytes(const mcs::DepositGrid& grid) {
@@ -37,13 +38,13 @@ transform::Solution solve_plain(const problem::Problem& problem, const Options& 
                                 const std::string& reason) {
   mcs::Options plain = options.simulation;
   plain.controlled = false;
-  return make_plain_solution(mcs::solve(problem, plain).solution, reason);
+  return annotate_plain_solution(mcs::solve(problem, plain).solution, reason);
 }
 
 }  // namespace
 
 transform::Solution solve(const problem::Problem& problem, const Options& options) {
-  if (options.simulation.equation != mcs::Equation::kf || options.simulation.tails) {
+  if (options.simulation.equation != mcs::DensityEquation::kf || options.simulation.tails) {
     return solve_plain(problem, options,
                        "control functions exist for impulses without splitting only");
   }
@@ -64,7 +65,8 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   simulation.step = simulation.step.value_or(kStep);
   const double interval = mcs::make_simulation_plan(problem, simulation).sampling_interval;
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
-  auto setup = std::async(policy, [&] { return make_control_setup(problem, layout, interval); });
+  auto setup =
+      std::async(policy, [&] { return make_control_variate_setup(problem, layout, interval); });
   // With one thread the fit precedes the simulation: a stop request during the simulation then does
   // not wait for the fit.
   if (policy == std::launch::deferred) setup.wait();
@@ -83,10 +85,10 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   } else {
     try {
       // get() may throw FitFailure: `simulated` must still be intact
-      const ControlSetup fitted = setup.get();
-      solution = make_solution(make_result(fitted, std::move(simulated)));
+      const ControlVariateSetup fitted = setup.get();
+      solution = make_solution(estimate_and_check(fitted, std::move(simulated)));
     } catch (const backward::FitFailure& why) {
-      solution = make_plain_solution(std::move(simulated.solution), why.what());
+      solution = annotate_plain_solution(std::move(simulated.solution), why.what());
     }
   }
   mcs::require_accuracy(options.simulation, solution);

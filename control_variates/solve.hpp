@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "control_variates/control_setup.hpp"
+#include "control_variates/control_variate_setup.hpp"
 #include "mcs/options.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
@@ -20,7 +20,7 @@ struct Options {
   /// Numbers of cells of the control functions. The default is 80 x 176 cells. If the requested
   /// simulation has fewer than 2e5 sampling intervals, the default is 40 x 88 cells, since the fit
   /// would take much longer than the simulation.
-  std::optional<ControlCells> cells{};
+  std::optional<ControlSplineCells> cells{};
 };
 
 /// Simulates the oscillator and fits the control functions at the same time. Returns moments and

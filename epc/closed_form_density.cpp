@@ -15,7 +15,7 @@
 #include "epc/moment/density.hpp"
 #include "epc/polar/coordinates.hpp"
 #include "problem/walls.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 #include "transform/marginal.hpp"
 
 namespace fpkcheck::epc {
@@ -43,7 +43,7 @@ SmoothDensity density_in_plane(const ClosedForm& form) {
         q, support, frame.log_constant.value_or(gaussian::log_normalising_constant(support)));
   }
   const BoundingBox box = frame.box.value();
-  return transform::physical_density(
+  return transform::zhuravlev_transform(
       {.value =
            [polynomial = q, box, constant = frame.log_constant.value_or(0)](double x1, double x2) {
              const bool inside = std::abs(x1) <= box.y_max && std::abs(x2) <= box.v_max;
@@ -58,7 +58,7 @@ SmoothDensity density_in_physical_variables(const ClosedForm& form,
   const auto& [q, frame] = form;
   if (frame.deviations) {
     const gaussian::DensitySupport support(q, *frame.deviations);
-    return gaussian::unfolded_density_from_exponent(
+    return gaussian::density_without_wall(
         q, support, frame.log_constant.value_or(gaussian::log_normalising_constant(support)));
   }
   const double constant = frame.log_constant.value_or(0);
@@ -99,7 +99,7 @@ SmoothDensity density_in_polar_variables(const ClosedForm& form, const problem::
 }
 
 contact::Coordinates contact_coordinates(const problem::Problem& problem) {
-  if (contact::is_pressed_on_one_wall(problem)) return contact::Coordinates(problem);
+  if (contact::force_presses_on_single_wall(problem)) return contact::Coordinates(problem);
   throw InputError(
       "coordinates \"amplitude,velocity\" need one wall against which the force presses: the case "
       "has none; name its case");
@@ -139,7 +139,7 @@ SmoothDensity density_in_form_coordinates(const ClosedForm& form, const problem:
   return {};
 }
 
-std::optional<problem::Problem> problem_in_coordinates(const problem::Frame& coordinates,
+std::optional<problem::Problem> problem_in_coordinates(const problem::WallFrame& coordinates,
                                                        const problem::Problem* problem) {
   if (problem == nullptr) return std::nullopt;
   if (coordinates.is_identity() || problem->frame == coordinates) return *problem;
@@ -156,8 +156,8 @@ std::optional<problem::Problem> problem_in_coordinates(const problem::Frame& coo
 double mass_of(const ClosedForm& form, const problem::Problem* problem,
                const SmoothDensity& density) {
   if (form.frame.variables != ExponentCoordinates::contact) {
-    return transform::panel_marginals(density, density.y_max, density.v_max,
-                                      transform::PanelSpacing::graded)
+    return transform::quadrature_marginals(density, density.y_max, density.v_max,
+                                           transform::QuadraturePanelSpacing::graded)
         .mass;
   }
   return transform::mass(contact::average_on_graded_cells(density)) +

@@ -48,7 +48,7 @@ namespace contact {
 
 /// Solves the closure for a mass that can rest in contact with a wall. The density is C
 /// exp(Q_n(rho, v) + confinement) divided by the energy, with an atom for the mass at rest.
-/// @pre is_pressed_on_one_wall(problem)
+/// @pre force_presses_on_single_wall(problem)
 Result solve(const problem::Problem& problem, const Options& options);
 
 }  // namespace contact

@@ -24,22 +24,22 @@ void require_order(const Options& options) {
 }
 
 void require_equation(const Options& options) {
-  const Equation equation = equation_of(options);
+  const DensityEquation equation = effective_equation(options);
   switch (options.formulation) {
     case Formulation::gaussian:
-      if (equation != Equation::km4_pade) return;
+      if (equation != DensityEquation::km4_pade) return;
       throw InputError(fmt::format(
           "epc equation = {}: the formulation gaussian solves the truncated series, not its "
           "approximant; use white, km4 or kf",
           name(equation)));
     case Formulation::moment:
-      if (equation == Equation::kf || equation == Equation::white) return;
+      if (equation == DensityEquation::kf || equation == DensityEquation::white) return;
       throw InputError(fmt::format(
           "epc equation = {}: the formulation moment needs a stochastic process, and the truncated "
           "series has none; use kf or white",
           name(equation)));
     case Formulation::polar:
-      if (equation == Equation::kf) return;
+      if (equation == DensityEquation::kf) return;
       throw InputError(fmt::format(
           "epc equation = {}: the second derivative of the phase has no mean at the origin; use "
           "kf for the formulation polar",
@@ -51,7 +51,7 @@ std::string formulation_and_variant(const Options& options) {
   std::string text(name(options.formulation));
   if (options.formulation == Formulation::moment && options.tail == TailTreatment::cut)
     text += "-cut";
-  const Equation equation = equation_of(options);
+  const DensityEquation equation = effective_equation(options);
   if (equation != default_equation(options.formulation)) {
     text += fmt::format("-{}", name(equation));
   }
@@ -121,11 +121,11 @@ int max_closure_order(Formulation formulation) {
   return formulation == Formulation::moment ? 16 : 12;
 }
 
-Equation default_equation(Formulation formulation) {
-  return formulation == Formulation::gaussian ? Equation::km4 : Equation::kf;
+DensityEquation default_equation(Formulation formulation) {
+  return formulation == Formulation::gaussian ? DensityEquation::km4 : DensityEquation::kf;
 }
 
-Equation equation_of(const Options& options) {
+DensityEquation effective_equation(const Options& options) {
   return options.equation.value_or(default_equation(options.formulation));
 }
 
@@ -159,8 +159,9 @@ transform::SolutionIdentity identity(const Options& options) {
           .method = "epc",
           .formulation = formulation_and_variant(options),
           .order = options.order,
-          .equation = equation_of(options),
-          .impact = options.formulation == Formulation::gaussian ? Impact::delta : Impact::map,
+          .equation = effective_equation(options),
+          .impact = options.formulation == Formulation::gaussian ? ImpactCondition::delta
+                                                                 : ImpactCondition::map,
           .role = transform::SolutionRole::closure};
 }
 

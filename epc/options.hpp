@@ -6,14 +6,14 @@
 
 #include "base/options/description.hpp"
 #include "problem/model.hpp"
-#include "transform/identity.hpp"
+#include "transform/solution_identity.hpp"
 
 /// Exponential-polynomial closure: a density C exp(Q_n) with a polynomial Q_n, whose coefficients
 /// satisfy weak moment equations.
 namespace fpkcheck::epc {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 
 /// Formulation of the closure: coordinates of the polynomial Q_n, and equations for its
 /// coefficients.
@@ -56,7 +56,7 @@ struct Options {
   int order = 6;  ///< order n of paper (18): even, 2 .. max_closure_order
   Formulation formulation = Formulation::gaussian;
   MonomialSet monomials = MonomialSet::point_symmetric;
-  std::optional<Equation> equation = {};  ///< equation to solve; default_equation() if empty
+  std::optional<DensityEquation> equation = {};  ///< equation to solve; default_equation() if empty
   TailTreatment tail = TailTreatment::confined;
   /// Tolerance on the norm of the residual. In the formulation `gaussian`, this norm is the largest
   /// projection (23) in units of gaussian::residual_unit. In the formulations `moment` and `polar`,
@@ -81,10 +81,10 @@ void validate(const Options& options);
 /// Largest order n of the closure in double precision. At higher orders rounding errors dominate.
 int max_closure_order(Formulation formulation);
 
-Equation default_equation(Formulation formulation);
+DensityEquation default_equation(Formulation formulation);
 
 /// Returns the equation of the options, or the default equation of the formulation.
-Equation equation_of(const Options& options);
+DensityEquation effective_equation(const Options& options);
 
 /// Returns an id such as epc-gaussian-n6 or epc-moment-cut-n8. The id names the equation only if it
 /// is not the default equation.

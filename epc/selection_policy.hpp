@@ -13,6 +13,6 @@ bool starts_from_linearisation(const problem::Problem& problem);
 
 /// Returns the standard deviations of the Gaussian weights of paper (25)-(26): the deviations of
 /// equivalent linearisation, or else the root mean squares of y and v by energy averaging.
-StandardDeviations weight_deviations(const problem::Problem& problem);
+StandardDeviations gaussian_weight_deviations(const problem::Problem& problem);
 
 }  // namespace fpkcheck::epc

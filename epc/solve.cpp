@@ -5,7 +5,7 @@
 #include "epc/contact/coordinates.hpp"
 #include "epc/formulations.hpp"
 #include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -17,8 +17,8 @@ Result solve_formulation(const problem::Problem& problem, const Options& options
     case Formulation::moment:
       return moment::solve(problem, options);
     case Formulation::polar:
-      return contact::is_pressed_on_one_wall(problem) ? contact::solve(problem, options)
-                                                      : polar::solve(problem, options);
+      return contact::force_presses_on_single_wall(problem) ? contact::solve(problem, options)
+                                                            : polar::solve(problem, options);
   }
   return {};
 }
@@ -58,7 +58,7 @@ std::string gaussian_unsupported_reason(const problem::ProblemFeatures& features
   if (features.two_walls || (!features.no_wall && !features.constant_damping)) {
     return "the formulation gaussian supports one wall with constant damping, or no wall";
   }
-  if (features.no_wall && equation_of(options) == Equation::kf) {
+  if (features.no_wall && effective_equation(options) == DensityEquation::kf) {
     return "the jump integral of the formulation gaussian needs a wall: use equation km4 or white";
   }
   return wall_unsupported_reason(features);
@@ -75,7 +75,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
     case Formulation::moment:
       return wall_unsupported_reason(features);
     case Formulation::polar:
-      if (contact::is_pressed_on_one_wall(problem)) return "";
+      if (contact::force_presses_on_single_wall(problem)) return "";
       return features.rests_in_contact
                  ? "with an atom, the formulation polar needs one wall against which the force "
                    "presses everywhere; use fd or mcs"

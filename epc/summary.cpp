@@ -43,19 +43,19 @@ double min_scale(const Term& term, const transform::Moments& moments, double rou
 void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.frame) return;
   builder.add_text("coordinates", word(name(summary.frame->variables)))
-      .add_work("log_C", value_from_optional(summary.frame->log_constant));
-  const problem::Frame& coordinates = summary.frame->coordinates;
+      .add_diagnostic("log_C", value_from_optional(summary.frame->log_constant));
+  const problem::WallFrame& coordinates = summary.frame->coordinates;
   if (coordinates.is_identity()) return;
-  builder.add_work("frame.origin", coordinates.origin)
-      .add_work("frame.mirrored", coordinates.mirrored);
+  builder.add_diagnostic("frame.origin", coordinates.origin)
+      .add_diagnostic("frame.mirrored", coordinates.mirrored);
 }
 
 void add_edge_metrics(const ClosedFormParameters& frame, MetricBuilder& builder) {
   if (frame.deviations) {
-    builder.add_work("support.sigma1", frame.deviations->x1)
-        .add_work("support.sigma2", frame.deviations->x2);
+    builder.add_diagnostic("support.sigma1", frame.deviations->x1)
+        .add_diagnostic("support.sigma2", frame.deviations->x2);
   } else {
-    builder.add_work("support.energy", frame.support);
+    builder.add_diagnostic("support.energy", frame.support);
   }
 }
 
@@ -103,8 +103,8 @@ void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
   builder
       .add_result("support.rising_share", form.rising_fraction)
       // The worst direction is arbitrary for an isotropic leading form.
-      .add_work("support.worst_direction.x1", form.worst.x1)
-      .add_work("support.worst_direction.x2", form.worst.x2)
+      .add_diagnostic("support.worst_direction.x1", form.worst.x1)
+      .add_diagnostic("support.worst_direction.x2", form.worst.x2)
       .add_result("support.rises_from",
                   form.negative ? base::Value() : base::Value(form.rises_from));
 }
@@ -133,12 +133,12 @@ void add_branch_metrics(const SolutionBranch& branch, MetricBuilder& builder) {
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
     const SolutionBranchPoint& point = branch.points[k];
     const std::string path = fmt::format("branch.points[{}].", k);
-    builder.add_work(path + "fraction", point.fraction)
-        .add_work(path + "norm", point.norm)
-        .add_work(path + "smallest_singular_value", point.smallest_singular_value)
-        .add_work(path + "determinant_sign", value_from_count(point.determinant_sign))
-        .add_work(path + "falls", point.falls)
-        .add_work(path + "fold", point.fold);
+    builder.add_diagnostic(path + "fraction", point.fraction)
+        .add_diagnostic(path + "norm", point.norm)
+        .add_diagnostic(path + "smallest_singular_value", point.smallest_singular_value)
+        .add_diagnostic(path + "determinant_sign", value_from_count(point.determinant_sign))
+        .add_diagnostic(path + "falls", point.falls)
+        .add_diagnostic(path + "fold", point.fold);
   }
 }
 
@@ -149,8 +149,8 @@ void add_half_plane_metrics(const Summary& summary, MetricBuilder& builder) {
       .add_result("tail.level_deviations", half_plane.level_deviations)
       .add_result("tail.beyond_level", half_plane.beyond_level)
       .add_result("tail.polynomial_leading_form", text_of(*summary.leading_form))
-      .add_work("quadrature_change", half_plane.quadrature_change)
-      .add_work("homotopies", value_from_count(half_plane.homotopies));
+      .add_diagnostic("quadrature_change", half_plane.quadrature_change)
+      .add_diagnostic("homotopies", value_from_count(half_plane.homotopies));
 }
 
 }  // namespace
@@ -159,9 +159,9 @@ transform::Metrics metrics(const Summary& summary, const transform::Moments& mom
   MetricBuilder builder;
   builder.add_result("order", value_from_count(summary.order))
       .add_result("formulation", word(name(summary.formulation)))
-      .add_work("iterations", value_from_count(summary.iterations))
-      .add_work("residual", summary.residual)
-      .add_work("condition", value_from_optional(summary.condition));
+      .add_diagnostic("iterations", value_from_count(summary.iterations))
+      .add_diagnostic("residual", summary.residual)
+      .add_diagnostic("condition", value_from_optional(summary.condition));
   add_frame_metrics(summary, builder);
   add_coefficient_metrics(summary, moments, builder);
   add_support_metrics(summary, builder);
@@ -169,7 +169,7 @@ transform::Metrics metrics(const Summary& summary, const transform::Moments& mom
       .add_result("distance_to_previous", value_from_optional(summary.distance_to_previous));
   add_balance_metrics(builder, summary.balances);
   if (summary.formulation == Formulation::gaussian) {
-    builder.add_work("plain_newton_converges", summary.plain_newton_converges);
+    builder.add_diagnostic("plain_newton_converges", summary.plain_newton_converges);
     builder.add_result("disc_sensitivity", value_from_optional(summary.disc_sensitivity));
     add_branch_metrics(summary.branch, builder);
   }

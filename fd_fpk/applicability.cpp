@@ -2,14 +2,15 @@
 
 #include "fd_fpk/characteristics/rest_points.hpp"
 #include "fd_fpk/selection_policy.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
 // Returns whether the equation has a diffusion term, from white noise or from the impulses.
 bool has_diffusion(const problem::ProblemFeatures& features, const Options& options) {
-  return features.noise || options.equation == Equation::white || options.equation == Equation::km4;
+  return features.noise || options.equation == DensityEquation::white ||
+         options.equation == DensityEquation::km4;
 }
 
 }  // namespace
@@ -21,10 +22,10 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   // the solver accepts km4 and delta, as in the paper; under `white` with the exact impact, the
   // discretisation reports an inelastic collapse.
   if (noise && !has_linearised_scales(problem)) {
-    std::string collapse = problem::inelastic_collapse_reason(problem, Equation::white);
+    std::string collapse = problem::inelastic_collapse_reason(problem, DensityEquation::white);
     if (!collapse.empty()) return collapse;
   }
-  if (options.impact != Impact::map &&
+  if (options.impact != ImpactCondition::map &&
       (features.no_wall || features.two_walls || features.rests_in_contact)) {
     return "impact delta (first order in 1-r): requires one wall without rest in contact; use map";
   }
@@ -52,7 +53,7 @@ std::string transient_unsupported_reason(const problem::Problem& problem, const 
 }
 
 bool can_use_characteristics(const Options& options) {
-  return options.equation == Equation::kf && options.impact == Impact::map &&
+  return options.equation == DensityEquation::kf && options.impact == ImpactCondition::map &&
          options.transport != TransportScheme::upwind && !options.nx && !options.nv &&
          !options.origin_refinement && transport_order(options) == kDefaultOrder;
 }
@@ -81,7 +82,7 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem) 
 }
 
 bool has_rest_in_contact(const problem::Problem& problem, const Options& options) {
-  return problem::features(problem).rests_in_contact && options.equation == Equation::kf;
+  return problem::features(problem).rests_in_contact && options.equation == DensityEquation::kf;
 }
 
 }  // namespace fpkcheck::fd_fpk

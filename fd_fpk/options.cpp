@@ -17,12 +17,12 @@ constexpr int kMostAxisCells = 2000;
 constexpr double kMostOriginRefinement = 1000;
 constexpr double kSmallestTolerance = 1e-10;
 
-// Impact conditions of the density equations; only the simulation has Impact::exact.
-constexpr Impact kImpacts[] = {Impact::map, Impact::delta};
+// Impact conditions of the density equations; only the simulation has ImpactCondition::exact.
+constexpr ImpactCondition kImpacts[] = {ImpactCondition::map, ImpactCondition::delta};
 
 std::vector<std::string> impact_names() {
   std::vector<std::string> list;
-  for (const Impact impact : kImpacts) list.emplace_back(problem::name(impact));
+  for (const ImpactCondition impact : kImpacts) list.emplace_back(problem::name(impact));
   return list;
 }
 
@@ -125,18 +125,19 @@ const Description<Options>& description() {
 
 void validate(const Options& options) {
   description().validate(options);
-  require(options.impact != Impact::exact,
+  require(options.impact != ImpactCondition::exact,
           "impact exact: only the simulation has this impact; use map or delta");
   const bool along = options.transport == TransportScheme::characteristics;
-  require(!along || (options.equation == Equation::kf && options.impact == Impact::map),
-          fmt::format("transport characteristics with equation {} and impact {}: requires kf and "
-                      "map; use upwind",
-                      problem::name(options.equation), problem::name(options.impact)));
+  require(
+      !along || (options.equation == DensityEquation::kf && options.impact == ImpactCondition::map),
+      fmt::format("transport characteristics with equation {} and impact {}: requires kf and "
+                  "map; use upwind",
+                  problem::name(options.equation), problem::name(options.impact)));
   require(
       !along || (!options.nx && !options.nv),
       "nx or nv with transport characteristics: this transport chooses its cells; use refinement");
   require(
-      !options.regularisation_length || options.equation == Equation::km4,
+      !options.regularisation_length || options.equation == DensityEquation::km4,
       fmt::format(
           "regularisation length with equation {}: only km4 has this length; leave out the length",
           problem::name(options.equation)));
@@ -146,7 +147,7 @@ void validate(const Options& options) {
 
 std::string solution_id(const Options& options) {
   const std::string equation = fmt::format("fd-{}", problem::name(options.equation));
-  return options.impact == Impact::map
+  return options.impact == ImpactCondition::map
              ? equation
              : fmt::format("{}-{}", equation, problem::name(options.impact));
 }
@@ -160,8 +161,8 @@ transform::SolutionIdentity solution_identity(const Options& options) {
 }
 
 std::optional<Options> options_of(std::string_view wanted) {
-  for (const auto& equation : enumerator_names(Equation{})) {
-    for (const Impact impact : kImpacts) {
+  for (const auto& equation : enumerator_names(DensityEquation{})) {
+    for (const ImpactCondition impact : kImpacts) {
       const Options options{.equation = equation.value, .impact = impact};
       if (solution_id(options) == wanted) return options;
     }

@@ -7,12 +7,12 @@
 
 #include "base/options/description.hpp"
 #include "problem/model.hpp"
-#include "transform/identity.hpp"
+#include "transform/solution_identity.hpp"
 
 namespace fpkcheck::fd_fpk {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 
 /// Method that computes the stationary density of the discrete operator.
 enum class StationarySolver {
@@ -38,8 +38,8 @@ constexpr const auto& enumerator_names(TransportScheme) { return kTransportNames
 constexpr std::string_view name(TransportScheme transport) { return base::name_of(transport); }
 
 struct Options {
-  Equation equation = Equation::kf;
-  Impact impact = Impact::map;  ///< impact condition, map or delta
+  DensityEquation equation = DensityEquation::kf;
+  ImpactCondition impact = ImpactCondition::map;  ///< impact condition, map or delta
   StationarySolver stepper = StationarySolver::cvode;
   /// Automatic transport: along characteristics for rare impulses or strong losses; see solve()
   std::optional<TransportScheme> transport{};

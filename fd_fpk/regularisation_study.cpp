@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
-#include "fd_fpk/linear/eigenvectors.hpp"
+#include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
@@ -24,16 +24,16 @@ constexpr double kUnstableRate = 1e-7;
 
 struct Scheme {
   const char* name;
-  Equation equation;
+  DensityEquation equation;
   std::function<double(double step)> length;
 };
 
 std::vector<Scheme> schemes(double default_length, double shortest_length) {
-  return {{"literal", Equation::km4, [](double step) { return step; }},
-          {"0.9 l*", Equation::km4, [=](double) { return 0.9 * shortest_length; }},
-          {"1.1 l*", Equation::km4, [=](double) { return 1.1 * shortest_length; }},
-          {"regularised", Equation::km4, [=](double) { return default_length; }},
-          {"pade", Equation::km4_pade, [](double) { return 0.0; }}};
+  return {{"literal", DensityEquation::km4, [](double step) { return step; }},
+          {"0.9 l*", DensityEquation::km4, [=](double) { return 0.9 * shortest_length; }},
+          {"1.1 l*", DensityEquation::km4, [=](double) { return 1.1 * shortest_length; }},
+          {"regularised", DensityEquation::km4, [=](double) { return default_length; }},
+          {"pade", DensityEquation::km4_pade, [](double) { return 0.0; }}};
 }
 
 double linearised_frequency(const problem::Problem& problem) {
@@ -67,7 +67,7 @@ NullVector solve_null_vector(const problem::Problem& problem, const Options& opt
 }
 
 NullVector kf_reference_density(const problem::Problem& problem, Options options) {
-  options.equation = Equation::kf;
+  options.equation = DensityEquation::kf;
   const Discretisation on = discretise(problem, options, box_of_options(options));
   if (!on.failure.empty()) return {std::nullopt, 0, on.failure};
   const auto op = fokker_planck_operator(problem, options, on);
@@ -75,7 +75,7 @@ NullVector kf_reference_density(const problem::Problem& problem, Options options
 }
 
 void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperator& op,
-                      bool symbol_grows, RegularisationRow& row) {
+                      bool symbol_grows, RegularisationSchemeResult& row) {
   if (op.areas.size() > kMostCellsFactored) {
     append_remark(row.remark, fmt::format("no eigenvalue: not computed for more than {} cells",
                                           kMostCellsFactored));
@@ -90,7 +90,8 @@ void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperato
 
 void compare_null_vector_with_kf(const problem::Problem& problem, const Options& options,
                                  const Discretisation& on, const FokkerPlanckOperator& op,
-                                 bool symbol_grows, const NullVector& kf, RegularisationRow& row) {
+                                 bool symbol_grows, const NullVector& kf,
+                                 RegularisationSchemeResult& row) {
   // The preconditioner of GMRES approximates only stable operators.
   const NullVector found = symbol_grows
                                ? null_vector_by_inverse_iteration(
@@ -106,11 +107,12 @@ void compare_null_vector_with_kf(const problem::Problem& problem, const Options&
   row.l1_ydot = on.grid.x2.cell_widths().dot((mine.ydot - of_kf.ydot).cwiseAbs());
 }
 
-RegularisationRow study_row(const problem::Problem& problem, const Scheme& scheme, double step,
-                            Options options, const NullVector& kf) {
-  RegularisationRow row{.scheme = scheme.name, .step = step, .length = scheme.length(step)};
+RegularisationSchemeResult study_row(const problem::Problem& problem, const Scheme& scheme,
+                                     double step, Options options, const NullVector& kf) {
+  RegularisationSchemeResult row{
+      .scheme = scheme.name, .step = step, .length = scheme.length(step)};
   options.equation = scheme.equation;
-  if (options.equation == Equation::km4) options.regularisation_length = row.length;
+  if (options.equation == DensityEquation::km4) options.regularisation_length = row.length;
   row.nx = *options.nx;
   row.nv = *options.nv;
   const Discretisation on = discretise(problem, options, box_of_options(options));
@@ -126,7 +128,8 @@ RegularisationRow study_row(const problem::Problem& problem, const Scheme& schem
 
 }  // namespace
 
-std::optional<double> RegularisationRow::growth_rate(const problem::Problem& problem) const {
+std::optional<double> RegularisationSchemeResult::growth_rate(
+    const problem::Problem& problem) const {
   if (rightmost) {
     return rightmost->real() > kUnstableRate * linearised_frequency(problem)
                ? std::optional(rightmost->real())
@@ -150,7 +153,7 @@ RegularisationStudy study_regularisation(const problem::Problem& problem,
                             .rows = {}};
   const auto all = schemes(study.default_length, study.shortest_length);
   const int rows = static_cast<int>(all.size() * options.divisions.size());
-  std::vector<RegularisationRow> by_step;
+  std::vector<RegularisationSchemeResult> by_step;
   for (const int division : options.divisions) {
     const double step = study.default_length / division;
     const Options on_step = options_for_step(problem, step, options.nx);

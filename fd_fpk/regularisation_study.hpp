@@ -12,7 +12,7 @@
 namespace fpkcheck::fd_fpk {
 
 /// Results of one scheme for the truncated series and one width of the velocity cells.
-struct RegularisationRow {
+struct RegularisationSchemeResult {
   std::string scheme;  ///< "literal", "regularised", "0.9 l*", "1.1 l*", "pade"
   double step;         ///< width h of the velocity cells
   double length;       ///< step l of the fourth difference; 0 for pade
@@ -43,7 +43,7 @@ struct RegularisationStudy {
   double default_length;  ///< default regularisation length l, with l^2 = E[Y^6] / (5 E[Y^4])
   /// Length l*: for every shorter length the symbol has a positive real part
   double shortest_length;
-  std::vector<RegularisationRow> rows;
+  std::vector<RegularisationSchemeResult> rows;
 };
 
 struct RegularisationStudyOptions {

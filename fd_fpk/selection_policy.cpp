@@ -55,9 +55,9 @@ bool are_impulses_small(const problem::Problem& problem) {
 
 // Returns the coefficient of p'' in the terms that act on the shortest resolved lengths: white
 // noise, the truncated series, and small impulses.
-double diffusion_coefficient(const problem::Problem& problem, Equation equation) {
-  const bool local =
-      equation == Equation::km4 || equation == Equation::white || are_impulses_small(problem);
+double diffusion_coefficient(const problem::Problem& problem, DensityEquation equation) {
+  const bool local = equation == DensityEquation::km4 || equation == DensityEquation::white ||
+                     are_impulses_small(problem);
   return problem.noise.diffusion() + (local ? problem.impulses.rate_times_moment(2) / 2 : 0);
 }
 
@@ -69,9 +69,9 @@ bool has_wall_singularity(const problem::Problem& problem, const Options& option
   if (!has_linearised_scales(problem)) {
     return diffusion_coefficient(problem, options.equation) > 0;
   }
-  return options.impact == Impact::map && problem.system.restitution() < 1 &&
+  return options.impact == ImpactCondition::map && problem.system.restitution() < 1 &&
          can_grade_cubically(options) &&
-         (options.equation == Equation::white || are_impulses_small(problem));
+         (options.equation == DensityEquation::white || are_impulses_small(problem));
 }
 
 double automatic_origin_refinement(const problem::Problem& problem, const Options& options) {
@@ -79,7 +79,7 @@ double automatic_origin_refinement(const problem::Problem& problem, const Option
   const bool singular = has_wall_singularity(problem, options);
   // Schemes of high order oscillate on narrow cells at the spike that rare impulses cause; a wide
   // cell represents the spike as a mass. Under white noise the density has no spike.
-  if (!singular && is_unbounded_at_origin(problem)) return 1;
+  if (!singular && is_density_unbounded_at_origin(problem)) return 1;
   if (has_linearised_scales(problem) && has_rare_impacts_by_mean_impulse(problem)) return 1;
   return singular ? kOriginRefinementUnderWhiteNoise : kOriginRefinement;
 }
@@ -95,23 +95,24 @@ bool must_satisfy_balances(const problem::Problem& problem) {
 }
 
 // The thresholds for characteristics are empirical, from random problems (docs/limits.md).
-bool are_characteristics_preferred(const problem::Problem& problem, double per_decay_time) {
+bool are_characteristics_preferred(const problem::Problem& problem,
+                                   double impulses_per_decay_time) {
   constexpr double kRare = 3, kFrequent = 500;  // limits of the number of impulses per decay time
   constexpr double kStrongLosses = 0.4;
   constexpr double kMaxDeflection = 2;
-  if (per_decay_time < kRare) return true;
+  if (impulses_per_decay_time < kRare) return true;
   if (!has_linearised_scales(problem)) return false;
   const auto linear = problem::equivalent_linearisation(problem);
   const bool losses =
       problem.system.restitution() < kStrongLosses &&
       problem::static_deflection(problem) < kMaxDeflection * linear.displacement_deviation;
-  return (losses && per_decay_time < kFrequent) || has_short_flights(problem);
+  return (losses && impulses_per_decay_time < kFrequent) || has_short_flights(problem);
 }
 
 bool are_characteristics_required(const problem::Problem& problem) {
   constexpr double kStronglyBouncing = 5;
   if (!has_linearised_scales(problem)) return false;
-  return is_unbounded_at_origin(problem) ||
+  return is_density_unbounded_at_origin(problem) ||
          (has_short_flights(problem) && mean_force_ratio(problem) > kStronglyBouncing);
 }
 
@@ -124,7 +125,7 @@ int automatic_order(const problem::Problem& problem) {
 // contribute a fraction 2e-7 of E[v^2], and a hundred times this fraction of the part of E[v^4] due
 // to the fourth cumulant. For problems with has_linearised_scales(), a solution in an enlarged box
 // estimates the truncation error instead.
-double wall_density_factor(const problem::Problem& problem) {
+double box_edge_density_factor(const problem::Problem& problem) {
   constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
   return problem.impulses.is_present() ? kTailsOfImpulses : kTails;
 }
@@ -135,7 +136,7 @@ bool has_automatic_grid(const Options& options) {
          options.refinement == defaults.refinement;
 }
 
-bool is_unbounded_at_origin(const problem::Problem& problem) {
+bool is_density_unbounded_at_origin(const problem::Problem& problem) {
   return has_linearised_scales(problem) && problem::impulses_per_decay_time(problem) <= 2;
 }
 
@@ -155,8 +156,8 @@ double origin_refinement(const problem::Problem& problem, const Options& options
 // neighbouring cells differ by more than a quarter, a grid-scale ripple of up to 4 % of p(y) is
 // amplified. The long reach keeps the differences below a quarter, also on the coarser grids of an
 // error estimate.
-Gradings gradings(const problem::Problem& problem, const Options& options,
-                  const LengthScales& lengths) {
+GridGradings automatic_gradings(const problem::Problem& problem, const Options& options,
+                                const LengthScales& lengths) {
   // Distances from the refinement point, in length scales, at which cells have half of their full
   // width.
   constexpr double kLongReach = 2, kReach = 0.75;
@@ -169,16 +170,17 @@ Gradings gradings(const problem::Problem& problem, const Options& options,
     return Grading{.reach = reach, .core = reach / (factor - 1)};
   };
   const double reach = linearised ? kReach : kLongReach;
-  Gradings result{.x1 = grading((cubic ? kLongReach : reach) * lengths.x1),
-                  .x2 = grading(reach * lengths.x2),
-                  .at_left_wall = linearised || has_dissipative_impacts(problem.system.left_wall()),
-                  .at_right_wall = has_dissipative_impacts(problem.system.right_wall())};
+  GridGradings result{
+      .x1 = grading((cubic ? kLongReach : reach) * lengths.x1),
+      .x2 = grading(reach * lengths.x2),
+      .at_left_wall = linearised || has_dissipative_impacts(problem.system.left_wall()),
+      .at_right_wall = has_dissipative_impacts(problem.system.right_wall())};
   if (cubic) result.x1.core = std::min(result.x1.core, std::pow(result.x2.core, 3) / diffusion);
   return result;
 }
 
-LengthScales cell_widths(const problem::Problem& problem, const Options& options,
-                         const LengthScales& lengths) {
+LengthScales automatic_cell_widths(const problem::Problem& problem, const Options& options,
+                                   const LengthScales& lengths) {
   // Cell widths in length scales; the steep tail of p(y) requires the narrower cells in x1.
   constexpr double kX1Step = 0.15, kX2Step = 0.16;
   // Wider cells far from the refinement points compensate the number of narrow cells near the

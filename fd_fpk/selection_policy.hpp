@@ -5,8 +5,8 @@
 
 #include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/options.hpp"
+#include "problem/motion_scales.hpp"
 #include "problem/problem.hpp"
-#include "problem/scales.hpp"
 
 /// Selection policy of the solver: all choices of algorithm, order, grid and box that depend on the
 /// problem. The file selection_policy.cpp states the thresholds of all choices and the origin of
@@ -22,7 +22,7 @@ bool has_linearised_scales(const problem::Problem& problem);
 /// Number of impulses per decay time above which characteristics would visit too many cells
 inline constexpr double kMostImpulsesOfCharacteristics = 3000;
 /// Returns whether the solver first tries transport along characteristics.
-bool are_characteristics_preferred(const problem::Problem& problem, double per_decay_time);
+bool are_characteristics_preferred(const problem::Problem& problem, double impulses_per_decay_time);
 /// Returns whether upwind differences cannot resolve the density, which is unbounded or has flights
 /// between impacts shorter than a cell.
 bool are_characteristics_required(const problem::Problem& problem);
@@ -36,7 +36,7 @@ int automatic_order(const problem::Problem& problem);
 
 /// Returns the factor of Options::wall_density for the stationary density on upwind grids, for
 /// problems without has_linearised_scales().
-double wall_density_factor(const problem::Problem& problem);
+double box_edge_density_factor(const problem::Problem& problem);
 
 /// Limits that a density must satisfy to count as resolved by the grid.
 struct ResolutionLimits {
@@ -66,7 +66,7 @@ bool must_satisfy_balances(const problem::Problem& problem);
 bool has_automatic_grid(const Options& options);
 
 /// Returns whether rare impulses make the joint density unbounded at the rest point.
-bool is_unbounded_at_origin(const problem::Problem& problem);
+bool is_density_unbounded_at_origin(const problem::Problem& problem);
 
 /// Returns whether the relative discontinuity 1/r^2 - 1 of the density at a wall exceeds a tenth.
 bool has_dissipative_impacts(const std::optional<problem::Wall>& wall);
@@ -87,15 +87,15 @@ struct LengthScales {
 };
 
 /// Gradings of the cells of x1 towards walls, and of the cells of x2 towards 0.
-struct Gradings {
+struct GridGradings {
   Grading x1, x2;
   bool at_left_wall = false, at_right_wall = false;
 };
-Gradings gradings(const problem::Problem& problem, const Options& options,
-                  const LengthScales& lengths);
+GridGradings automatic_gradings(const problem::Problem& problem, const Options& options,
+                                const LengthScales& lengths);
 
 /// Returns the cell widths in x1 and x2 far from the refinement points.
-LengthScales cell_widths(const problem::Problem& problem, const Options& options,
-                         const LengthScales& lengths);
+LengthScales automatic_cell_widths(const problem::Problem& problem, const Options& options,
+                                   const LengthScales& lengths);
 
 }  // namespace fpkcheck::fd_fpk

@@ -13,7 +13,7 @@
 #include "fd_fpk/stationary/error_estimate.hpp"
 #include "fd_fpk/stationary/solve_on_one_grid.hpp"
 #include "fd_fpk/stopwatch.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -50,8 +50,8 @@ class Solver {
         options_.transport == TransportScheme::characteristics) {
       return solve_with(TransportScheme::characteristics);
     }
-    const double per_decay_time = problem::impulses_per_decay_time(problem_, scales_);
-    const bool along = are_characteristics_preferred(problem_, per_decay_time);
+    const double impulses_per_decay_time = problem::impulses_per_decay_time(problem_, scales_);
+    const bool along = are_characteristics_preferred(problem_, impulses_per_decay_time);
     if (!has_automatic_grid(options_))
       return solve_with(along ? TransportScheme::characteristics : TransportScheme::upwind);
     if (along && are_characteristics_required(problem_))
@@ -69,10 +69,11 @@ class Solver {
     // Above kMostImpulsesOfCharacteristics characteristics would visit too many cells. A box that
     // the options set is the same for both transports.
     const bool given_box = options_.x1_max || options_.x2_max;
-    if (given_box || (!along && per_decay_time > kMostImpulsesOfCharacteristics)) return first;
+    if (given_box || (!along && impulses_per_decay_time > kMostImpulsesOfCharacteristics))
+      return first;
     Result second =
         solve_with(along ? TransportScheme::upwind : TransportScheme::characteristics, deadline_);
-    return is_better(second, first) ? second : first;
+    return is_preferable_result(second, first) ? second : first;
   }
 
  private:
@@ -94,7 +95,7 @@ class Solver {
     ScalesAndBox scales_and_box{.scales = scales_};
     // All grids share one box and the length scales that determine the cell widths.
     if (!has_linearised_scales(problem_) && transport == TransportScheme::upwind) {
-      options.wall_density *= wall_density_factor(problem_);
+      options.wall_density *= box_edge_density_factor(problem_);
       scales_and_box.box = stationary_box(problem_, scales_and_box.scales, options, deadline);
     }
     const auto on_one_grid = [&](const Options& grid) {

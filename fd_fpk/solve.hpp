@@ -26,7 +26,7 @@ std::vector<std::pair<std::string, std::string>> library_versions();
 /// literal km4 on a fine grid). The status is `inadmissible` if the density is negative or the
 /// residual of the power balance is too large (check_resolution()). The status is `failed` if the
 /// box is too small, the grid is too large, or KLU fails. Under white noise the status is `failed`
-/// also if impacts accumulate at the restitution coefficient (problem/features.hpp).
+/// also if impacts accumulate at the restitution coefficient (problem/problem_features.hpp).
 /// @throws InputError for invalid options
 Result solve(const problem::Problem& problem, const Options& options);
 

@@ -22,7 +22,8 @@ void add_density_metric(MetricBuilder& builder, const std::string& path, double 
 
 void add_metrics(MetricBuilder& builder, const ErrorEstimate& error) {
   // The error estimate of the impact rate is a work metric, which need not be reproducible.
-  if (std::isfinite(error.impact_rate)) builder.add_work("error.impact_rate", error.impact_rate);
+  if (std::isfinite(error.impact_rate))
+    builder.add_diagnostic("error.impact_rate", error.impact_rate);
   // The observed order, a logarithm of small differences, is sensitive to rounding errors.
   builder.add({.path = "error.observed_order",
                .value = error.observed_order,
@@ -46,17 +47,17 @@ transform::Metrics metrics(const Summary& summary) {
       .add_result("origin_refinement", summary.origin_refinement)
       .add_result("x1_max", summary.x1_max)
       .add_result("x2_max", summary.x2_max)
-      .add_work("nonzeros", value_from_count(summary.nonzeros))
-      .add_work("leak", summary.leak)
-      .add_work("steps", value_from_count(summary.steps))
-      .add_work("factorisations", value_from_count(summary.factorisations))
-      .add_work("rhs_evaluations", value_from_count(summary.rhs_evaluations))
-      .add_work("krylov_iterations", value_from_count(summary.krylov_iterations))
-      .add_work("factor_entries", value_from_count(summary.factor_entries))
-      .add_work("factor_seconds", summary.factor_seconds)
-      .add_work("krylov_seconds", summary.krylov_seconds)
-      .add_work("residual", summary.residual)
-      .add_work("stepped_against_direct", summary.stepped_against_direct)
+      .add_diagnostic("nonzeros", value_from_count(summary.nonzeros))
+      .add_diagnostic("leak", summary.leak)
+      .add_diagnostic("steps", value_from_count(summary.steps))
+      .add_diagnostic("factorisations", value_from_count(summary.factorisations))
+      .add_diagnostic("rhs_evaluations", value_from_count(summary.rhs_evaluations))
+      .add_diagnostic("krylov_iterations", value_from_count(summary.krylov_iterations))
+      .add_diagnostic("factor_entries", value_from_count(summary.factor_entries))
+      .add_diagnostic("factor_seconds", summary.factor_seconds)
+      .add_diagnostic("krylov_seconds", summary.krylov_seconds)
+      .add_diagnostic("residual", summary.residual)
+      .add_diagnostic("stepped_against_direct", summary.stepped_against_direct)
       .add_result("regularisation_length", summary.regularisation_length)
       .add_result("growth_rate", summary.growth_rate)
       .add_result("growth_wavenumber", summary.growth_wavenumber);
@@ -66,7 +67,7 @@ transform::Metrics metrics(const Summary& summary) {
   add_balance_metrics(builder, summary.balances);
   if (summary.transport == TransportScheme::characteristics) {
     builder.add_result("transport", std::string(name(summary.transport)))
-        .add_work("visits", value_from_count(summary.visits))
+        .add_diagnostic("visits", value_from_count(summary.visits))
         .add_result("rest_mass", summary.rest_mass);
   } else {
     builder.add_result("order", value_from_count(summary.order));

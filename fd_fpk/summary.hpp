@@ -58,9 +58,9 @@ struct Summary {
   double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
   double growth_rate = 0;  ///< largest real part of the excitation's symbol (positive: ill-posed)
   double growth_wavenumber = 0;
-  WallDensity wall{0, 0};  ///< density on the edges of the box, relative to the peak
+  BoxEdgeDensity wall{0, 0};  ///< density on the edges of the box, relative to the peak
   /// Larger box in which a second solution measures the truncation error, if not negligible
-  std::optional<BoxExtension> enlarged_box = {};
+  std::optional<EnlargedBox> enlarged_box = {};
   transform::Moments moments_outside_box = {};  ///< estimated moments of the tails outside the box
   /// Error estimates; absent if the options do not request an estimate
   std::optional<ErrorEstimate> error = {};

@@ -17,9 +17,9 @@
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 #include "fd_fpk/stopwatch.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 #include "problem/undamped_orbits.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -45,7 +45,7 @@ Gaussian initial_density(const problem::Problem& problem, const problem::MotionS
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
     start.mean_displacement = 0;
   }
-  const problem::Frame& frame = problem.frame;
+  const problem::WallFrame& frame = problem.frame;
   if (const auto& y = transient.start_mean_displacement) start.mean_displacement = frame.wall_x(*y);
   if (const auto& v = transient.start_mean_velocity)
     start.mean_velocity = frame.physical_velocity(*v);
@@ -109,16 +109,16 @@ Options refine_for_initial_density(Options options, const LengthScales& of_stati
   return options;
 }
 
-Snapshot make_snapshot(const problem::Problem& problem, const Options& options,
-                       const Discretisation& on, const FokkerPlanckOperator& op,
-                       const Eigen::VectorXd& averages, double time) {
+DensitySnapshot make_snapshot(const problem::Problem& problem, const Options& options,
+                              const Discretisation& on, const FokkerPlanckOperator& op,
+                              const Eigen::VectorXd& averages, double time) {
   const Grid& grid = on.grid;
   const Eigen::VectorXd change = op * averages;
   const problem::System& system = problem.system;
-  const problem::Frame& frame = problem.frame;
-  Snapshot s{.time = time,
-             .moments = physical_moments(frame, grid, averages, transport_order(options)),
-             .yv = physical_mixed_moment(frame, grid, averages, transport_order(options))};
+  const problem::WallFrame& frame = problem.frame;
+  DensitySnapshot s{.time = time,
+                    .moments = physical_moments(frame, grid, averages, transport_order(options)),
+                    .yv = physical_mixed_moment(frame, grid, averages, transport_order(options))};
   // The potential U is 0 at y = 0, whatever the origin of the wall coordinates.
   s.energy = mean_energy(system, grid, averages, transport_order(options)) -
              system.potential()(frame.wall_x(0));
@@ -135,7 +135,7 @@ Snapshot make_snapshot(const problem::Problem& problem, const Options& options,
                                           change, transport_order(options));
   s.mass = op.total_mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
-  s.wall = relative_wall_density(problem::scales(problem), grid, averages);
+  s.wall = relative_box_edge_density(problem::scales(problem), grid, averages);
   const auto [y, ydot] = marginals(grid, averages);
   s.y.assign(y.begin(), y.end());
   s.v.assign(ydot.begin(), ydot.end());
@@ -146,7 +146,7 @@ Snapshot make_snapshot(const problem::Problem& problem, const Options& options,
   return s;
 }
 
-void check_snapshot(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
+void check_snapshot(const problem::WallFrame& frame, const Grid& grid, const DensitySnapshot& at,
                     TransientResult& result) {
   const std::string when = fmt::format("at t = {:.4g} ", at.time);
   if (std::string small = box_failure_reason(frame, grid, at.wall, when); !small.empty()) {
@@ -194,20 +194,21 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
 
   const Grid& grid = on.grid;
   const Eigen::VectorXd start = cell_averages(gaussian, grid);
-  LinearCvode cvode(with_deadline(deadline, linear_ode_system(op, preconditioner)), start,
-                    {.max_order = transient.max_order,
-                     .relative_tolerance = transient.relative_tolerance,
-                     .absolute_tolerance = transient.relative_tolerance * start.maxCoeff(),
-                     .linear_tolerance = kLinearTolerance,
-                     .stop_time = transient.until,
-                     .max_steps = kMostSteps,
-                     .steps_per_factorisation = kStepsPerFactorisation});
+  LinearCvodeIntegrator cvode(
+      with_deadline_check(deadline, linear_ode_system(op, preconditioner)), start,
+      {.max_order = transient.max_order,
+       .relative_tolerance = transient.relative_tolerance,
+       .absolute_tolerance = transient.relative_tolerance * start.maxCoeff(),
+       .linear_tolerance = kLinearTolerance,
+       .stop_time = transient.until,
+       .max_steps = kMostSteps,
+       .steps_per_factorisation = kStepsPerFactorisation});
 
   result.status = Status::ok;
   for (int n = 0; n <= transient.snapshots && result.status == Status::ok; ++n) {
     const double time =
         n == transient.snapshots ? transient.until : n * (transient.until / transient.snapshots);
-    LinearCvode::StepResult to{0, 0};
+    LinearCvodeIntegrator::StepResult to{0, 0};
     try {
       if (n > 0) to = cvode.advance(time);
     } catch (const DeadlineExceeded&) {
@@ -237,7 +238,7 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
 TransientResult solve_without_timing(const problem::Problem& problem, const Options& options,
                                      const TransientOptions& transient) {
   const problem::MotionScales scales = problem::scales(problem);
-  const problem::Frame& frame = problem.frame;
+  const problem::WallFrame& frame = problem.frame;
   const Gaussian start = initial_density(problem, scales, transient);
   TransientResult result;
   result.start_displacement = start.displacement_deviation;

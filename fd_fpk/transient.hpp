@@ -11,7 +11,7 @@
 namespace fpkcheck::fd_fpk {
 
 /// The density at one time, in physical coordinates.
-struct Snapshot {
+struct DensitySnapshot {
   double time = 0;
   transform::Moments moments{};
   double yv = 0;      ///< moment E[y y']
@@ -23,9 +23,9 @@ struct Snapshot {
   double power_residual = 0;
   double impact_rate = 0;  ///< flux of probability into the walls, int |v| p dv
   double mass = 0;
-  double min_density = 0;   ///< smallest density, relative to the largest density
-  WallDensity wall{0, 0};   ///< density on the edges of the box, relative to the peak
-  std::vector<double> y{};  ///< p(y, t), averages over the cells between TransientResult::y_edges
+  double min_density = 0;     ///< smallest density, relative to the largest density
+  BoxEdgeDensity wall{0, 0};  ///< density on the edges of the box, relative to the peak
+  std::vector<double> y{};    ///< p(y, t), averages over the cells between TransientResult::y_edges
   std::vector<double> v{};  ///< p(y', t), averages over the cells between TransientResult::v_edges
 };
 
@@ -39,7 +39,7 @@ struct TransientResult {
   double start_mean_velocity = 0;
   std::vector<double> y_edges;  ///< faces of the grid in y
   std::vector<double> v_edges;
-  std::vector<Snapshot> snapshots;  ///< snapshots up to the end of the integration
+  std::vector<DensitySnapshot> snapshots;  ///< snapshots up to the end of the integration
   long steps = 0;
   long factorisations = 0;
   long rhs_evaluations = 0;

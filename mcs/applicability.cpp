@@ -1,7 +1,7 @@
 #include "mcs/applicability.hpp"
 
 #include "mcs/motion/oscillator.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -20,7 +20,7 @@ std::string unsupported_splitting_reason(const problem::Problem& problem, const 
   // For a Duffing oscillator at a wall, c > 0 and evenly spaced impulses replace the white noise.
   if (is_duffing_at_wall(problem)) return "";
   const auto features = problem::features(problem);
-  if (features.noise || !features.impulses || options.equation == Equation::white) {
+  if (features.noise || !features.impulses || options.equation == DensityEquation::white) {
     return "tail splitting needs an energy that rises at impulses only, and noise raises the "
            "energy at all times";
   }

@@ -22,11 +22,11 @@ constexpr double kLongestStep = 1.2;
 constexpr double kLongestWhiteStep = 0.5;
 constexpr double kShortestStep = 1e-4;
 
-constexpr Equation kEquations[] = {Equation::kf, Equation::white};
+constexpr DensityEquation kEquations[] = {DensityEquation::kf, DensityEquation::white};
 
 std::vector<std::string> names_of_equations() {
   std::vector<std::string> list;
-  for (const Equation equation : kEquations) list.emplace_back(name(equation));
+  for (const DensityEquation equation : kEquations) list.emplace_back(name(equation));
   return list;
 }
 
@@ -95,10 +95,10 @@ void validate(const Options& options) {
                     "white (Gaussian white noise)",
                     name(options.equation)));
   }
-  if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
-  if (!options.v_edges.empty()) require_edges("mcs.v_edges", options.v_edges);
+  if (!options.y_edges.empty()) require_increasing_edges("mcs.y_edges", options.y_edges);
+  if (!options.v_edges.empty()) require_increasing_edges("mcs.v_edges", options.v_edges);
   if (options.deposit) require_valid_deposit_grid(*options.deposit);
-  if (options.deposit && (options.equation != Equation::kf || options.tails)) {
+  if (options.deposit && (options.equation != DensityEquation::kf || options.tails)) {
     throw InputError(
         "mcs.deposit with white noise or tails: deposits need impulses without "
         "splitting; omit mcs.deposit");
@@ -110,19 +110,19 @@ void validate(const Options& options) {
 }
 
 std::string id(const Options& options) {
-  return options.equation == Equation::white ? "mcs-white" : "mcs";
+  return options.equation == DensityEquation::white ? "mcs-white" : "mcs";
 }
 
 transform::SolutionIdentity identity(const Options& options) {
   return {.id = id(options),
           .method = "mcs",
           .equation = options.equation,
-          .impact = problem::Impact::exact,
+          .impact = problem::ImpactCondition::exact,
           .role = transform::SolutionRole::simulation};
 }
 
 std::optional<Options> options_of(std::string_view id) {
-  for (const Equation equation : kEquations) {
+  for (const DensityEquation equation : kEquations) {
     const Options options{.equation = equation};
     if (mcs::id(options) == id) return options;
   }

@@ -10,7 +10,7 @@
 #include "base/options/description.hpp"
 #include "mcs/deposit/deposit.hpp"
 #include "problem/model.hpp"
-#include "transform/identity.hpp"
+#include "transform/solution_identity.hpp"
 
 /// Monte Carlo simulation of the impact system, paper (1)-(2), in wall coordinates
 /// (problem/walls.hpp), with other forces, damping, walls and Gaussian noise as extensions. The
@@ -18,7 +18,7 @@
 /// solvers.
 namespace fpkcheck::mcs {
 
-using problem::Equation;
+using problem::DensityEquation;
 
 struct Progress {
   double fraction;  ///< fraction of the simulation that is complete, estimated
@@ -40,7 +40,7 @@ struct ProcessGroup {
 struct Options {
   /// Excitation: `kf` for the impulses, paper (3), or `white` for Gaussian white noise of the same
   /// mean and intensity
-  Equation equation = Equation::kf;
+  DensityEquation equation = DensityEquation::kf;
   /// Simulated time, summed over all streams, rounded up to whole rounds. The default is 1.6e6
   /// decay times of the slowest mode of equivalent linearisation (2/c_eq below critical damping),
   /// divided by 32 with `tails` and by 8 with `controlled`. With `samples` or `target_error` the
@@ -100,7 +100,7 @@ struct Options {
   /// Processes among which the streams are divided. The result of the first process is the same,
   /// bit for bit, for any number of processes. Several processes require `time` and permit no
   /// checkpoints.
-  ProcessGroup team{};
+  ProcessGroup process_group{};
 };
 
 const base::Description<Options>& description();

@@ -48,12 +48,13 @@ struct SamplingErrors {
 };
 
 SamplingErrors current_sampling_errors(const Simulation& simulation) {
-  const StreamWeights weights(excess_powers(simulation));
-  const auto l1 = [&](transform::Variable variable) {
+  const StreamWeights weights(excess_impulse_powers(simulation));
+  const auto l1 = [&](transform::StateVariable variable) {
     return expected_l1_error(estimate_marginal(simulation, weights, variable, 1).errors);
   };
-  SamplingErrors now{
-      .y_l1 = l1(transform::Variable::y), .ydot_l1 = l1(transform::Variable::ydot), .target = 0};
+  SamplingErrors now{.y_l1 = l1(transform::StateVariable::y),
+                     .ydot_l1 = l1(transform::StateVariable::ydot),
+                     .target = 0};
   now.target = std::max(now.y_l1, now.ydot_l1);
   for (const auto& [p, q] : {std::pair{2, 0}, std::pair{0, 2}}) {
     const Estimate e = weights.estimate(stream_moments(simulation, p, q));
@@ -79,7 +80,7 @@ RunProgress run_progress(const Simulation& simulation, const Options& options) {
   now.goal_reached = options.target_error || options.samples;
   // With several processes each process has only a part of the streams, from which the errors of
   // the complete result cannot be computed.
-  if (options.team.parts > 1) return now;
+  if (options.process_group.parts > 1) return now;
   if (options.target_error || options.progress) now.errors = current_sampling_errors(simulation);
   if (options.target_error) {
     now.fraction = std::max(now.fraction, std::pow(*options.target_error / now.errors->target, 2));
@@ -105,7 +106,8 @@ std::optional<RunOutcome> run_outcome(const Simulation& simulation, const Option
   }
   // With several processes Options::stop is ignored, since all processes must simulate the same
   // time. A stop request then ends the process.
-  if (simulation.rounds() > 0 && options.team.parts == 1 && options.stop && options.stop()) {
+  if (simulation.rounds() > 0 && options.process_group.parts == 1 && options.stop &&
+      options.stop()) {
     return RunOutcome{
         .unreached_reason = fmt::format("interrupted: only {:.1f} % of the simulation is "
                                         "complete",
@@ -140,7 +142,7 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
     for (const Stream& stream : simulation.streams()) {
       std::ranges::transform(energies, stream.record.energies, energies.begin(), std::plus{});
     }
-    auto next = choose_thresholds(
+    auto next = choose_energy_thresholds(
         splitting.energy_bins(), energies,
         kFewestVisits * std::pow(ImportanceSplitting::kCopies, -splitting.threshold_count()),
         kRarest);

@@ -19,12 +19,12 @@
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation_runs.hpp"
 #include "problem/balances.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 void estimate_moments(const Simulation& simulation, const StreamWeights& weights, Result& result) {
   using transform::Moments;
@@ -48,30 +48,33 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
 
 /// Returns the mean damping power E[y' f(y, y')] with the damping force f.
 double damping_power(const problem::System& system, const Simulation& simulation,
-                     const StreamRecord& r) {
+                     const StreamStatistics& r) {
   const auto& c = system.damping_polynomial();
-  return c.coefficient(0) * moment(simulation, r, 0, 2) +
-         c.coefficient(1) * moment(simulation, r, 1, 2) +
-         c.coefficient(2) * moment(simulation, r, 2, 2) +
-         system.rayleigh_coefficient() * moment(simulation, r, 0, 4);
+  return c.coefficient(0) * moment_in_wall_coordinates(simulation, r, 0, 2) +
+         c.coefficient(1) * moment_in_wall_coordinates(simulation, r, 1, 2) +
+         c.coefficient(2) * moment_in_wall_coordinates(simulation, r, 2, 2) +
+         system.rayleigh_coefficient() * moment_in_wall_coordinates(simulation, r, 0, 4);
 }
 
 void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
                       const StreamWeights& weights, Result& result) {
   result.summary.impacts_accumulate = simulation.plan().has_contact_atoms;
-  result.summary.impact_rate = weights.estimate(value_per_stream(
-      simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
+  result.summary.impact_rate =
+      weights.estimate(statistic_per_stream(simulation.streams(), [&](const auto& r) {
+        return r.impacts / simulation.simulated_time_per_stream();
+      }));
   // The weighted mean of the residuals of the streams estimates the residual, since the residual is
   // linear in the averages.
-  const auto residual = weights.estimate(value_per_stream(simulation.streams(), [&](const auto& r) {
-    return problem::energy_residual(
-        problem, problem::Impact::exact,
-        {.mean_velocity = moment(simulation, r, 0, 1),
-         .mean_square_velocity = moment(simulation, r, 0, 2),
-         .impact_energy_flux = r.left_energy / simulation.stream_time(),
-         .right_energy_flux = r.right_energy / simulation.stream_time(),
-         .mean_damping_power = damping_power(problem.system, simulation, r)});
-  }));
+  const auto residual =
+      weights.estimate(statistic_per_stream(simulation.streams(), [&](const auto& r) {
+        return problem::energy_residual(
+            problem, problem::ImpactCondition::exact,
+            {.mean_velocity = moment_in_wall_coordinates(simulation, r, 0, 1),
+             .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
+             .impact_energy_flux = r.left_energy / simulation.simulated_time_per_stream(),
+             .right_energy_flux = r.right_energy / simulation.simulated_time_per_stream(),
+             .mean_damping_power = damping_power(problem.system, simulation, r)});
+      }));
   result.solution.energy_residual = residual.mean;
   result.solution.standard_errors->energy_residual = residual.standard_error;
 }
@@ -84,48 +87,49 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   const auto& force = problem.system.restoring_force();
   const auto virial = force.multiplied_by_argument();
   const Oscillator& o = simulation.plan().oscillator;
-  const auto right_momentum = [&](const StreamRecord& r) {
-    return r.right_speed / simulation.stream_time();
+  const auto right_momentum = [&](const StreamStatistics& r) {
+    return r.right_speed / simulation.simulated_time_per_stream();
   };
   // Mean contact force of the mass at rest, 0 without atoms. The sums over impacts already include
   // the momentum of accumulating impacts.
-  const auto contact_force_at_rest = [&](const StreamRecord& r) {
+  const auto contact_force_at_rest = [&](const StreamStatistics& r) {
     return (o.left.contact_force * r.rest_left - o.right.contact_force * r.rest_right) /
-           simulation.stream_samples();
+           simulation.expected_samples_per_stream();
   };
   // Virial of the contact force that holds the mass at rest on the right wall, y = b.
-  const auto virial_at_rest = [&](const StreamRecord& r) {
+  const auto virial_at_rest = [&](const StreamStatistics& r) {
     return o.right.position * std::max(o.right.contact_force, 0.0) * r.rest_right /
-           simulation.stream_samples();
+           simulation.expected_samples_per_stream();
   };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
-    const auto difference = weights.estimate(value_per_stream(
+    const auto difference = weights.estimate(statistic_per_stream(
         simulation.streams(), [&](const auto& r) { return balance(r).difference(); }));
     const double scale =
         weights
-            .estimate(value_per_stream(simulation.streams(),
-                                       [&](const auto& r) { return balance(r).scale; }))
+            .estimate(statistic_per_stream(simulation.streams(),
+                                           [&](const auto& r) { return balance(r).scale; }))
             .mean;
     summary.balances.*member = difference.mean / scale;
     summary.balance_errors.*member = difference.standard_error / scale;
   };
   set(
-      [&](const StreamRecord& r) {
+      [&](const StreamStatistics& r) {
         return problem::virial_balance(
-            problem, {.mean_displacement = moment(simulation, r, 1, 0),
-                      .mean_square_velocity = moment(simulation, r, 0, 2),
-                      .mean_virial = polynomial_mean(simulation, r, virial) + virial_at_rest(r),
-                      .right_momentum = right_momentum(r),
-                      .mean_y_cubed_velocity = moment(simulation, r, 1, 3)});
+            problem,
+            {.mean_displacement = moment_in_wall_coordinates(simulation, r, 1, 0),
+             .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
+             .mean_virial = mean_of_polynomial_in_y(simulation, r, virial) + virial_at_rest(r),
+             .right_momentum = right_momentum(r),
+             .mean_y_cubed_velocity = moment_in_wall_coordinates(simulation, r, 1, 3)});
       },
       &transform::BalanceResiduals::virial);
   set(
-      [&](const StreamRecord& r) {
+      [&](const StreamStatistics& r) {
         return problem::momentum_balance(
-            problem, {.mean_force = polynomial_mean(simulation, r, force),
-                      .impact_momentum = r.left_speed / simulation.stream_time(),
+            problem, {.mean_force = mean_of_polynomial_in_y(simulation, r, force),
+                      .impact_momentum = r.left_speed / simulation.simulated_time_per_stream(),
                       .right_momentum = right_momentum(r),
-                      .mean_cubed_velocity = moment(simulation, r, 0, 3),
+                      .mean_cubed_velocity = moment_in_wall_coordinates(simulation, r, 0, 3),
                       .contact_momentum_rate = contact_force_at_rest(r)});
       },
       &transform::BalanceResiduals::momentum);
@@ -133,7 +137,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
 
 /// Compares the drawn impulses with the impulse law, without the weights of the streams.
 void estimate_excess_power(const Simulation& simulation, Summary& summary) {
-  const auto excess = plain_estimate(excess_powers(simulation));
+  const auto excess = unweighted_estimate(excess_impulse_powers(simulation));
   const double input = simulation.plan().excitation.power;
   summary.excess_power = excess.mean / input;
   summary.excess_power_error = excess.standard_error / input;
@@ -143,7 +147,8 @@ void estimate_excess_power(const Simulation& simulation, Summary& summary) {
 /// weights (StreamWeights) reduce the variances.
 void estimate_efficiency(const Simulation& simulation, Result& result) {
   const auto reduction = [&](int p, int q, double error) {
-    const double ratio = plain_estimate(stream_moments(simulation, p, q)).standard_error / error;
+    const double ratio =
+        unweighted_estimate(stream_moments(simulation, p, q)).standard_error / error;
     return ratio * ratio;
   };
   auto& solution = result.solution;
@@ -157,46 +162,48 @@ void estimate_efficiency(const Simulation& simulation, Result& result) {
 
 double outside_fraction(const Simulation& simulation, const StreamWeights& weights) {
   const SimulationPlan& plan = simulation.plan();
-  const auto beyond = value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
-    const auto rows = record.histogram.row_sums();
-    const double all = std::accumulate(rows.begin(), rows.end(), 0.0);
-    double inside = 0;
-    for (std::size_t i = 1; i <= plan.y_bins.bin_count(); ++i) {
-      for (std::size_t j = 1; j <= plan.v_bins.bin_count(); ++j) inside += record.histogram(i, j);
-    }
-    return all > 0 ? (all - inside) / all : 0.0;
-  });
+  const auto beyond =
+      statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
+        const auto rows = record.histogram.row_sums();
+        const double all = std::accumulate(rows.begin(), rows.end(), 0.0);
+        double inside = 0;
+        for (std::size_t i = 1; i <= plan.y_bins.bin_count(); ++i) {
+          for (std::size_t j = 1; j <= plan.v_bins.bin_count(); ++j)
+            inside += record.histogram(i, j);
+        }
+        return all > 0 ? (all - inside) / all : 0.0;
+      });
   return std::max(0.0, weights.estimate(beyond).mean);
 }
 
 void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                     transform::Solution& solution) {
   if (!simulation.plan().has_contact_atoms) return;
-  const auto add = [&](const Wall& wall, double StreamRecord::*rest) {
+  const auto add = [&](const Wall& wall, double StreamStatistics::*rest) {
     if (!(wall.exists && wall.contact_force > 0 && wall.restitution < 1)) return;
     const Estimate p =
-        weights.estimate(value_per_stream(simulation.streams(), [&](const StreamRecord& r) {
-          return r.*rest / simulation.stream_samples();
+        weights.estimate(statistic_per_stream(simulation.streams(), [&](const StreamStatistics& r) {
+          return r.*rest / simulation.expected_samples_per_stream();
         }));
     solution.atoms.push_back({.y = wall.position,
                               .probability = p.mean,
                               .standard_error = p.standard_error,
                               .error_estimate = {}});
   };
-  add(simulation.plan().oscillator.left, &StreamRecord::rest_left);
-  add(simulation.plan().oscillator.right, &StreamRecord::rest_right);
+  add(simulation.plan().oscillator.left, &StreamStatistics::rest_left);
+  add(simulation.plan().oscillator.right, &StreamStatistics::rest_right);
 }
 
 void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
                         Result& result) {
   auto& solution = result.solution;
   auto& summary = result.summary;
-  const auto marginal = [&](Variable variable) {
+  const auto marginal = [&](StateVariable variable) {
     auto estimate = estimate_marginal(simulation, weights, variable, summary.effective_samples);
     solution.estimated_marginals.emplace_back(variable, std::move(estimate.marginal));
     return l1_sampling_error(estimate.errors);
   };
-  const L1SamplingError y = marginal(Variable::y), ydot = marginal(Variable::ydot);
+  const L1SamplingError y = marginal(StateVariable::y), ydot = marginal(StateVariable::ydot);
   solution.sampling = transform::SamplingError{
       .y = y.expected, .ydot = ydot.expected, .y_99 = y.quantile_99, .ydot_99 = ydot.quantile_99};
   auto joint = estimate_joint_density(simulation, weights);
@@ -208,8 +215,8 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   summary.outside_fraction = outside_fraction(simulation, weights);
   // With atoms the distribution function has jumps, which the interpolation does not resolve.
   if (solution.atoms.empty()) {
-    summary.y_quantiles = estimate_quantiles(simulation, weights, Variable::y);
-    summary.v_quantiles = estimate_quantiles(simulation, weights, Variable::ydot);
+    summary.y_quantiles = estimate_quantiles(simulation, weights, StateVariable::y);
+    summary.v_quantiles = estimate_quantiles(simulation, weights, StateVariable::ydot);
   }
   summary.crossings = estimate_upcrossing_rates(simulation, weights);
   // The peaks are not estimated in two cases: white noise causes infinitely many maxima, and in a
@@ -222,7 +229,7 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
 
 void fill_summary(const Simulation& simulation, Summary& summary) {
   const SimulationPlan& plan = simulation.plan();
-  summary.time = simulation.stream_time() * plan.streams;
+  summary.time = simulation.simulated_time_per_stream() * plan.streams;
   summary.samples =
       simulation.rounds() * plan.samples_per_round * static_cast<std::uint64_t>(plan.streams);
   summary.sampling_interval = plan.sampling_interval;
@@ -247,10 +254,10 @@ void fill_summary(const Simulation& simulation, Summary& summary) {
 std::vector<StreamDeposit> deposits(const Simulation& simulation) {
   std::vector<StreamDeposit> all;
   for (const Stream& stream : simulation.streams()) {
-    const StreamRecord& record = stream.record;
+    const StreamStatistics& record = stream.record;
     all.push_back({.sums = record.deposit,
                    .samples = record.samples,
-                   .time = simulation.stream_time(),
+                   .time = simulation.simulated_time_per_stream(),
                    .impacts = record.impacts,
                    .powers = record.powers});
   }
@@ -311,7 +318,7 @@ void set_status(const SimulationPlan& plan, const Options& options, const Summar
 }
 
 void estimate(const problem::Problem& problem, const Simulation& simulation, Result& result) {
-  const StreamWeights weights(excess_powers(simulation));
+  const StreamWeights weights(excess_impulse_powers(simulation));
   result.solution.standard_errors.emplace();
   estimate_moments(simulation, weights, result);
   estimate_impacts(problem, simulation, weights, result);
@@ -323,7 +330,7 @@ void estimate(const problem::Problem& problem, const Simulation& simulation, Res
 }
 
 void require_options_for_processes(const Options& options) {
-  if (options.team.parts == 1) return;
+  if (options.process_group.parts == 1) return;
   const auto refuse = [](bool given, const char* option) {
     if (!given) return;
     throw InputError(fmt::format(
@@ -338,16 +345,16 @@ void require_options_for_processes(const Options& options) {
 
 /// Collects the streams of all processes in the first process.
 /// @return whether this process is the first process
-bool gather(const ProcessGroup& team, Simulation& simulation) {
-  if (team.parts == 1) return true;
+bool gather(const ProcessGroup& process_group, Simulation& simulation) {
+  if (process_group.parts == 1) return true;
   std::ostringstream own;
-  if (team.part > 0) simulation.save_part(own);
-  const auto others = team.gather(own.str());
+  if (process_group.part > 0) simulation.save_stream_subset(own);
+  const auto others = process_group.gather(own.str());
   for (std::size_t k = 0; k < others.size(); ++k) {
     std::istringstream part(others[k]);
-    simulation.load_part(part, static_cast<int>(k) + 1);
+    simulation.load_stream_subset(part, static_cast<int>(k) + 1);
   }
-  return team.part == 0;
+  return process_group.part == 0;
 }
 
 }  // namespace
@@ -389,7 +396,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (options.tails) splitting = choose_splitting_thresholds(problem, plan);
   const ImportanceSplitting* splits = splitting ? &*splitting : nullptr;
   Simulation simulation(problem, plan, splits);
-  simulation.restrict_to_part(options.team.part, options.team.parts);
+  simulation.restrict_to_stream_subset(options.process_group.part, options.process_group.parts);
   const std::string fingerprint = mcs::simulation_fingerprint(problem, plan, splits);
   if (options.resume.empty()) {
     simulation.burn_in();
@@ -399,7 +406,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   auto [unreached_reason, interrupted] =
       simulate_until_goal(simulation, options, checkpoints, fingerprint);
 
-  if (!gather(options.team, simulation)) {
+  if (!gather(options.process_group, simulation)) {
     solution.reason = "the first process has the result";
     return result;
   }

@@ -31,7 +31,7 @@ struct Result {
 /// A seed gives the same result, bit for bit, for any number of threads, SIMD lanes and
 /// interruptions. The status is not_converged if the simulation ends before its goal, or if the
 /// burn-in is below 5 decay times (ShortBurnInCause). The status is failed, without a density, for
-/// white noise with a restitution coefficient at which impacts accumulate (problem/features.hpp).
+/// white noise with a restitution coefficient at which impacts accumulate (problem/problem_features.hpp).
 /// @throws InputError as make_simulation_plan(), and for a checkpoint file that cannot be read or
 /// written
 Result solve(const problem::Problem& problem, const Options& options);

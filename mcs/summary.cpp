@@ -43,8 +43,8 @@ void add_quantile_metrics(MetricBuilder& builder, const std::string& path,
         const std::string error_path = at + ".standard_error";
         builder.add_result(at + ".probability", q.probability);
         builder.add({.path = at + ".value", .value = q.value, .standard_error_path = error_path});
-        builder.add_work(at + ".lower", q.lower);
-        builder.add_work(at + ".upper", q.upper);
+        builder.add_diagnostic(at + ".lower", q.lower);
+        builder.add_diagnostic(at + ".upper", q.upper);
         builder.add_error(error_path, (q.upper - q.lower) / (2 * numerics::kNormal95));
       });
 }
@@ -70,17 +70,17 @@ void add_rate_metrics(MetricBuilder& builder, const std::string& path,
 
 transform::Metrics metrics(const Summary& summary) {
   MetricBuilder builder;
-  builder.add_work("time", summary.time)
-      .add_work("samples", value_from_count(summary.samples))
+  builder.add_diagnostic("time", summary.time)
+      .add_diagnostic("samples", value_from_count(summary.samples))
       .add_error("effective_samples", summary.effective_samples)
       .add_error("effective_samples_y2", summary.effective_samples_y2);
   add_metrics(builder, "excess_power.relative", {summary.excess_power, summary.excess_power_error},
               "excess_power.standard_error");
-  builder.add_work("variance_reduction.y2", summary.variance_reduction_y2)
-      .add_work("variance_reduction.v2", summary.variance_reduction_v2)
-      .add_work("outside", summary.outside_fraction)
-      .add_work("seed", value_from_count(summary.seed))
-      .add_work("threads", value_from_count(summary.threads))
+  builder.add_diagnostic("variance_reduction.y2", summary.variance_reduction_y2)
+      .add_diagnostic("variance_reduction.v2", summary.variance_reduction_v2)
+      .add_diagnostic("outside", summary.outside_fraction)
+      .add_diagnostic("seed", value_from_count(summary.seed))
+      .add_diagnostic("threads", value_from_count(summary.threads))
       .add_result("streams", value_from_count(summary.streams))
       .add_result("step", summary.step)
       .add_result("sampling_interval", summary.sampling_interval)
@@ -89,9 +89,9 @@ transform::Metrics metrics(const Summary& summary) {
     add_metrics(builder, "impact_rate", summary.impact_rate, "impact_rate_error");
   }
   add_balance_metrics(builder, summary.balances, summary.balance_errors);
-  builder.add_work("impulses", value_from_count(summary.impulses))
-      .add_work("flights", value_from_count(summary.flights))
-      .add_work("rounds", value_from_count(summary.rounds))
+  builder.add_diagnostic("impulses", value_from_count(summary.impulses))
+      .add_diagnostic("flights", value_from_count(summary.flights))
+      .add_diagnostic("rounds", value_from_count(summary.rounds))
       .add_result("interrupted", summary.interrupted)
       .add_result("kick_interval", transform::value_from_optional(summary.kick_interval));
   add_moment_metrics(builder, summary.joint_moments);
@@ -99,9 +99,10 @@ transform::Metrics metrics(const Summary& summary) {
   add_quantile_metrics(builder, "quantiles.ydot", summary.v_quantiles);
   add_rate_metrics(builder, "upcrossings", summary.crossings);
   add_rate_metrics(builder, "peaks", summary.peaks);
-  add_metric_list(
-      builder, "splitting_thresholds", summary.thresholds, MetricKind::work,
-      [&](const std::string& at, double energy, std::size_t) { builder.add_work(at, energy); });
+  add_metric_list(builder, "splitting_thresholds", summary.thresholds, MetricKind::work,
+                  [&](const std::string& at, double energy, std::size_t) {
+                    builder.add_diagnostic(at, energy);
+                  });
   return std::move(builder).take_metrics();
 }
 

@@ -10,7 +10,7 @@
 #include "base/input_error.hpp"
 #include "base/process/parallel_for.hpp"
 #include "methods/run_cases.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::methods {
 
@@ -40,7 +40,7 @@ compare::GuaranteedBounds guaranteed_bounds(const problem::Problem& problem,
                                             const backward::Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   compare::GuaranteedBounds bounds{.reason = {}, .seconds = 0, .each = {}};
-  const bool completed = try_within_memory([&] {
+  const bool completed = run_unless_out_of_memory([&] {
     const backward::GuaranteedBounds computed = backward::compute_bounds(problem, options);
     bounds.reason = computed.reason;
     for (const auto& [functional, value] : computed.each) {
@@ -63,13 +63,13 @@ namespace {
 using results::CaseResult;
 using transform::Moments;
 
-struct SolutionErrors {
+struct MomentErrorsAndSources {
   results::MomentErrorEstimate error;
   std::vector<results::ErrorSource> sources;
 };
 
 results::ErrorSource error_source(const backward::DensityResiduals& residuals,
-                                  const problem::Frame& frame, const std::string& solution,
+                                  const problem::WallFrame& frame, const std::string& solution,
                                   const transform::NamedMoment& moment,
                                   const Eigen::MatrixXd& contributions,
                                   const transform::GridDensity& cells) {
@@ -88,13 +88,12 @@ results::ErrorSource error_source(const backward::DensityResiduals& residuals,
 }
 
 /// @param cells cells of the error sources, or null
-std::optional<SolutionErrors> estimate_moment_errors(const backward::DensityResiduals& residuals,
-                                                     const problem::Frame& frame,
-                                                     const transform::Solution& solution,
-                                                     const transform::GridDensity* cells) try {
+std::optional<MomentErrorsAndSources> estimate_moment_errors(
+    const backward::DensityResiduals& residuals, const problem::WallFrame& frame,
+    const transform::Solution& solution, const transform::GridDensity* cells) try {
   const auto weighted =
       residuals.estimate_errors(transform::to_wall_coordinates(frame, *solution.density));
-  SolutionErrors found{.error = {solution.id(), weighted.corrected, {}}, .sources = {}};
+  MomentErrorsAndSources found{.error = {solution.id(), weighted.corrected, {}}, .sources = {}};
   for (std::size_t k = 0; k < backward::kMomentCount; ++k) {
     const auto& named = transform::kMoments[k];
     found.error.error.*named.moment =
@@ -121,8 +120,8 @@ void add_moment_error_estimates(CaseResult& case_result, const ResidualErrorEsti
   }
   if (densities.empty()) return;
   const auto* cells = case_result.joints.empty() ? nullptr : &case_result.joints.front().density;
-  std::vector<std::optional<SolutionErrors>> found(densities.size());
-  const bool completed = try_within_memory([&] {
+  std::vector<std::optional<MomentErrorsAndSources>> found(densities.size());
+  const bool completed = run_unless_out_of_memory([&] {
     const auto* residuals = estimator.density_residuals();
     if (residuals == nullptr) return;
     base::parallel_for(densities.size(), thread_count, [&](std::size_t k) {

@@ -1,6 +1,6 @@
 #include "epc/options.hpp"
 #include "epc/solve.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/plot_style.hpp"
 
 namespace fpkcheck::methods {
@@ -69,7 +69,7 @@ Solver epc_solver() {
                           "amplitude and velocity.",
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}, kOlive, "diamond")},
       .run_options = {"accuracy"}};
-  return with_traits<epc::Options>(
+  return with_solver_traits<epc::Options>(
       std::move(entry),
       {.description = epc::description(),
        .validate = epc::validate,

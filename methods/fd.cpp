@@ -1,7 +1,7 @@
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/solve.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/plot_style.hpp"
 
 namespace fpkcheck::methods {
@@ -43,9 +43,9 @@ Solver fd_solver() {
                     .role = transform::SolutionRole::equation,
                     .meaning = "Finite volumes for the density equation that the id names.",
                     .default_ids = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
-                    .plot_style = equation_style}},
+                    .plot_style = density_equation_style}},
       .run_options = {"max_seconds"}};
-  return with_traits<fd_fpk::Options>(
+  return with_solver_traits<fd_fpk::Options>(
       std::move(entry),
       {.description = fd_fpk::description(),
        .validate = fd_fpk::validate,

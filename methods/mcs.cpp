@@ -8,7 +8,7 @@
 #include "mcs/applicability.hpp"
 #include "mcs/options.hpp"
 #include "mcs/solve.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/method.hpp"
 #include "methods/plot_style.hpp"
 
@@ -63,7 +63,7 @@ transform::Solution solve(const problem::Problem& problem, const mcs::Options& o
 // simulation therefore uses control variates, which are not available for other equations.
 std::optional<mcs::Options> options_with_control_variates(std::string_view id) {
   auto options = mcs::options_of(id);
-  if (options) options->controlled = options->equation == mcs::Equation::kf;
+  if (options) options->controlled = options->equation == mcs::DensityEquation::kf;
   return options;
 }
 
@@ -75,7 +75,7 @@ Method with_runtime_settings(Method simulation, const SimulationRuntimeSettings&
   options.resume = control.resume;
   options.stop = control.stop;
   options.warn = control.warn;
-  options.team = control.team;
+  options.process_group = control.process_group;
   simulation.solve = [options = std::move(options)](const problem::Problem& problem,
                                                     const SolveContext& context) {
     return solve_in_wall_coordinates(
@@ -102,14 +102,14 @@ Solver mcs_solver() {
                              .plot_style = simulation_style}},
                .uses_all_processors = true,
                .run_options = {"time", "seed", "threads"}};
-  return with_traits<mcs::Options>(std::move(entry),
-                                   {.description = mcs::description(),
-                                    .validate = mcs::validate,
-                                    .identity = mcs::identity,
-                                    .options_of = options_with_control_variates,
-                                    .solve = solve,
-                                    .check = mcs::require_solvable,
-                                    .unsupported_reason = mcs::unsupported_reason});
+  return with_solver_traits<mcs::Options>(std::move(entry),
+                                          {.description = mcs::description(),
+                                           .validate = mcs::validate,
+                                           .identity = mcs::identity,
+                                           .options_of = options_with_control_variates,
+                                           .solve = solve,
+                                           .check = mcs::require_solvable,
+                                           .unsupported_reason = mcs::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

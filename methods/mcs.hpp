@@ -15,7 +15,7 @@ struct SimulationRuntimeSettings {
   /// Returns whether the simulation must stop and return its result so far.
   std::function<bool()> stop = {};
   std::function<void(const std::string&)> warn = {};  ///< receives warnings about failed writes
-  mcs::ProcessGroup team = {};                        ///< processes that share the simulation
+  mcs::ProcessGroup process_group = {};               ///< processes that share the simulation
 };
 
 /// @param simulation a method of mcs_solver()

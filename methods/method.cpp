@@ -1,7 +1,7 @@
 #include "methods/method.hpp"
 
 #include "problem/walls.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::methods {
 
@@ -9,7 +9,7 @@ transform::Solution solve_in_wall_coordinates(
     const problem::Problem& problem, const SolveContext& context,
     const std::function<std::string(const problem::Problem&)>& unsupported_reason,
     const std::function<transform::Solution(const problem::Problem&, const SolveContext&)>& solve) {
-  const problem::Frame frame = problem::wall_frame(problem.system);
+  const problem::WallFrame frame = problem::wall_frame(problem.system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
   if (const std::string reason = unsupported_reason(transformed); !reason.empty()) {
     transform::Solution solution;

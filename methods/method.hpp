@@ -38,7 +38,7 @@ struct Method {
   base::Values options = {};             ///< values of the options, as stored in files
   /// Whether the method uses all processors, so that no other method should run at the same time.
   bool uses_all_processors = false;
-  /// Solves a problem. The caller sets the identity and options of the solution (solve_with).
+  /// Solves a problem. The caller sets the identity and options of the solution (solve_with_method).
   std::function<transform::Solution(const problem::Problem&, const SolveContext&)> solve;
   /// Checks that the options and a problem are compatible, before the first problem is solved; may
   /// be empty.
@@ -90,7 +90,7 @@ struct Solver {
   std::function<Method(const base::Values&)> method = {};
 };
 
-/// The functions of a solver's library, from which with_traits() makes a registry entry.
+/// The functions of a solver's library, from which with_solver_traits() makes a registry entry.
 template <class Options>
 struct SolverTraits {
   const base::Description<Options>& description;
@@ -112,7 +112,7 @@ struct SolverTraits {
 /// Returns a copy of a registry entry with the option descriptions, default options and functions
 /// of the solver's library.
 template <class Options>
-Solver with_traits(Solver solver, const SolverTraits<Options>& traits) {
+Solver with_solver_traits(Solver solver, const SolverTraits<Options>& traits) {
   solver.option_descriptions = &traits.description;
   solver.default_options = traits.description.values(Options{});
   solver.options_of = [traits](std::string_view id) -> std::optional<base::Values> {

@@ -5,8 +5,8 @@
 namespace fpkcheck::methods {
 namespace {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using transform::PlotStyle;
 using transform::SolutionIdentity;
 
@@ -41,22 +41,22 @@ PlotStyle closure_style(const ColourRamp& ramp, const SolutionIdentity& identity
           .symbol = symbol};
 }
 
-PlotStyle equation_style(const SolutionIdentity& identity) {
+PlotStyle density_equation_style(const SolutionIdentity& identity) {
   PlotStyle plot_style{.colour = kBlack,
                        .dash = "solid",
                        .width = 1.5,
                        .as_points = false,
                        .layer = 1,
                        .symbol = kEquationMarker};
-  if (identity.impact == Impact::delta) {
+  if (identity.impact == ImpactCondition::delta) {
     plot_style.dash = "(6,2)";
-  } else if (identity.equation == Equation::kf) {
+  } else if (identity.equation == DensityEquation::kf) {
     plot_style.colour = kSkyBlue;
     plot_style.width = 5;
     plot_style.layer = 0;
-  } else if (identity.equation == Equation::km4) {
+  } else if (identity.equation == DensityEquation::km4) {
     plot_style.colour = kBlue;
-  } else if (identity.equation == Equation::white) {
+  } else if (identity.equation == DensityEquation::white) {
     plot_style.colour = kGreen;
     plot_style.dash = "(1,2)";
     plot_style.width = 2;
@@ -64,7 +64,7 @@ PlotStyle equation_style(const SolutionIdentity& identity) {
   return plot_style;
 }
 
-PlotStyle scheme_style(std::size_t rank) {
+PlotStyle finite_volume_scheme_style(std::size_t rank) {
   constexpr std::array kBlues{"#9ECAE1", "#4292C6", "#08519C", "#08306B"};
   const auto shade = std::min(rank, kBlues.size() - 1);
   return {.colour = kBlues[shade],
@@ -84,7 +84,7 @@ PlotStyle simulation_style(const SolutionIdentity&) {
           .symbol = "circle"};
 }
 
-PlotStyle external_style(std::size_t rank) {
+PlotStyle external_density_style(std::size_t rank) {
   constexpr std::array kColours{"#DC050C", "#882E72", "#777777"};
   constexpr std::array kDashesOfFiles{"(4,3)", "(8,3)", "(4,3,1,3)"};
   return {.colour = kColours[rank % kColours.size()],
@@ -96,7 +96,7 @@ PlotStyle external_style(std::size_t rank) {
 }
 
 PlotStyle external_family_style(std::size_t rank, int order) {
-  PlotStyle plot_style = external_style(rank);
+  PlotStyle plot_style = external_density_style(rank);
   plot_style.dash = kDashes[order_index(order)];
   return plot_style;
 }

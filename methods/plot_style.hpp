@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "transform/identity.hpp"
+#include "transform/solution_identity.hpp"
 
 /// The plot styles of all methods, for figures and for the page of the report. Families of methods
 /// differ by hue and marker shape. The hues are the palette of Okabe and Ito, which colour-blind
@@ -32,17 +32,17 @@ transform::PlotStyle closure_style(const ColourRamp& ramp,
 
 /// Returns the plot style of a density equation: a line. The equation with the full jump integral
 /// has a broad solid line on the lowest layer.
-transform::PlotStyle equation_style(const transform::SolutionIdentity& identity);
+transform::PlotStyle density_equation_style(const transform::SolutionIdentity& identity);
 
 /// @param rank index of the finite-volume scheme by increasing order of accuracy, from 0
-transform::PlotStyle scheme_style(std::size_t rank);
+transform::PlotStyle finite_volume_scheme_style(std::size_t rank);
 
 /// Returns the plot style of a simulation: points on a layer above the lines.
 transform::PlotStyle simulation_style(const transform::SolutionIdentity& identity);
 
 /// Returns the plot style of an external density: a dashed line on the top layer.
 /// @param rank index of the density among all external densities, from 0
-transform::PlotStyle external_style(std::size_t rank);
+transform::PlotStyle external_density_style(std::size_t rank);
 /// @param rank index of the family among all external densities, from 0
 /// @param order order of the closure
 transform::PlotStyle external_family_style(std::size_t rank, int order);

@@ -12,7 +12,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -35,7 +35,7 @@ Values with_overrides(Values options, const Values& overrides) {
 }
 
 // Returns the default ids of a family or a solver, or the item itself.
-std::vector<std::string> selected_ids(const Registry& registry, const std::string& item) {
+std::vector<std::string> selected_ids(const SolverRegistry& registry, const std::string& item) {
   std::vector<std::string> ids;
   for (const auto& solver : registry.solvers()) {
     for (const auto& family : solver.families) {
@@ -49,7 +49,7 @@ std::vector<std::string> selected_ids(const Registry& registry, const std::strin
 
 }  // namespace
 
-void Registry::add(Solver solver) {
+void SolverRegistry::add(Solver solver) {
   if (find_solver(solver.name) != nullptr) {
     throw std::logic_error("solver '" + std::string(solver.name) + "' is registered twice");
   }
@@ -62,12 +62,12 @@ void Registry::add(Solver solver) {
   solvers_.push_back(std::move(solver));
 }
 
-const Solver* Registry::find_solver(std::string_view name) const {
+const Solver* SolverRegistry::find_solver(std::string_view name) const {
   const auto found = std::ranges::find(solvers_, name, &Solver::name);
   return found == solvers_.end() ? nullptr : &*found;
 }
 
-std::vector<const MethodFamily*> Registry::families() const {
+std::vector<const MethodFamily*> SolverRegistry::families() const {
   std::vector<const MethodFamily*> all;
   for (const auto& solver : solvers_) {
     for (const auto& family : solver.families) all.push_back(&family);
@@ -76,7 +76,7 @@ std::vector<const MethodFamily*> Registry::families() const {
   return all;
 }
 
-void Registry::complete_identity(SolutionIdentity& identity) const {
+void SolverRegistry::complete_identity(SolutionIdentity& identity) const {
   const auto all = families();
   const auto entry = std::ranges::find_if(
       all, [&](const MethodFamily* family) { return is_in_family(identity.id, family->name); });
@@ -95,16 +95,17 @@ void Registry::complete_identity(SolutionIdentity& identity) const {
   identity.plot_style = family.plot_style(identity);
 }
 
-Method Registry::with_complete_identity(Method method) const {
+Method SolverRegistry::with_complete_identity(Method method) const {
   complete_identity(method.identity);
   return method;
 }
 
-Method Registry::make_method(const Solver& solver, const Values& options) const {
+Method SolverRegistry::make_method(const Solver& solver, const Values& options) const {
   return with_complete_identity(solver.method(options));
 }
 
-std::optional<Method> Registry::method_by_id(std::string_view id, const Values& overrides) const {
+std::optional<Method> SolverRegistry::method_by_id(std::string_view id,
+                                                   const Values& overrides) const {
   for (const auto& solver : solvers_) {
     if (const auto options = solver.options_of(id)) {
       return make_method(solver, with_overrides(*options, overrides));
@@ -113,8 +114,8 @@ std::optional<Method> Registry::method_by_id(std::string_view id, const Values& 
   return std::nullopt;
 }
 
-std::vector<Method> Registry::select_methods(const std::string& list,
-                                             const Values& overrides) const {
+std::vector<Method> SolverRegistry::select_methods(const std::string& list,
+                                                   const Values& overrides) const {
   std::map<std::string, Method> methods;
   std::istringstream items(list);
   for (std::string item; std::getline(items, item, ',');) {
@@ -122,14 +123,14 @@ std::vector<Method> Registry::select_methods(const std::string& list,
       auto found = method_by_id(id, overrides);
       if (!found) {
         throw InputError(fmt::format("--methods: unknown method {}; use {}", base::in_quotes(item),
-                                     selectable_items_text(*this)));
+                                     selectable_methods_text(*this)));
       }
       methods.emplace(found->id(), std::move(*found));
     }
   }
   if (methods.empty()) {
     throw InputError(fmt::format("--methods: the list is empty; use {}, separated by commas",
-                                 selectable_items_text(*this)));
+                                 selectable_methods_text(*this)));
   }
   std::vector<Method> ordered;
   for (auto& [id, method] : methods) ordered.push_back(std::move(method));
@@ -137,8 +138,8 @@ std::vector<Method> Registry::select_methods(const std::string& list,
   return ordered;
 }
 
-std::optional<Method> Registry::method_for_solution(const Solution& solution,
-                                                    const Values& overrides) const {
+std::optional<Method> SolverRegistry::method_for_solution(const Solution& solution,
+                                                          const Values& overrides) const {
   const auto& identity = solution.identity;
   if (transform::is_external(identity)) return std::nullopt;
   const Solver* solver = find_solver(identity.method);
@@ -156,7 +157,7 @@ std::optional<Method> Registry::method_for_solution(const Solution& solution,
   return made;
 }
 
-void Registry::complete_identities(results::Run& run) const {
+void SolverRegistry::complete_solution_identities(results::Run& run) const {
   for (auto& one : run.cases) {
     for (auto& solution : one.solutions) {
       if (!solution.identity.family.empty()) continue;
@@ -170,7 +171,7 @@ bool is_less_trusted(const SolutionIdentity& first, const SolutionIdentity& seco
          std::tie(second.role, second.trust, second.id);
 }
 
-std::string selectable_items_text(const Registry& registry) {
+std::string selectable_methods_text(const SolverRegistry& registry) {
   std::vector<std::string> names, examples;
   for (const auto& solver : registry.solvers()) {
     names.push_back(solver.name);
@@ -181,8 +182,8 @@ std::string selectable_items_text(const Registry& registry) {
   return fmt::format("{}, or ids such as {}", fmt::join(names, ", "), fmt::join(examples, ", "));
 }
 
-Registry builtin_registry() {
-  Registry registry;
+SolverRegistry builtin_registry() {
+  SolverRegistry registry;
   registry.add(epc_solver());
   registry.add(fd_solver());
   registry.add(mcs_solver());

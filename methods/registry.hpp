@@ -12,7 +12,7 @@ namespace fpkcheck::methods {
 
 /// The solvers that the commands of the program can use. builtin_registry() has the solvers of this
 /// project; programs that link the library may add other solvers (docs/extending.md).
-class Registry {
+class SolverRegistry {
  public:
   /// Adds a solver.
   /// @throws std::logic_error if the registry already has a solver or a family with the same name
@@ -49,7 +49,7 @@ class Registry {
                                             const base::Values& overrides) const;
 
   /// Sets the family, meaning, trust and plot style of solutions of a saved run that lacks them.
-  void complete_identities(results::Run& run) const;
+  void complete_solution_identities(results::Run& run) const;
 
  private:
   /// Returns a copy of a method with the family, meaning, trust and plot style of its solutions.
@@ -65,6 +65,6 @@ bool is_less_trusted(const transform::SolutionIdentity& first,
 
 /// Returns the admissible items of a list of methods, for messages: "epc, fd, mcs, or ids such as
 /// ..".
-std::string selectable_items_text(const Registry& registry);
+std::string selectable_methods_text(const SolverRegistry& registry);
 
 }  // namespace fpkcheck::methods

@@ -9,7 +9,7 @@
 #include "backward/generator/normal_equations.hpp"
 #include "backward/residual/density_residuals.hpp"
 #include "base/input_error.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::methods {
 
@@ -42,7 +42,7 @@ const backward::DensityResiduals* ResidualErrorEstimator::density_residuals() co
   return fit_->estimator ? &*fit_->estimator : nullptr;
 }
 
-const problem::Frame& ResidualErrorEstimator::wall_coordinates() const {
+const problem::WallFrame& ResidualErrorEstimator::wall_coordinates() const {
   return fit_->problem.frame;
 }
 const std::string& ResidualErrorEstimator::unsupported_reason() const {
@@ -56,9 +56,9 @@ std::vector<ResidualErrorEstimator> make_error_estimators(
 
 namespace {
 
-std::optional<backward::DensityErrors> weighted_residuals(const ResidualErrorEstimator& estimator,
-                                                          const transform::Density& density,
-                                                          const problem::Frame& coordinates) try {
+std::optional<backward::DensityErrors> weighted_residuals(
+    const ResidualErrorEstimator& estimator, const transform::Density& density,
+    const problem::WallFrame& coordinates) try {
   const auto* known = estimator.density_residuals();
   if (known == nullptr) return std::nullopt;
   if (coordinates == estimator.wall_coordinates()) return known->estimate_errors(density);
@@ -99,7 +99,8 @@ std::string large_estimate_reason(const backward::DensityErrors& weighted,
 }  // namespace
 
 void set_residual_error_estimate(const ResidualErrorEstimator& estimator, double accuracy,
-                                 transform::Solution& solution, const problem::Frame& coordinates,
+                                 transform::Solution& solution,
+                                 const problem::WallFrame& coordinates,
                                  std::string_view reason_prefix) {
   if (!solution.density) return;
   const auto weighted = weighted_residuals(estimator, *solution.density, coordinates);

@@ -28,7 +28,7 @@ class ResidualErrorEstimator {
   /// (backward::residuals_unsupported_reason). Several threads may call this function at the same
   /// time.
   const backward::DensityResiduals* density_residuals() const;
-  const problem::Frame& wall_coordinates() const;
+  const problem::WallFrame& wall_coordinates() const;
   /// Returns a reason, or an empty text for a supported problem.
   const std::string& unsupported_reason() const;
 
@@ -49,7 +49,7 @@ std::vector<ResidualErrorEstimator> make_error_estimators(
 /// @param reason_prefix first words of the reason for the status `inaccurate`
 void set_residual_error_estimate(
     const ResidualErrorEstimator& estimator, double accuracy, transform::Solution& solution,
-    const problem::Frame& coordinates = {},
+    const problem::WallFrame& coordinates = {},
     std::string_view reason_prefix = "the density meets its equations, but ");
 
 }  // namespace fpkcheck::methods

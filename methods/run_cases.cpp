@@ -20,7 +20,7 @@ namespace fpkcheck::methods {
 namespace {
 
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 struct SolveTask {
   std::size_t problem;
@@ -28,11 +28,12 @@ struct SolveTask {
 };
 
 // The table of solutions (problems x methods) during the run.
-class CaseTable {
+class SolutionTable {
  public:
-  CaseTable(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
-            const ProgressListener& listener, const std::vector<ResidualErrorEstimator>& estimators,
-            const CaseListener& case_listener)
+  SolutionTable(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
+                const ProgressListener& listener,
+                const std::vector<ResidualErrorEstimator>& estimators,
+                const CaseListener& case_listener)
       : problems_(problems),
         methods_(methods),
         listener_(listener),
@@ -53,9 +54,9 @@ class CaseTable {
       report_progress(task, std::min(fraction, 0.999), note);
     };
     solutions_[task.problem][task.method] =
-        solve_with(method, problems_[task.problem],
-                   {axes_[task.problem], progress, &estimators_[task.problem],
-                    estimators_[task.problem].unsupported_reason().empty()});
+        solve_with_method(method, problems_[task.problem],
+                          {axes_[task.problem], progress, &estimators_[task.problem],
+                           estimators_[task.problem].unsupported_reason().empty()});
     ++done_;
     if (--unsolved_[task.problem] == 0) finish(task.problem);
     report_progress(task, 1, "");
@@ -105,19 +106,20 @@ class CaseTable {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 // A distance is empty if the solution or the reference lacks the marginal density.
-struct Distance {
+struct ReferenceDistances {
   std::optional<double> y, ydot;
 
   explicit operator bool() const { return y || ydot; }
 };
 
-void set_distance_estimate(const Solution& reference, const Distance& distance,
+void set_distance_estimate(const Solution& reference, const ReferenceDistances& distance,
                            Solution& solution) {
-  const auto with_reference_error = [&](const std::optional<double>& l1, Variable variable) {
+  const auto with_reference_error = [&](const std::optional<double>& l1, StateVariable variable) {
     return l1 ? *l1 + compare::l1_error_estimate(reference, variable) : kUnknown;
   };
-  transform::ErrorEstimate error{.y_l1 = with_reference_error(distance.y, Variable::y),
-                                 .ydot_l1 = with_reference_error(distance.ydot, Variable::ydot)};
+  transform::ErrorEstimate error{
+      .y_l1 = with_reference_error(distance.y, StateVariable::y),
+      .ydot_l1 = with_reference_error(distance.ydot, StateVariable::ydot)};
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     error.moments.*moment = std::abs(solution.moments.*moment - reference.moments.*moment);
     if (reference.error) error.moments.*moment += reference.error->moments.*moment;
@@ -127,10 +129,10 @@ void set_distance_estimate(const Solution& reference, const Distance& distance,
 
 }  // namespace
 
-Solution solve_with(const Method& method, const problem::Problem& problem,
-                    const SolveContext& context) {
+Solution solve_with_method(const Method& method, const problem::Problem& problem,
+                           const SolveContext& context) {
   Solution solution;
-  if (!try_within_memory([&] { solution = method.solve(problem, context); })) {
+  if (!run_unless_out_of_memory([&] { solution = method.solve(problem, context); })) {
     solution.status = transform::Status::failed;
     solution.reason = kOutOfMemory;
   }
@@ -165,7 +167,7 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
                                            const std::vector<ResidualErrorEstimator>& estimators,
                                            const CaseListener& case_listener) {
   require_compatible_options(problems, methods);
-  CaseTable run(problems, methods, listener, estimators, case_listener);
+  SolutionTable run(problems, methods, listener, estimators, case_listener);
   std::vector<SolveTask> single_threaded;
   std::vector<SolveTask> all_processors;
   for (std::size_t p = 0; p < problems.size(); ++p) {
@@ -196,21 +198,21 @@ void complete_error_estimates(const std::vector<Method>& methods,
   const Solution* const reference =
       transform::find_solution(solutions, compare::assess_solutions(solutions).reference);
   std::optional<compare::Comparison> computed_comparison;
-  const auto distance = [&](const Solution& solution) -> Distance {
+  const auto distance = [&](const Solution& solution) -> ReferenceDistances {
     if (reference == nullptr) return {};
     if (comparison == nullptr)
       comparison = &computed_comparison.emplace(compare::compare_solutions(axes, solutions));
-    const auto l1 = [&](Variable variable) {
+    const auto l1 = [&](StateVariable variable) {
       return compare::l1_distance_between(comparison->pairs, solution.id(), reference->id(),
                                           variable);
     };
-    return {l1(Variable::y), l1(Variable::ydot)};
+    return {l1(StateVariable::y), l1(StateVariable::ydot)};
   };
   for (std::size_t m = 0; m < solutions.size(); ++m) {
     Solution& solution = solutions[m];
     const auto accuracy = solution.error ? std::nullopt : required_accuracy(methods[m]);
     if (accuracy && solution.density) {
-      if (const Distance found = distance(solution); found.y && found.ydot) {
+      if (const ReferenceDistances found = distance(solution); found.y && found.ydot) {
         if (solution.status == transform::Status::inaccurate) {  // due to the missing estimate
           solution.status = transform::Status::ok;
           solution.reason.clear();
@@ -228,7 +230,7 @@ void complete_error_estimates(const std::vector<Method>& methods,
       }
     } else if (solution.is_ok() && &solution != reference &&
                !transform::has_error_estimate(solution)) {
-      if (const Distance found = distance(solution)) {
+      if (const ReferenceDistances found = distance(solution)) {
         set_distance_estimate(*reference, found, solution);
       } else if (methods[m].identity.role == transform::SolutionRole::closure) {
         set_residual_error_estimate(estimator, HUGE_VAL, solution);

@@ -32,8 +32,8 @@ using ProgressListener = std::function<void(const RunProgress&)>;
 /// does not suffice, the status is `failed`. A solution of a density equation or a simulation
 /// without an error estimate gets a status other than `ok`. For closures and external densities
 /// complete_error_estimates() sets this status later.
-transform::Solution solve_with(const Method& method, const problem::Problem& problem,
-                               const SolveContext& context);
+transform::Solution solve_with_method(const Method& method, const problem::Problem& problem,
+                                      const SolveContext& context);
 
 /// @throws InputError if a method and a problem are incompatible (Method::check)
 void require_compatible_options(const std::vector<problem::Problem>& problems,
@@ -75,7 +75,7 @@ inline constexpr const char* kOutOfMemory =
 /// @return whether the function returned without a lack of memory
 /// @throws any other exception of the function
 template <class Function>
-bool try_within_memory(const Function& function) {
+bool run_unless_out_of_memory(const Function& function) {
   try {
     function();
     return true;

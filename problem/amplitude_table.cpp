@@ -148,7 +148,7 @@ double AmplitudeTable::mean() const {
 
 double AmplitudeTable::variance() const { return moment_about(*this, mean(), 2); }
 
-AmplitudeTable AmplitudeTable::mirror_image() const {
+AmplitudeTable AmplitudeTable::with_negated_amplitudes() const {
   AmplitudeTable table = *this;
   for (double& y : table.amplitude) y = 0 - y;  // the subtraction avoids -0
   std::ranges::reverse(table.amplitude);

@@ -20,7 +20,7 @@ struct AmplitudeTable {
   double mean() const;
   double variance() const;
   /// Returns the table of the law of -Y.
-  AmplitudeTable mirror_image() const;
+  AmplitudeTable with_negated_amplitudes() const;
 };
 
 inline constexpr std::size_t kMaxTableRows = 1000;

@@ -5,9 +5,12 @@
 
 namespace fpkcheck::problem {
 
-PowerBalance power_balance(const Problem& problem, Impact impact, const EnergyTerms& terms) {
+PowerBalance power_balance(const Problem& problem, ImpactCondition impact,
+                           const PowerBalanceTerms& terms) {
   const System& system = problem.system;
-  const auto kappa = [&](double r) { return impact == Impact::delta ? 1 - r : (1 - r * r) / 2; };
+  const auto kappa = [&](double r) {
+    return impact == ImpactCondition::delta ? 1 - r : (1 - r * r) / 2;
+  };
   PowerBalance power{.input = problem.impulses.rate_times_moment(2) / 2 +
                               problem.impulses.rate_times_moment(1) * terms.mean_velocity,
                      .dissipated = system.has_constant_damping()
@@ -22,12 +25,13 @@ PowerBalance power_balance(const Problem& problem, Impact impact, const EnergyTe
   return power;
 }
 
-double energy_residual(const Problem& problem, Impact impact, const EnergyTerms& terms) {
+double energy_residual(const Problem& problem, ImpactCondition impact,
+                       const PowerBalanceTerms& terms) {
   const auto [input, dissipated] = power_balance(problem, impact, terms);
   return (input - dissipated) / input;
 }
 
-BalanceEquation virial_balance(const Problem& problem, const VirialTerms& terms) {
+BalanceEquation virial_balance(const Problem& problem, const VirialBalanceTerms& terms) {
   const System& system = problem.system;
   double right =
       terms.mean_virial - problem.impulses.rate_times_moment(1) * terms.mean_displacement;
@@ -39,7 +43,7 @@ BalanceEquation virial_balance(const Problem& problem, const VirialTerms& terms)
   return {.left = terms.mean_square_velocity, .right = right, .scale = terms.mean_square_velocity};
 }
 
-BalanceEquation momentum_balance(const Problem& problem, const MomentumTerms& terms) {
+BalanceEquation momentum_balance(const Problem& problem, const MomentumBalanceTerms& terms) {
   const System& system = problem.system;
   double taken = terms.mean_force;
   if (system.rayleigh_coefficient() != 0)

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::problem {
 
-struct EnergyTerms {
+struct PowerBalanceTerms {
   double mean_velocity;
   double mean_square_velocity;
   double impact_energy_flux;       ///< int_{v<0} |v|^3 p(a, v) dv at a left wall a
@@ -22,17 +22,19 @@ struct PowerBalance {
   /// defines kappa.
   double dissipated;
 };
-PowerBalance power_balance(const Problem& problem, Impact impact, const EnergyTerms& terms);
+PowerBalance power_balance(const Problem& problem, ImpactCondition impact,
+                           const PowerBalanceTerms& terms);
 
 /// Returns the input minus the dissipation in the stationary balance of power, divided by the
 /// input. The balance of power is
 ///
 ///     D + lambda E[Y^2]/2 + lambda E[Y] E[v] = E[v f] + kappa int_{v<0} |v|^3 p(a,v) dv + ..,
 ///
-/// with kappa = (1-r^2)/2, or kappa = 1-r for Impact::delta. The residual is zero for the exact
+/// with kappa = (1-r^2)/2, or kappa = 1-r for ImpactCondition::delta. The residual is zero for the exact
 /// stationary density of each of the equations `white`, `km4` and `kf`: the energy is quadratic in
 /// v, so that only the moments E[Y] and E[Y^2] enter.
-double energy_residual(const Problem& problem, Impact impact, const EnergyTerms& terms);
+double energy_residual(const Problem& problem, ImpactCondition impact,
+                       const PowerBalanceTerms& terms);
 
 /// The virial balance and the momentum balance follow from Dynkin's formula for f = y v and f = v
 /// under any stationary density on the half-plane y >= 0,
@@ -63,7 +65,7 @@ struct BalanceEquation {
   double residual() const { return difference() / scale; }
 };
 
-struct VirialTerms {
+struct VirialBalanceTerms {
   double mean_displacement;
   double mean_square_velocity;
   double mean_virial;                ///< E[y g(y)]
@@ -74,9 +76,9 @@ struct VirialTerms {
 /// Returns the two sides and the scale E[v^2] of the virial balance
 ///
 ///     E[v^2] = E[y g(y)] + c_vv E[y v^3] - lambda E[Y] E[y] + (1 + r_b) b int u^2 p(b,u) du.
-BalanceEquation virial_balance(const Problem& problem, const VirialTerms& terms);
+BalanceEquation virial_balance(const Problem& problem, const VirialBalanceTerms& terms);
 
-struct MomentumTerms {
+struct MomentumBalanceTerms {
   double mean_force;
   double impact_momentum;     ///< int_{u>0} u^2 p(0,-u) du, the incoming momentum per unit time
   double right_momentum = 0;  ///< int_{u>0} u^2 p(b,u) du
@@ -99,6 +101,6 @@ struct MomentumTerms {
 /// E[|g(y)|], since a mean impulse towards or away from the wall makes one contribution small. In a
 /// symmetric well without a wall both sides are 0; if mean_absolute_force is unknown, use
 /// difference() instead of residual().
-BalanceEquation momentum_balance(const Problem& problem, const MomentumTerms& terms);
+BalanceEquation momentum_balance(const Problem& problem, const MomentumBalanceTerms& terms);
 
 }  // namespace fpkcheck::problem

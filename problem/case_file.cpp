@@ -17,7 +17,7 @@
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "problem/amplitude_table.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::problem {
 
@@ -205,13 +205,13 @@ std::string changes_text(const Settings& from_file, const Problem& problem) {
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides, CaseNaming naming) {
   const std::string where = fmt::format("case {}", sanitise(source));
-  return case_from_settings(base::read_ini_settings(ini, where), name, where, overrides, naming,
-                            std::filesystem::path(source).parent_path());
+  return problem_from_settings(base::read_ini_settings(ini, where), name, where, overrides, naming,
+                               std::filesystem::path(source).parent_path());
 }
 
-Problem case_from_settings(const std::vector<base::IniSetting>& lines, const std::string& name,
-                           const std::string& where, const std::vector<std::string>& overrides,
-                           CaseNaming naming, const std::filesystem::path& folder) {
+Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const std::string& name,
+                              const std::string& where, const std::vector<std::string>& overrides,
+                              CaseNaming naming, const std::filesystem::path& folder) {
   require_valid_name(name);
   Settings from_file = checked_settings(lines);
   load_table(from_file, folder);

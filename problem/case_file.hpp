@@ -40,10 +40,11 @@ Problem read_case(std::istream& ini, const std::string& name, std::string_view s
 /// @param where beginning of messages that refer to no line, such as "case mine.ini"
 /// @param folder directory to which file names in settings refer; file names in overrides refer to
 /// the working directory
-Problem case_from_settings(const std::vector<base::IniSetting>& lines, const std::string& name,
-                           const std::string& where, const std::vector<std::string>& overrides = {},
-                           CaseNaming naming = CaseNaming::from_file,
-                           const std::filesystem::path& folder = {});
+Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const std::string& name,
+                              const std::string& where,
+                              const std::vector<std::string>& overrides = {},
+                              CaseNaming naming = CaseNaming::from_file,
+                              const std::filesystem::path& folder = {});
 
 /// Returns the parameter that a key of a case file sets, e.g. "system.damping".
 /// @param where beginning of the error message

@@ -12,10 +12,10 @@ namespace fpkcheck::problem {
 
 using namespace base;
 
-const Description<Noise>& noise_parameter_description() {
+const Description<WhiteNoise>& noise_parameter_description() {
   static const auto description =
-      Description<Noise>("noise.")
-          .add("intensity", &Noise::intensity, {"I", "intensity of the Gaussian white noise"},
+      Description<WhiteNoise>("noise.")
+          .add("intensity", &WhiteNoise::intensity, {"I", "intensity of the Gaussian white noise"},
                non_negative_numbers())
           .with_symbol("2D", "2D")
           .with_default(0.0);
@@ -75,14 +75,14 @@ ImpulseTrain::ImpulseTrain()
     : parameters_{.arrival_rate = 0, .law = "gaussian", .intensity = 0, .mean = 0},
       law_(GaussianLaw{0, 1}) {}
 
-ImpulseTrain ImpulseTrain::mirror_image() const {
+ImpulseTrain ImpulseTrain::with_negated_amplitudes() const {
   if (!is_present()) return *this;
   ImpulseParameters parameters = parameters_;
   parameters.mean = -parameters.mean;
-  const ImpulseLaw law = law_.mirror_image();
+  const ImpulseLaw law = law_.with_negated_amplitudes();
   if (parameters.table) {
-    parameters.table =
-        amplitude_table_literal(parse_amplitude_table_literal(*parameters.table).mirror_image());
+    parameters.table = amplitude_table_literal(
+        parse_amplitude_table_literal(*parameters.table).with_negated_amplitudes());
   } else if (!law.is_symmetric()) {
     parameters.skewness = law.skewness();
   }

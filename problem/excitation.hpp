@@ -9,7 +9,7 @@
 namespace fpkcheck::problem {
 
 /// Gaussian white noise sqrt(2 D) W(t) as excitation, alone or in addition to the impulses.
-struct Noise {
+struct WhiteNoise {
   double intensity = 0;  ///< 2 D >= 0, in the same unit as lambda E[Y^2]
 
   /// Returns the diffusion coefficient D, the coefficient of p'' in the density equation.
@@ -17,7 +17,7 @@ struct Noise {
   bool is_present() const { return intensity > 0; }
 };
 
-const base::Description<Noise>& noise_parameter_description();
+const base::Description<WhiteNoise>& noise_parameter_description();
 
 struct ImpulseParameters {
   double arrival_rate;  ///< mean number lambda > 0 of impulses per unit time
@@ -55,7 +55,7 @@ class ImpulseTrain {
   double intensity() const { return rate_times_moment(2); }
 
   /// Returns the impulse train with the amplitudes -Y.
-  ImpulseTrain mirror_image() const;
+  ImpulseTrain with_negated_amplitudes() const;
 
  private:
   ImpulseTrain(const ImpulseParameters& parameters, const ImpulseLaw& law)

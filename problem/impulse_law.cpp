@@ -37,11 +37,11 @@ double raw_moment(const Law& law, int j) {
   return sum;
 }
 
-// A law that is not symmetric about its mean has a function mirror_image(), which returns the law
+// A law that is not symmetric about its mean has a function with_negated_amplitudes(), which returns the law
 // of -Y.
 template <class Law>
 concept Asymmetric = requires(Law law) {
-  law.mirror_image();
+  law.with_negated_amplitudes();
 };
 template <class Law>
 concept Shaped = requires(LawShapeParameters shape) {
@@ -99,11 +99,11 @@ ImpulseLaw ImpulseLaw::from_name(std::string_view name, double mean, double devi
       fmt::format("impulse.law = '{}' (must be one of {})", name, fmt::join(law_names(), ", ")));
 }
 
-ImpulseLaw ImpulseLaw::mirror_image() const {
+ImpulseLaw ImpulseLaw::with_negated_amplitudes() const {
   return std::visit(
       []<class Law>(Law law) {
         if constexpr (Asymmetric<Law>) {
-          return ImpulseLaw(law.mirror_image());
+          return ImpulseLaw(law.with_negated_amplitudes());
         } else {
           law.mean = -law.mean;
           return ImpulseLaw(law);

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "problem/laws/parametric.hpp"
+#include "problem/laws/parametric_laws.hpp"
 #include "problem/laws/shape_parameters.hpp"
-#include "problem/laws/tabulated.hpp"
+#include "problem/laws/tabulated_law.hpp"
 
 namespace fpkcheck::problem {
 
@@ -31,7 +31,7 @@ class ImpulseLaw {
   static ImpulseLaw from_name(std::string_view name, double mean, double deviation,
                               const LawShapeParameters& shape = {});
   /// Returns the law of -Y.
-  ImpulseLaw mirror_image() const;
+  ImpulseLaw with_negated_amplitudes() const;
 
   std::string_view name() const;
   const LawVariant& kind() const { return kind_; }

@@ -9,31 +9,31 @@
 namespace fpkcheck::problem {
 
 /// The density equations, which differ in their excitation term.
-enum class Equation {
+enum class DensityEquation {
   white,  ///< term -lambda E[Y] p' + D2 p'' with D2 = lambda E[Y^2]/2
   km4,    ///< Kramers-Moyal series, truncated after the fourth derivative: paper (16), (20)
   /// Well-posed Pade approximant of the Kramers-Moyal series, with the four coefficients of km4.
   km4_pade,
   kf  ///< the full jump integral lambda (E[p(x2 - Y)] - p)
 };
-inline constexpr base::EnumEntry<Equation> kEquationNames[] = {
-    {Equation::white, "white", "white noise"},
-    {Equation::km4, "km4", "Kramers-Moyal series to the fourth derivative"},
-    {Equation::km4_pade, "km4-pade", "Pade approximant of the Kramers-Moyal series"},
-    {Equation::kf, "kf", "full jump integral"}};
-constexpr const auto& enumerator_names(Equation) { return kEquationNames; }
-constexpr std::string_view name(Equation equation) { return base::name_of(equation); }
+inline constexpr base::EnumEntry<DensityEquation> kEquationNames[] = {
+    {DensityEquation::white, "white", "white noise"},
+    {DensityEquation::km4, "km4", "Kramers-Moyal series to the fourth derivative"},
+    {DensityEquation::km4_pade, "km4-pade", "Pade approximant of the Kramers-Moyal series"},
+    {DensityEquation::kf, "kf", "full jump integral"}};
+constexpr const auto& enumerator_names(DensityEquation) { return kEquationNames; }
+constexpr std::string_view name(DensityEquation equation) { return base::name_of(equation); }
 
-enum class Impact {
+enum class ImpactCondition {
   map,    ///< exact: p(0+, w) = p(0-, w/r) / r^2 for w > 0
   delta,  ///< to first order in 1-r, paper (12), with the term (1-r) x2 |x2| delta(x1)
   exact   ///< a simulation reflects each trajectory at the impact, paper (2)
 };
-inline constexpr base::EnumEntry<Impact> kImpactNames[] = {
-    {Impact::map, "map", "exact"},
-    {Impact::delta, "delta", "to first order in 1-r"},
-    {Impact::exact, "exact", "simulated"}};
-constexpr const auto& enumerator_names(Impact) { return kImpactNames; }
-constexpr std::string_view name(Impact impact) { return base::name_of(impact); }
+inline constexpr base::EnumEntry<ImpactCondition> kImpactNames[] = {
+    {ImpactCondition::map, "map", "exact"},
+    {ImpactCondition::delta, "delta", "to first order in 1-r"},
+    {ImpactCondition::exact, "exact", "simulated"}};
+constexpr const auto& enumerator_names(ImpactCondition) { return kImpactNames; }
+constexpr std::string_view name(ImpactCondition impact) { return base::name_of(impact); }
 
 }  // namespace fpkcheck::problem

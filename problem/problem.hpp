@@ -14,10 +14,10 @@ struct Problem {
   std::string name;
   System system;
   ImpulseTrain impulses = {};
-  Noise noise = {};
+  WhiteNoise noise = {};
   /// Transformation between the coordinate of `system` and the physical coordinate y. Solvers
   /// return moments of the physical coordinate y.
-  Frame frame = {};
+  WallFrame frame = {};
 };
 
 /// Returns the total intensity lambda E[Y^2] + 2D of impulses and noise, that is, the intensity of

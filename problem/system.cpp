@@ -59,7 +59,7 @@ System::System(const SystemCoefficients& coefficients, const WallParameters& wal
       potential_(force_.antiderivative()),
       damping_({c_.damping, 0, c_.van_der_pol}) {}
 
-System System::to_wall_coordinates(const Frame& frame) const {
+System System::to_wall_coordinates(const WallFrame& frame) const {
   if (frame.is_identity()) return *this;
   System transformed = *this;
   const auto moved = [&](std::optional<Wall> wall) {

@@ -68,7 +68,7 @@ class System {
   /// Returns the same oscillator in wall coordinates x, where y = origin + sign x. The restoring
   /// force in wall coordinates is sign g(origin + sign x), and the damping polynomial is c(origin +
   /// sign x). A mirrored frame exchanges the left and the right wall.
-  System to_wall_coordinates(const Frame& frame) const;
+  System to_wall_coordinates(const WallFrame& frame) const;
 
  private:
   SystemCoefficients c_;

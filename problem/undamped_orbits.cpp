@@ -28,10 +28,10 @@ SearchInterval search_interval(const numerics::Polynomial& polynomial, const Sys
 
 }  // namespace
 
-std::vector<double> sign_changes_between_walls(const numerics::Polynomial& polynomial,
-                                               const System& system) {
+std::vector<double> sign_change_points_between_walls(const numerics::Polynomial& polynomial,
+                                                     const System& system) {
   const auto [low, high] = search_interval(polynomial, system);
-  return low < high ? numerics::sign_changes(polynomial, low, high) : std::vector<double>{};
+  return low < high ? numerics::sign_change_points(polynomial, low, high) : std::vector<double>{};
 }
 
 numerics::Polynomial effective_potential(const Problem& problem) {
@@ -44,7 +44,7 @@ UndampedOrbits::UndampedOrbits(const Problem& problem)
     : system_(problem.system), potential_(effective_potential(problem)) {
   const numerics::Polynomial slope = potential_.derivative();
   const auto [low, high] = search_interval(slope, system_);
-  extrema_ = sign_changes_between_walls(slope, system_);
+  extrema_ = sign_change_points_between_walls(slope, system_);
   // The potential V is monotone between neighbouring knots, so that the slope of V after a knot
   // decides whether the knot is a minimum.
   std::vector<double> knots{low};

@@ -28,8 +28,8 @@ struct OrbitIntegrals {
 numerics::Polynomial effective_potential(const Problem& problem);
 
 /// Returns the points between the walls where a polynomial changes its sign, increasing.
-std::vector<double> sign_changes_between_walls(const numerics::Polynomial& polynomial,
-                                               const System& system);
+std::vector<double> sign_change_points_between_walls(const numerics::Polynomial& polynomial,
+                                                     const System& system);
 
 /// The orbits of the undamped motion in the effective potential, without noise and with elastic
 /// impacts at the walls.

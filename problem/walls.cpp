@@ -79,18 +79,18 @@ Walls make_walls(const WallParameters& parameters, const std::optional<double>& 
   return walls;
 }
 
-Frame wall_frame(const System& system) {
+WallFrame wall_frame(const System& system) {
   if (system.left_wall()) return {.origin = system.left_wall()->position, .mirrored = false};
   if (system.right_wall()) return {.origin = system.right_wall()->position, .mirrored = true};
   return {};
 }
 
-Problem to_wall_coordinates(const Frame& frame, const Problem& problem) {
+Problem to_wall_coordinates(const WallFrame& frame, const Problem& problem) {
   if (frame.is_identity()) return problem;
   Problem transformed = problem;
   transformed.system = problem.system.to_wall_coordinates(frame);
   transformed.frame = frame;
-  if (frame.mirrored) transformed.impulses = problem.impulses.mirror_image();
+  if (frame.mirrored) transformed.impulses = problem.impulses.with_negated_amplitudes();
   return transformed;
 }
 

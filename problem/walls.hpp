@@ -46,7 +46,7 @@ struct Problem;
 /// origin + x, or, if mirrored, y = origin - x with the opposite sign of velocities. In wall
 /// coordinates the first wall is at x = 0, the mass is at x > 0, and a second wall is on the right.
 /// For a problem with one wall at y = 0 on the left, or without walls, x equals y.
-struct Frame {
+struct WallFrame {
   double origin = 0;
   bool mirrored = false;
 
@@ -55,19 +55,19 @@ struct Frame {
   double wall_x(double y) const { return sign() * (y - origin); }
   double physical_velocity(double x_dot) const { return sign() * x_dot; }
   bool is_identity() const { return origin == 0 && !mirrored; }
-  Frame inverse() const {
+  WallFrame inverse() const {
     return {.origin = -sign() * origin + 0.0, .mirrored = mirrored};  // adding 0 avoids -0
   }
-  bool operator==(const Frame&) const = default;
+  bool operator==(const WallFrame&) const = default;
 };
 
 /// Returns the transformation to wall coordinates, whose origin is the left wall, or the right wall
 /// if there is no left wall.
-Frame wall_frame(const System& system);
+WallFrame wall_frame(const System& system);
 
 /// Transforms a problem to the wall coordinates of `frame` and sets Problem::frame; if `frame` is
 /// the identity, the problem is returned unchanged. The name of the problem and its parameters of
 /// the case file are kept.
-Problem to_wall_coordinates(const Frame& frame, const Problem& problem);
+Problem to_wall_coordinates(const WallFrame& frame, const Problem& problem);
 
 }  // namespace fpkcheck::problem

@@ -14,19 +14,19 @@
 #include "compare/agreement.hpp"
 #include "compare/assessment.hpp"
 #include "report/guaranteed_bounds.hpp"
-#include "report/references.hpp"
+#include "report/solutions_of_full_problem.hpp"
 #include "report/verdict/outcome.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
 using base::meaning_of;
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using results::CaseResult;
 using transform::Solution;
 using transform::SolutionRole;
-using transform::Variable;
+using transform::StateVariable;
 
 using Sentences = std::vector<std::string>;
 
@@ -36,18 +36,19 @@ std::string number_pair_text(const MarginalDistances& pair) {
 }
 
 MarginalDistances l1_distances(const CaseResult& one, const Solution& a, const Solution& b) {
-  return {one.l1(a.id(), b.id(), Variable::y), one.l1(a.id(), b.id(), Variable::ydot)};
+  return {one.l1(a.id(), b.id(), StateVariable::y), one.l1(a.id(), b.id(), StateVariable::ydot)};
 }
 
 std::optional<double> l1_standard_error(const CaseResult& one, const Solution& a, const Solution& b,
-                                        Variable variable) {
+                                        StateVariable variable) {
   const auto* pair = compare::find_pair_distances(one.pairs, a.id(), b.id(), variable);
   return pair == nullptr ? std::nullopt : pair->l1_standard_error;
 }
 
 /// Only distances over smooth bins have standard errors.
 bool has_smooth_distances(const CaseResult& one, const Solution& a, const Solution& b) {
-  return l1_standard_error(one, a, b, Variable::y) && l1_standard_error(one, a, b, Variable::ydot);
+  return l1_standard_error(one, a, b, StateVariable::y) &&
+         l1_standard_error(one, a, b, StateVariable::ydot);
 }
 
 std::string solution_description(const Solution& solution) {
@@ -82,8 +83,9 @@ void add_discretisation_errors(const CaseResult& one, Sentences& sentences) {
       "The discretisation error{} of {}, by {} own estimate: {}L1 {}, {:.1g} in E[y^2] and {:.1g} "
       "in E[y'^2].",
       several ? "s" : "", fmt::join(ids, ", "), several ? "their" : "its",
-      several ? "at most " : "", distances_text(MarginalDistances{largest.y_l1, largest.ydot_l1}),
-      largest.moments.y2, largest.moments.v2));
+      several ? "at most " : "",
+      l1_distances_text(MarginalDistances{largest.y_l1, largest.ydot_l1}), largest.moments.y2,
+      largest.moments.v2));
 }
 
 void add_approximation_errors(const CaseResult& one, Sentences& sentences) {
@@ -98,8 +100,9 @@ void add_approximation_errors(const CaseResult& one, Sentences& sentences) {
           approximate.equation && approximate.impact && exact.equation && exact.impact;
       const bool other_equation = approximate.equation != exact.equation;
       const bool other_impact = approximate.impact != exact.impact;
-      const bool costs = other_equation ? !other_impact && exact.equation == Equation::kf
-                                        : other_impact && approximate.impact == Impact::delta;
+      const bool costs = other_equation
+                             ? !other_impact && exact.equation == DensityEquation::kf
+                             : other_impact && approximate.impact == ImpactCondition::delta;
       const MarginalDistances cost = l1_distances(one, a, b);
       if (!known || !costs || !cost.has_both_distances()) continue;
       const std::string what =
@@ -108,7 +111,7 @@ void add_approximation_errors(const CaseResult& one, Sentences& sentences) {
                          : fmt::format("the impact {} in place of {}",
                                        meaning_of(*approximate.impact), meaning_of(*exact.impact));
       (other_equation ? of_equations : of_impacts)
-          .push_back(fmt::format("{} ({}) {}", what, a.id(), distances_text(cost)));
+          .push_back(fmt::format("{} ({}) {}", what, a.id(), l1_distances_text(cost)));
     }
   }
   of_equations.insert(of_equations.end(), of_impacts.begin(), of_impacts.end());
@@ -168,7 +171,7 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
     sentences.push_back(
         fmt::format("No closure with status ok is within L1 {} of {}: the closest, {}, has L1 {}.",
                     compare::kCloseL1, assessment.reference, nearest->id,
-                    distances_text(MarginalDistances{nearest->y, nearest->ydot})));
+                    l1_distances_text(MarginalDistances{nearest->y, nearest->ydot})));
     return;
   }
   // Each group has the closest closure to the reference and all closures that are indistinguishable
@@ -180,7 +183,7 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
     const auto& identity = one.find(rank->id)->identity;
     auto& closest = groups[{identity.family, identity.formulation}];
     const bool first = closest.empty();
-    if (first || assessment.are_indistinguishable(*closest.front(), *rank)) {
+    if (first || assessment.are_closures_indistinguishable(*closest.front(), *rank)) {
       closest.push_back(rank);
       several = several || !first;
     }
@@ -191,12 +194,12 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
     MarginalDistances most{0, 0};
     for (const auto* rank : closest) {
       ids.push_back(rank->id);
-      most.take_larger_distances(rank->y, rank->ydot);
+      most.update_maximum_distances(rank->y, rank->ydot);
     }
     const bool tie = ids.size() > 1;
     parts.push_back(fmt::format("{}{} with L1 {}{}", fmt::join(ids, ", "),
                                 tie ? " (indistinguishable)" : "", tie ? "at most " : "",
-                                distances_text(most)));
+                                l1_distances_text(most)));
   }
   sentences.push_back(fmt::format(
       "Closest to {} among the closures with status ok: {}.{}", assessment.reference,
@@ -222,8 +225,8 @@ MarginalDistances combined_errors(const MarginalDistances& one, const MarginalDi
 }
 
 MarginalDistances critical_l1_distance(const Solution& one, const Solution& other, bool smooth) {
-  return {compare::critical_l1_distance(one, other, Variable::y, smooth),
-          compare::critical_l1_distance(one, other, Variable::ydot, smooth)};
+  return {compare::critical_l1_distance(one, other, StateVariable::y, smooth),
+          compare::critical_l1_distance(one, other, StateVariable::ydot, smooth)};
 }
 
 // Returns the clause on the errors of a distance: "; source expected; all errors explain up to ..,
@@ -237,7 +240,7 @@ std::string agreement_text(const MarginalDistances& gap, const MarginalDistances
   return fmt::format(
       "; {} {}; all errors explain up to {} (exceeded by chance in 1 run of {:.0f}): the "
       "densities {}",
-      error_source, distances_text(expected), number_pair_text(explained),
+      error_source, l1_distances_text(expected), number_pair_text(explained),
       1 / compare::kAgreementSignificance, agree ? "agree" : "disagree");
 }
 
@@ -253,7 +256,7 @@ struct MeasuredL1Error {
 };
 
 MeasuredL1Error measured_error(const CaseResult& one, const Solution& solution,
-                               const Solution& measure, Variable variable) {
+                               const Solution& measure, StateVariable variable) {
   const double l1 = one.l1(solution.id(), measure.id(), variable).value_or(0);
   const auto most = compare::critical_l1_distance(solution, measure, variable, true);
   return {.l1 = l1,
@@ -264,11 +267,11 @@ MeasuredL1Error measured_error(const CaseResult& one, const Solution& solution,
 }
 
 // Returns the text of an error: "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)".
-std::string measured_error_text(const MeasuredL1Error& marginal_error, Variable variable) {
+std::string measured_error_text(const MeasuredL1Error& marginal_error, StateVariable variable) {
   const std::string stated = std::isfinite(marginal_error.stated)
                                  ? fmt::format(" (estimate {:.2g})", marginal_error.stated)
                                  : std::string();
-  const char* density = variable == Variable::y ? "p(y)" : "p(y')";
+  const char* density = variable == StateVariable::y ? "p(y)" : "p(y')";
   if (!marginal_error.is_significant()) {
     return fmt::format("at most {:.1g} (3 sampling errors of the simulation) in {}{}",
                        3 * marginal_error.chance, density, stated);
@@ -280,21 +283,21 @@ std::string measured_error_text(const MeasuredL1Error& marginal_error, Variable 
 void add_measured_errors(const CaseResult& one, Sentences& sentences) {
   const Solution* measure = one.reference();
   if (measure == nullptr || !measure->smooth_sampling) return;
-  for (const Solution* other : references(one)) {
+  for (const Solution* other : solutions_of_full_problem(one)) {
     if (other == measure || !has_smooth_distances(one, *other, *measure)) continue;
-    const MeasuredL1Error y = measured_error(one, *other, *measure, Variable::y);
-    const MeasuredL1Error ydot = measured_error(one, *other, *measure, Variable::ydot);
+    const MeasuredL1Error y = measured_error(one, *other, *measure, StateVariable::y);
+    const MeasuredL1Error ydot = measured_error(one, *other, *measure, StateVariable::ydot);
     const bool more = y.exceeds_stated_error() || ydot.exceeds_stated_error();
-    sentences.push_back(
-        fmt::format("{} has an L1 error of {} and {} over smooth bins, measured by {}{}.",
-                    capitalised(solution_description(*other)), measured_error_text(y, Variable::y),
-                    measured_error_text(ydot, Variable::ydot), solution_description(*measure),
-                    more ? ": larger than the estimate" : ""));
+    sentences.push_back(fmt::format(
+        "{} has an L1 error of {} and {} over smooth bins, measured by {}{}.",
+        capitalised(solution_description(*other)), measured_error_text(y, StateVariable::y),
+        measured_error_text(ydot, StateVariable::ydot), solution_description(*measure),
+        more ? ": larger than the estimate" : ""));
   }
 }
 
 void add_agreement_of_references(const CaseResult& one, Sentences& sentences) {
-  const auto all = references(one);
+  const auto all = solutions_of_full_problem(one);
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Solution &reference = *all.front(), &other = *all[k];
     if (reference.smooth_sampling && has_smooth_distances(one, other, reference)) continue;
@@ -315,12 +318,12 @@ void add_agreement_of_references(const CaseResult& one, Sentences& sentences) {
     }
     sentences.push_back(
         capitalised(fmt::format("{} and {} differ by L1 {}{}.", solution_description(reference),
-                                solution_description(other), distances_text(gap), chance)));
+                                solution_description(other), l1_distances_text(gap), chance)));
   }
 }
 
 void add_distances_of_external_densities(const CaseResult& one, Sentences& sentences) {
-  const auto all = references(one);
+  const auto all = solutions_of_full_problem(one);
   for (const auto& given : one.solutions) {
     if (given.identity.role != SolutionRole::external) continue;
     for (const Solution* reference : all) {
@@ -344,7 +347,7 @@ void add_distances_of_external_densities(const CaseResult& one, Sentences& sente
                         other.has_any_distance() ? " and those of " + reference->id() : ""));
       }
       sentences.push_back(fmt::format("{} differs from {} by L1 {}{}.", given.id(),
-                                      solution_description(*reference), distances_text(gap),
+                                      solution_description(*reference), l1_distances_text(gap),
                                       chance));
     }
   }
@@ -375,7 +378,7 @@ void add_solver_notes(const CaseResult& one, Sentences& sentences) {
 
 std::vector<std::string> findings(const CaseResult& one) {
   Sentences sentences = guaranteed_bounds_findings(one);
-  if (one.solutions.size() > 1) sentences.push_back(reference_text(one));
+  if (one.solutions.size() > 1) sentences.push_back(describe_reference(one));
   add_discretisation_errors(one, sentences);
   add_approximation_errors(one, sentences);
   add_closest_closures(one, sentences);

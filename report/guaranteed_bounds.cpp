@@ -20,12 +20,13 @@ using compare::GuaranteedBound;
 using compare::GuaranteedBounds;
 
 std::string text(const GuaranteedBound& bound) {
-  const auto [lower, upper] = round_outward(bound.lower, bound.upper);
+  const auto [lower, upper] = round_interval_outward(bound.lower, bound.upper);
   return fmt::format("{} in [{}, {}]", bound.functional, lower, upper);
 }
 
 std::string contradiction_text(const BoundViolation& violation) {
-  const auto [lower, upper] = round_outward(violation.bound->lower, violation.bound->upper);
+  const auto [lower, upper] =
+      round_interval_outward(violation.bound->lower, violation.bound->upper);
   return fmt::format(
       "OUTSIDE THE BOUNDS: {} (full problem, status {}) has {} = {:.8g}, guaranteed to lie in "
       "[{}, {}]. The error is at least {:.1e}, above the stated error of {:.1e}.",
@@ -44,7 +45,7 @@ std::vector<std::string> guaranteed_bounds_findings(const results::CaseResult& c
   }
   std::vector<std::string> sentences, shown, ids;
   for (const BoundViolation& violation :
-       compare::bound_contradictions(bounds, case_result.solutions)) {
+       compare::violations_beyond_error_estimate(bounds, case_result.solutions)) {
     sentences.push_back(contradiction_text(violation));
   }
   for (const BoundViolation& violation : compare::bound_violations(bounds, case_result.solutions)) {
@@ -73,16 +74,16 @@ std::string guaranteed_bounds_table(const problem::Problem& problem, const Guara
       lower{"", "lower", false, kAlwaysShown}, upper{"", "upper", false, kAlwaysShown},
       half{"", "half-width", false, 2}, relative{"", "relative", false, 1};
   for (const GuaranteedBound& bound : bounds.each) {
-    const auto ends = round_outward(bound.lower, bound.upper);
+    const auto ends = round_interval_outward(bound.lower, bound.upper);
     const double middle = std::abs(bound.lower + bound.half_width());
     functional.cells.push_back(bound.functional);
     lower.cells.push_back(ends.lower);
     upper.cells.push_back(ends.upper);
     half.cells.push_back(fmt::format("{:.1e}", bound.half_width()));
     relative.cells.push_back(middle > 0 ? fmt::format("{:.1e}", bound.half_width() / middle)
-                                        : kAbsent);
+                                        : kMissingCell);
   }
-  all += table_rows_text({functional, lower, upper, half, relative}, format);
+  all += format_text_table({functional, lower, upper, half, relative}, format);
   if (!bounds.reason.empty()) all += wrap_text(bounds.reason, format.width, 2);
   return all;
 }

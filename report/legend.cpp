@@ -51,8 +51,8 @@ std::string enum_legend(const std::vector<TextColumn>& results, const std::strin
 }
 
 std::string solves_legend(const std::vector<TextColumn>& results) {
-  const auto equations = enum_legend<problem::Equation>(results, "", "/");
-  const auto impacts = enum_legend<problem::Impact>(results, "/", "");
+  const auto equations = enum_legend<problem::DensityEquation>(results, "", "/");
+  const auto impacts = enum_legend<problem::ImpactCondition>(results, "/", "");
   std::vector<std::string> terms;
   if (!equations.empty()) terms.push_back(fmt::format("the excitation term ({})", equations));
   if (!impacts.empty()) terms.push_back(fmt::format("the impact ({})", impacts));

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "report/figure/pictures.hpp"
 #include "report/page/page.hpp"
@@ -24,7 +24,7 @@ std::optional<results::Run> earlier_run(const fs::path& directory) {
   std::error_code ignored;
   if (!fs::exists(directory / results::kSummaryFile, ignored)) return std::nullopt;
   try {
-    return results::load_summary(directory / results::kSummaryFile);
+    return results::load_run_summary(directory / results::kSummaryFile);
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -35,7 +35,7 @@ std::optional<results::Run> earlier_run(const fs::path& directory) {
 std::vector<std::string> write_report(const fs::path& directory, const results::Run& run,
                                       const FigureOptions& figures, const Supplement& supplement) {
   const auto earlier = earlier_run(directory);
-  base::PendingFiles files;
+  base::FileTransaction files;
   results::add_run_files(files, directory, run);
   files.add(directory / kPageFile, page(run, supplement));
   for (const auto& [name, text] : supplement.files) files.add(directory / name, text);
@@ -57,7 +57,7 @@ RebuiltReport rebuild_report(const fs::path& directory, const results::Run& run,
                              const Supplement& supplement) {
   // The text is made before any file is written: an exception then leaves all files unchanged.
   RebuiltReport again{terminal_text(run, supplement, format), {}};
-  base::PendingFiles files;
+  base::FileTransaction files;
   files.add(directory / kPageFile, page(run, supplement));
   for (const auto& [name, text] : supplement.files) files.add(directory / name, text);
   files.commit();

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::report {
 
-struct ExtraFile {
+struct SupplementFile {
   std::string name, text;
 };
 
@@ -32,7 +32,7 @@ struct Supplement {
   std::vector<std::string> summary;
   std::string text;
   std::vector<PageSection> sections;
-  std::vector<ExtraFile> files;
+  std::vector<SupplementFile> files;
   std::vector<PictureScript> pictures;  ///< drawn into figures/
 };
 

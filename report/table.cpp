@@ -12,12 +12,12 @@
 #include "report/budget/table.hpp"
 #include "report/findings.hpp"
 #include "report/legend.hpp"
-#include "report/references.hpp"
+#include "report/solutions_of_full_problem.hpp"
 #include "report/status_reasons.hpp"
 #include "report/text/columns.hpp"
 #include "report/text/number_text.hpp"
 #include "report/text/wrap_text.hpp"
-#include "report/verdict/matrix_text.hpp"
+#include "report/verdict/verdict_text.hpp"
 #include "report/wall_atoms.hpp"
 
 namespace fpkcheck::report {
@@ -44,14 +44,14 @@ std::vector<TextColumn> columns(const results::CaseResult& case_result) {
       column.cells.push_back(cell(solution));
     }
     const bool empty =
-        std::ranges::all_of(column.cells, [](auto& text) { return text == kAbsent; });
+        std::ranges::all_of(column.cells, [](auto& text) { return text == kMissingCell; });
     if (!empty) all.push_back(std::move(column));
   };
   const auto number = [&](const std::string& header, int importance, std::string (*text)(double),
                           const auto& value) {
     add({"", header, false, importance}, [&](const Solution& s) -> std::string {
       const double x = value(s);
-      return std::isfinite(x) ? text(x) : kAbsent;
+      return std::isfinite(x) ? text(x) : kMissingCell;
     });
   };
   const auto of_density = [](const Solution& s, double value) {
@@ -65,18 +65,18 @@ std::vector<TextColumn> columns(const results::CaseResult& case_result) {
          [&](const Solution& s) { return of_density(s, s.moments.y2); });
   number("E[y'^2]", kMoments, moment_text,
          [&](const Solution& s) { return of_density(s, s.moments.v2); });
-  for (const double wall : walls_with_atoms(case_result)) {
-    number(atom_header(case_result, wall), kAlwaysShown, moment_text,
-           [&](const Solution& s) { return atom_probability(s, wall); });
+  for (const double wall : walls_with_rest_atoms(case_result)) {
+    number(rest_probability_header(case_result, wall), kAlwaysShown, moment_text,
+           [&](const Solution& s) { return rest_atom_probability(s, wall); });
   }
   int importance = kAlwaysShown;
-  for (const Solution* reference : references(case_result)) {
+  for (const Solution* reference : solutions_of_full_problem(case_result)) {
     for (const auto variable : transform::kVariables) {
-      const char* header = variable == transform::Variable::y ? "p(y)" : "p(y')";
+      const char* header = variable == transform::StateVariable::y ? "p(y)" : "p(y')";
       add({"L1 to " + reference->id(), header, false, importance},
           [&](const Solution& s) -> std::string {
             const auto l1 = case_result.l1(s.id(), reference->id(), variable);
-            return l1 ? l1_text(*l1) : kAbsent;
+            return l1 ? l1_text(*l1) : kMissingCell;
           });
     }
     importance = kOtherReference;
@@ -111,10 +111,11 @@ std::string table(const results::Run& run, const TextFormat& format) {
   std::string missing;
   for (const auto& case_result : run.cases) {
     const auto all_columns = columns(case_result);
-    const auto shown = fit_columns(all_columns, format);
-    if (missing.empty()) missing = omitted_columns(all_columns, shown);
-    text += wrap_text(case_title(case_result.problem), width, 2) + table_rows_text(shown, format) +
-            reasons_text(case_result, width) + budget_table(case_result, format);
+    const auto shown = select_columns_to_fit(all_columns, format);
+    if (missing.empty()) missing = omitted_column_names(all_columns, shown);
+    text += wrap_text(case_title(case_result.problem), width, 2) +
+            format_text_table(shown, format) + reasons_text(case_result, width) +
+            budget_table(case_result, format);
     for (const auto& sentence : findings(case_result)) text += wrap_text("  " + sentence, width, 2);
     text += '\n';
     std::ranges::copy(shown, std::back_inserter(all));

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::report {
 
-std::vector<double> walls_with_atoms(const results::CaseResult& case_result) {
+std::vector<double> walls_with_rest_atoms(const results::CaseResult& case_result) {
   std::set<double> walls;
   for (const auto& solution : case_result.solutions) {
     for (const auto& atom : solution.atoms) walls.insert(atom.y);
@@ -16,12 +16,12 @@ std::vector<double> walls_with_atoms(const results::CaseResult& case_result) {
   return {walls.begin(), walls.end()};
 }
 
-std::string atom_header(const results::CaseResult& case_result, double wall) {
-  return walls_with_atoms(case_result).size() == 1 ? std::string("P(rest)")
-                                                   : fmt::format("P(rest at {:g})", wall);
+std::string rest_probability_header(const results::CaseResult& case_result, double wall) {
+  return walls_with_rest_atoms(case_result).size() == 1 ? std::string("P(rest)")
+                                                        : fmt::format("P(rest at {:g})", wall);
 }
 
-double atom_probability(const transform::Solution& solution, double wall) {
+double rest_atom_probability(const transform::Solution& solution, double wall) {
   const auto found = std::ranges::find(solution.atoms, wall, &transform::RestAtom::y);
   return found == solution.atoms.end() ? std::numeric_limits<double>::quiet_NaN()
                                        : found->probability;

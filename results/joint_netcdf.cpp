@@ -44,9 +44,9 @@ void write_problem(NetCdfWriter& file, const problem::Problem& problem, int vari
 
 /// Values of a netCDF variable of a case, shape (solution, cells); NaN for solutions without
 /// values.
-class SolutionArray {
+class NetCdfSolutionVariable {
  public:
-  SolutionArray(const std::vector<std::string>& solutions, std::size_t cells)
+  NetCdfSolutionVariable(const std::vector<std::string>& solutions, std::size_t cells)
       : solutions_(solutions),
         cells_(cells),
         values_(solutions.size() * cells, std::numeric_limits<float>::quiet_NaN()) {}
@@ -87,21 +87,21 @@ void write_case(NetCdfWriter& file, const CaseResult& case_result,
   const int y = file.write_cell_coordinate("y_" + name, "displacement y", bounds, cells.y_edges);
   const int ydot = file.write_cell_coordinate("ydot_" + name, "velocity y'", bounds, cells.v_edges);
   const auto write = [&](const std::string& prefix, const std::string& meaning,
-                         const SolutionArray& over) {
+                         const NetCdfSolutionVariable& over) {
     const int variable = file.write_compressed<float>(prefix + '_' + name, {solution, y, ydot},
                                                       meaning, over.values());
     file.write_attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), variable);
     write_problem(file, case_result.problem, variable);
     return variable;
   };
-  SolutionArray densities(solutions, cells.averages.size());
+  NetCdfSolutionVariable densities(solutions, cells.averages.size());
   for (const auto& [id, density] : case_result.joints) densities.put(id, density.averages);
   const int p = write("p", "joint probability density of y and y'", densities);
   if (const std::string atoms = atoms_text(case_result); !atoms.empty()) {
     file.write_attribute("rest_in_contact", atoms, p);
   }
   for (const auto& moment : transform::kMoments) {
-    SolutionArray sources(solutions, cells.averages.size());
+    NetCdfSolutionVariable sources(solutions, cells.averages.size());
     bool any = false;
     for (const auto& [id, of, density] : case_result.error_sources) {
       if (of != moment.name) continue;
@@ -131,7 +131,7 @@ void read_variable(NetCdfReader& file, const std::string& name,
   for (std::size_t s = 0; s < solutions.size(); ++s) {
     const std::span<const double> averages(values.data() + s * count, count);
     if (std::ranges::all_of(averages, [](double p) { return std::isnan(p); })) continue;
-    use(file.text_attribute(name, "case"), solutions[s],
+    use(file.read_text_attribute(name, "case"), solutions[s],
         transform::GridDensity{y_edges, v_edges, {averages.begin(), averages.end()}});
   }
 }
@@ -210,11 +210,11 @@ JointFileContent read_joint_netcdf(const fs::path& path,
   }
 }
 
-GriddedVariable read_gridded_variable(std::string bytes, const std::string& where) {
+NetCdfGridVariable read_gridded_variable(std::string bytes, const std::string& file_name) {
   try {
     NetCdfReader file(std::move(bytes));
     const auto names = file.variable_names();
-    GriddedVariable variable;
+    NetCdfGridVariable variable;
     for (const auto& name : names) {
       if (!has_coordinates(file, names, name)) continue;
       if (!variable.name.empty()) {
@@ -237,15 +237,15 @@ GriddedVariable read_gridded_variable(std::string bytes, const std::string& wher
     return variable;
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format(
-        "{}: {} (must be netCDF-4 with p(y, v) and its coordinates y and v, or a joint.nc)", where,
-        base::sanitise(error.what())));
+        "{}: {} (must be netCDF-4 with p(y, v) and its coordinates y and v, or a joint.nc)",
+        file_name, base::sanitise(error.what())));
   }
 }
 
 std::vector<JointDensity> joint_densities(const compare::ComparisonAxes& axes,
                                           std::span<const transform::Solution> solutions) {
   std::vector<JointDensity> joints;
-  const auto even = compare::uniform_axes(axes);
+  const auto even = compare::undivided_axes(axes);
   const auto y_edges = every_second_edge(even.y_edges);
   for (const auto& solution : solutions) {
     if (!solution.density) continue;

@@ -53,7 +53,7 @@ JointFileContent read_joint_netcdf(const std::filesystem::path& file,
 
 /// A variable with two coordinates from a netCDF-4 file: an external joint density. The names of
 /// the coordinates identify y and y'.
-struct GriddedVariable {
+struct NetCdfGridVariable {
   std::string name;
   std::string first_name, second_name;
   std::vector<double> first, second;
@@ -62,10 +62,10 @@ struct GriddedVariable {
 
 /// Reads the only variable of a netCDF-4 file that has two dimensions and a coordinate for each of
 /// them. The coordinate of a dimension is the variable with the name of the dimension.
-/// @param where name of the file, for messages
+/// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the file is corrupt or does not have exactly
 ///         one such variable
-GriddedVariable read_gridded_variable(std::string bytes, const std::string& where);
+NetCdfGridVariable read_gridded_variable(std::string bytes, const std::string& file_name);
 
 /// Returns the joint densities p(y, y') of all solutions with a joint density, in the order of the
 /// solutions. The cell widths in y and in y' are a tenth of a standard deviation. Each cell joins

@@ -76,14 +76,14 @@ void collect_metrics(const std::string& path, const Json& json, Metrics& metrics
 
 }  // namespace
 
-Json program_json(const Program& program) {
+Json program_to_json(const ProgramInfo& program) {
   return {{"name", program.name}, {"version", program.version}, {"command", program.command}};
 }
 
-Json problem_json(const problem::Problem& problem) {
+Json problem_to_json(const problem::Problem& problem) {
   Json json{{"name", problem.name}};
   for (const auto& section : problem::sections(problem)) {
-    json[section.name] = values_json(section.values);
+    json[section.name] = values_to_json(section.values);
   }
   if (problem.impulses.is_present()) {
     json["impulse"]["moments"] = problem.impulses.law().moments();
@@ -91,7 +91,7 @@ Json problem_json(const problem::Problem& problem) {
   return json;
 }
 
-Json value_json(const base::Value& value) {
+Json value_to_json(const base::Value& value) {
   return std::visit(
       [](const auto& held) -> Json {
         if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::monostate>) {
@@ -103,13 +103,13 @@ Json value_json(const base::Value& value) {
       value);
 }
 
-Json values_json(const base::Values& values) {
+Json values_to_json(const base::Values& values) {
   Json json = Json::object();
-  for (const auto& [name, value] : values) json[name] = value_json(value);
+  for (const auto& [name, value] : values) json[name] = value_to_json(value);
   return json;
 }
 
-Json moments_json(const transform::Moments& m) {
+Json moments_to_json(const transform::Moments& m) {
   Json json;
   for (const auto& [name, symbol, moment, size] : transform::kMoments) json[name] = m.*moment;
   return json;
@@ -124,7 +124,7 @@ void add_metrics(const Metrics& metrics, Json& object) {
     }
     Json& at = resolve_path(object, path);
     if (!at.is_null()) throw std::logic_error("two metrics with the path " + observation.path);
-    at = value_json(observation.value);
+    at = value_to_json(observation.value);
   }
 }
 
@@ -163,12 +163,12 @@ problem::Problem problem_from_json(const Json& object) {
   return problem::problem_from_sections(object.at("name").get<std::string>(), sections);
 }
 
-double number_in(const Json& object, const char* key) {
+double number_at_key(const Json& object, const char* key) {
   const Json& value = object.at(key);
   return value.is_null() ? kNotANumber : value.get<double>();
 }
 
-int integer_in(const Json& object, const char* key) {
+int integer_at_key(const Json& object, const char* key) {
   // get<int>() of the JSON library would silently convert 1e300 and integers out of range.
   const base::Value value = value_from_json(object.at(key));
   const auto* whole = std::get_if<std::int64_t>(&value);
@@ -182,47 +182,47 @@ int integer_in(const Json& object, const char* key) {
 transform::Moments moments_from_json(const Json& json) {
   transform::Moments moments;
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    moments.*moment = number_in(json, name);
+    moments.*moment = number_at_key(json, name);
   }
   return moments;
 }
 
-std::optional<double> optional_number_in(const Json& object, const char* key) {
+std::optional<double> optional_number_at_key(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || found->is_null()) return std::nullopt;
   return found->get<double>();
 }
 
-Json with_null_for_non_finite(Json value) {
+Json replace_non_finite_by_null(Json value) {
   if (value.is_number_float() && !std::isfinite(value.get<double>())) return nullptr;
   if (value.is_structured()) {
-    for (auto& element : value) element = with_null_for_non_finite(std::move(element));
+    for (auto& element : value) element = replace_non_finite_by_null(std::move(element));
   }
   return value;
 }
 
-std::string json_text(const Json& json) {
+std::string serialise_json(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-Json parse_json(std::istream& in, const std::string& where) {
+Json parse_json(std::istream& in, const std::string& file_name) {
   std::size_t count = 0;
   const auto accept_event = [&](int depth, Json::parse_event_t event, Json& value) {
     if (depth > kMaxDepth) {
       throw InputError(fmt::format("{} is nested more than {} deep: not a file of this program",
-                                   where, kMaxDepth));
+                                   file_name, kMaxDepth));
     }
     if (++count > kMaxJsonValues) {
-      throw InputError(fmt::format("{} has more than {} values: not a file of this program", where,
-                                   kMaxJsonValues));
+      throw InputError(fmt::format("{} has more than {} values: not a file of this program",
+                                   file_name, kMaxJsonValues));
     }
     // Texts are sanitised, since a terminal would execute control characters in a printed text.
     const bool text = event == Json::parse_event_t::key || event == Json::parse_event_t::value;
     if (text && value.is_string()) {
       auto& text_value = value.get_ref<std::string&>();
       if (text_value.size() > kMaxTextLength) {
-        throw InputError(fmt::format("{} has a text of {} bytes: not a file of this program", where,
-                                     text_value.size()));
+        throw InputError(fmt::format("{} has a text of {} bytes: not a file of this program",
+                                     file_name, text_value.size()));
       }
       text_value = base::escape_control_characters(text_value);
     }
@@ -231,32 +231,35 @@ Json parse_json(std::istream& in, const std::string& where) {
   try {
     return Json::parse(in, accept_event);
   } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("{} is not JSON: error at byte {}; run again", where, error.byte));
+    throw InputError(
+        fmt::format("{} is not JSON: error at byte {}; run again", file_name, error.byte));
   } catch (const Json::exception& error) {  // a number is out of the range of double
-    throw InputError(fmt::format("{} is not JSON: {}; run again", where, exception_text(error)));
+    throw InputError(
+        fmt::format("{} is not JSON: {}; run again", file_name, json_error_message(error)));
   }
 }
 
-std::string exception_text(const std::exception& error) {
+std::string json_error_message(const std::exception& error) {
   const std::string text = error.what();
   const auto end = text.find("] ");
   return base::sanitise(end == std::string::npos ? text : text.substr(end + 2));
 }
 
-bool is_run_summary(const std::string& text, const std::string& where) {
+bool is_run_summary(const std::string& text, const std::string& file_name) {
   std::istringstream in(text);
-  const Json json = parse_json(in, where);
+  const Json json = parse_json(in, file_name);
   return json.is_object() && json.contains("schema");
 }
 
-transform::Metrics metrics_from_external_json(const std::string& text, const std::string& where) {
+transform::Metrics metrics_from_external_json(const std::string& text,
+                                              const std::string& file_name) {
   std::istringstream in(text);
-  const Json json = parse_json(in, where);
-  if (!json.is_object()) throw InputError(fmt::format("{} contains no JSON object", where));
+  const Json json = parse_json(in, file_name);
+  if (!json.is_object()) throw InputError(fmt::format("{} contains no JSON object", file_name));
   try {
     return metrics_from_json(json);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", where, error.what()));
+    throw InputError(fmt::format("{}: {}", file_name, error.what()));
   }
 }
 

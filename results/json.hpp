@@ -21,12 +21,12 @@ using Json = nlohmann::ordered_json;
 
 /// Returns a JSON object with the name, version and command line of the program. Every JSON file of
 /// results begins with this object.
-Json program_json(const Program& program);
+Json program_to_json(const ProgramInfo& program);
 /// Returns a JSON object with the name of the problem and the sections "system" and "impulse".
-Json problem_json(const problem::Problem& problem);
-Json value_json(const base::Value& value);
-Json values_json(const base::Values& values);
-Json moments_json(const transform::Moments& moments);
+Json problem_to_json(const problem::Problem& problem);
+Json value_to_json(const base::Value& value);
+Json values_to_json(const base::Values& values);
+Json moments_to_json(const transform::Moments& moments);
 
 /// Adds metrics to a JSON object. The path "quantiles.y[2].value" of a metric creates the objects
 /// and lists along the path. The path "splitting_thresholds[]" creates an empty list.
@@ -47,43 +47,44 @@ problem::Problem problem_from_json(const Json& object);
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 /// Returns the number under a key of a JSON object, or NaN if the JSON value is null.
 /// @throws nlohmann::json::exception
-double number_in(const Json& object, const char* key);
+double number_at_key(const Json& object, const char* key);
 /// @throws nlohmann::json::exception
 transform::Moments moments_from_json(const Json& json);
 /// Returns the integer under a key of a JSON object.
 /// @throws nlohmann::json::exception
 /// @throws InputError if the JSON value is not an integer in the range of int
-int integer_in(const Json& object, const char* key);
+int integer_at_key(const Json& object, const char* key);
 /// Returns the number under a key of a JSON object, or nothing if the key is missing or the JSON
 /// value is null.
 /// @throws nlohmann::json::exception
-std::optional<double> optional_number_in(const Json& object, const char* key);
+std::optional<double> optional_number_at_key(const Json& object, const char* key);
 
 /// Returns a copy in which null replaces every infinity and NaN, which JSON does not have.
-Json with_null_for_non_finite(Json value);
+Json replace_non_finite_by_null(Json value);
 
 /// Returns the text of a JSON value. Replacement characters replace bytes that are not UTF-8, since
 /// file names may contain such bytes.
-std::string json_text(const Json& json);
+std::string serialise_json(const Json& json);
 
 /// Parses the JSON of a file. The parser limits the nesting depth, the number of values and the
 /// length of texts.
-/// @param where name of the file, for messages
+/// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line
-Json parse_json(std::istream& in, const std::string& where);
+Json parse_json(std::istream& in, const std::string& file_name);
 
 /// Removes a prefix such as "[json.exception.out_of_range.403] " from the message of an exception.
-std::string exception_text(const std::exception& error);
+std::string json_error_message(const std::exception& error);
 
 /// Returns whether a JSON text is the summary of a run: a JSON object with the key "schema".
-/// @param where name of the file, for messages
+/// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the text is not JSON
-bool is_run_summary(const std::string& text, const std::string& where);
+bool is_run_summary(const std::string& text, const std::string& file_name);
 
 /// Reads a JSON file of another program as metrics. The name of a metric is the path of its value,
 /// such as "coefficients[2].a".
-/// @param where name of the file, for messages
+/// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the text is not a JSON object
-transform::Metrics metrics_from_external_json(const std::string& text, const std::string& where);
+transform::Metrics metrics_from_external_json(const std::string& text,
+                                              const std::string& file_name);
 
 }  // namespace fpkcheck::results

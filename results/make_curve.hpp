@@ -6,6 +6,6 @@
 namespace fpkcheck::results {
 
 /// Converts a marginal density of a solution to the form in which runs store marginal densities.
-Curve make_curve(compare::SolutionMarginal&& found);
+DensityCurve make_curve(compare::SolutionMarginal&& marginal);
 
 }  // namespace fpkcheck::results

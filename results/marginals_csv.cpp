@@ -50,9 +50,9 @@ bool read_line(std::istream& in, std::string& line) {
   return true;
 }
 
-class RowReader {
+class CsvRowReader {
  public:
-  RowReader(std::string_view source, const NonFinitePredicate& allows_non_finite)
+  CsvRowReader(std::string_view source, const NonFinitePredicate& allows_non_finite)
       : source_(source), allows_non_finite_(allows_non_finite) {}
 
   void read(const std::string& line, int line_number, std::vector<CaseCurve>& curves) {
@@ -64,7 +64,7 @@ class RowReader {
     if (fields.size() != kFields) {
       fail(fmt::format("{} fields (must be {})", fields.size(), kFields));
     }
-    const auto variable = base::enum_from_name<transform::Variable>(fields[2]);
+    const auto variable = base::enum_from_name<transform::StateVariable>(fields[2]);
     if (!variable) fail(fmt::format("variable {} (must be y or ydot)", base::in_quotes(fields[2])));
     const bool continues = !curves.empty() && curves.back().case_name == fields[0] &&
                            curves.back().curve.solution == fields[1] &&
@@ -73,7 +73,7 @@ class RowReader {
       curves.push_back({fields[0], {fields[1], *variable, {}, {}, {}, {}}});
       requires_finite_ = !(allows_non_finite_ && allows_non_finite_(fields[0], fields[1]));
     }
-    Curve& curve = curves.back().curve;
+    DensityCurve& curve = curves.back().curve;
     curve.abscissa.push_back(number(fields[3], true));
     curve.density.push_back(number(fields[4], requires_finite_));
     if (!fields[5].empty()) curve.lower.push_back(number(fields[5], requires_finite_));
@@ -110,10 +110,10 @@ class RowReader {
 }  // namespace
 
 void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
-                         std::vector<Curve> CaseResult::*curves) {
+                         std::vector<DensityCurve> CaseResult::*curves) {
   out << kHeader << '\n';
   for (const auto& case_result : cases) {
-    const std::string case_name = csv_field(case_result.name());
+    const std::string case_name = quote_csv_field(case_result.name());
     for (const auto& curve : case_result.*curves) {
       for (std::size_t k = 0; k < curve.abscissa.size(); ++k) {
         fmt::print(out, "{},{},{},{},{},{},{}\n", case_name, curve.solution, name(curve.variable),
@@ -126,7 +126,7 @@ void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
 
 std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view source,
                                           const NonFinitePredicate& allows_non_finite) {
-  RowReader row(source, allows_non_finite);
+  CsvRowReader row(source, allows_non_finite);
   std::string line;
   if (!read_line(in, line) || line != kHeader) {
     row.fail(fmt::format("not a file of marginals (the header must be {})", kHeader));
@@ -138,7 +138,7 @@ std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view sou
   return curves;
 }
 
-std::string csv_field(const std::string& text) {
+std::string quote_csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {

@@ -18,11 +18,11 @@ namespace fpkcheck::results {
 /// @param curves member with the curves: &CaseResult::curves, or &CaseResult::smooth for smooth
 ///        bins
 void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
-                         std::vector<Curve> CaseResult::*curves = &CaseResult::curves);
+                         std::vector<DensityCurve> CaseResult::*curves = &CaseResult::curves);
 
 struct CaseCurve {
   std::string case_name;
-  Curve curve;
+  DensityCurve curve;
 };
 
 /// Function that returns whether the density of a solution of a case may be infinite or NaN.
@@ -38,6 +38,6 @@ std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view sou
                                           const NonFinitePredicate& allows_non_finite = {});
 
 /// Encloses a text in quotes if the text contains separators, quotes or line breaks (RFC 4180).
-std::string csv_field(const std::string& text);
+std::string quote_csv_field(const std::string& text);
 
 }  // namespace fpkcheck::results

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/files/atomic_file.hpp"
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 
 namespace fpkcheck::results {
@@ -27,7 +27,7 @@ std::vector<fs::path> missing_directories(const fs::path& directory) {
 }
 
 void recover_interrupted_run(const fs::path& directory) {
-  base::complete_interrupted_commit(directory);
+  base::recover_interrupted_commit(directory);
   base::remove_abandoned_partial_files(directory);
 }
 

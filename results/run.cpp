@@ -12,9 +12,9 @@
 namespace fpkcheck::results {
 namespace {
 
-const Curve* find_curve(const std::vector<Curve>& curves, std::string_view solution,
-                        transform::Variable variable) {
-  const auto found = std::ranges::find_if(curves, [&](const Curve& curve) {
+const DensityCurve* find_curve(const std::vector<DensityCurve>& curves, std::string_view solution,
+                               transform::StateVariable variable) {
+  const auto found = std::ranges::find_if(curves, [&](const DensityCurve& curve) {
     return curve.solution == solution && curve.variable == variable;
   });
   return found == curves.end() ? nullptr : &*found;
@@ -33,7 +33,7 @@ std::optional<double> common_width(const std::vector<double>& centres) {
 
 }  // namespace
 
-std::vector<double> bin_widths(const Curve& curve) {
+std::vector<double> bin_widths(const DensityCurve& curve) {
   const auto& centres = curve.abscissa;
   if (const auto width = common_width(centres)) return std::vector(centres.size(), *width);
   std::vector<double> widths(centres.size());
@@ -51,12 +51,13 @@ std::vector<double> bin_widths(const Curve& curve) {
   return widths;
 }
 
-const Curve* CaseResult::curve(std::string_view solution, transform::Variable variable) const {
+const DensityCurve* CaseResult::curve(std::string_view solution,
+                                      transform::StateVariable variable) const {
   return find_curve(curves, solution, variable);
 }
 
-const Curve* CaseResult::smooth_curve(std::string_view solution,
-                                      transform::Variable variable) const {
+const DensityCurve* CaseResult::smooth_curve(std::string_view solution,
+                                             transform::StateVariable variable) const {
   return find_curve(smooth, solution, variable);
 }
 
@@ -74,9 +75,11 @@ const ErrorSource* CaseResult::error_source(std::string_view solution,
   return found == error_sources.end() ? nullptr : &*found;
 }
 
-Program this_program(const std::string& command) { return {"fpkcheck", FPKCHECK_VERSION, command}; }
+ProgramInfo current_program(const std::string& command) {
+  return {"fpkcheck", FPKCHECK_VERSION, command};
+}
 
-Curve make_curve(compare::SolutionMarginal&& found) {
+DensityCurve make_curve(compare::SolutionMarginal&& found) {
   auto& [solution, variable, marginal] = found;
   std::vector<double> centres;
   for (std::size_t b = 0; b < marginal.size(); ++b) centres.push_back(marginal.centre(b));

@@ -19,20 +19,20 @@
 namespace fpkcheck::results {
 
 /// A marginal density of one solution, as averages over n bins.
-struct Curve {
+struct DensityCurve {
   std::string solution;
-  transform::Variable variable;
+  transform::StateVariable variable;
   std::vector<double> abscissa;  ///< centres of the bins, shape (n)
   std::vector<double> density;   ///< averages over the bins, shape (n)
   std::vector<double> lower;     ///< lower ends of 95 % intervals, shape (n); or empty
   std::vector<double> upper;     ///< upper ends of 95 % intervals, shape (n); or empty
 
-  bool operator==(const Curve&) const = default;
+  bool operator==(const DensityCurve&) const = default;
 };
 
 /// Returns the widths of the bins of a curve, shape (n).
 /// @pre the bins are contiguous, and either all have the same width or have an edge at 0
-std::vector<double> bin_widths(const Curve& curve);
+std::vector<double> bin_widths(const DensityCurve& curve);
 
 /// The joint density p(y, y') of one solution, as averages over cells. All joint densities of a
 /// case have the same cells.
@@ -63,11 +63,11 @@ struct CaseResult {
   std::vector<transform::Solution> solutions;  ///< by increasing trust
   std::vector<compare::PairDistances> pairs;   ///< distances of all pairs of solutions
   std::vector<compare::ErrorBudgetRow> budget;
-  std::vector<Curve> curves;  ///< marginal densities over the comparison bins
+  std::vector<DensityCurve> curves;  ///< marginal densities over the comparison bins
   std::vector<JointDensity> joints;
   /// Marginal densities of all solutions over smooth bins (B-spline weights); empty unless a
   /// solution has smooth estimates (compare/smooth_reference.hpp).
-  std::vector<Curve> smooth = {};
+  std::vector<DensityCurve> smooth = {};
   /// In the order of the solutions; some solutions have no estimate.
   std::vector<MomentErrorEstimate> moment_error_estimates = {};
   std::vector<ErrorSource> error_sources = {};  ///< sources of the errors of E[y^2] and E[y'^2]
@@ -83,21 +83,22 @@ struct CaseResult {
   /// Callers must update the assessment after a change of the solutions, distances or error
   /// budgets.
   void assess() { assessment = compare::assess_solutions(solutions, pairs, budget); }
-  const Curve* curve(std::string_view solution, transform::Variable variable) const;
-  const Curve* smooth_curve(std::string_view solution, transform::Variable variable) const;
+  const DensityCurve* curve(std::string_view solution, transform::StateVariable variable) const;
+  const DensityCurve* smooth_curve(std::string_view solution,
+                                   transform::StateVariable variable) const;
   const MomentErrorEstimate* moment_error_estimate(std::string_view solution) const;
   const ErrorSource* error_source(std::string_view solution, std::string_view moment) const;
   std::optional<double> l1(std::string_view one, std::string_view other,
-                           transform::Variable variable) const {
+                           transform::StateVariable variable) const {
     return compare::l1_distance_between(pairs, one, other, variable);
   }
 };
 
-struct Program {
+struct ProgramInfo {
   std::string name, version, command;
 };
 
-Program this_program(const std::string& command);
+ProgramInfo current_program(const std::string& command);
 
 struct FileChecksum {
   std::string file;
@@ -105,7 +106,7 @@ struct FileChecksum {
 };
 
 struct Run {
-  Program program;
+  ProgramInfo program;
   std::vector<CaseResult> cases;
   /// Sentence on the interruption of the run and the missing results; empty for a complete run.
   std::string stopped = {};

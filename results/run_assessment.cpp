@@ -13,24 +13,24 @@ std::optional<double> larger_of(std::optional<double> one, std::optional<double>
   return one ? one : other;
 }
 
-AgreementEntry agreement_entry(const results::CaseResult& one, std::string_view id) {
+AgreementInCase agreement_entry(const results::CaseResult& one, std::string_view id) {
   const auto* assessed = one.assessment.find(id);
-  return assessed == nullptr ? AgreementEntry{} : AgreementEntry{{*assessed}, one.find(id)};
+  return assessed == nullptr ? AgreementInCase{} : AgreementInCase{{*assessed}, one.find(id)};
 }
 
-std::vector<AgreementRow> agreement_rows(const results::Run& run) {
-  std::vector<AgreementRow> all;
+std::vector<SolutionAgreements> agreement_rows(const results::Run& run) {
+  std::vector<SolutionAgreements> all;
   for (std::size_t k = 0; k < run.cases.size(); ++k) {
     auto place = all.begin();
     for (const auto& solution : run.cases[k].solutions) {
       const auto known = std::ranges::find(
-          all, solution.id(), [](const AgreementRow& row) { return row.identity->id; });
+          all, solution.id(), [](const SolutionAgreements& row) { return row.identity->id; });
       if (known != all.end()) {
         place = known + 1;
         continue;
       }
       // A new row follows the row of the preceding solution in the same case.
-      place = all.insert(place, AgreementRow{&solution.identity, {}}) + 1;
+      place = all.insert(place, SolutionAgreements{&solution.identity, {}}) + 1;
     }
   }
   for (auto& row : all) {
@@ -39,8 +39,8 @@ std::vector<AgreementRow> agreement_rows(const results::Run& run) {
     }
   }
   // A solution that is not applicable in any case gets no row.
-  std::erase_if(all, [](const AgreementRow& row) {
-    return std::ranges::all_of(row.entries, [](const AgreementEntry& entry) {
+  std::erase_if(all, [](const SolutionAgreements& row) {
+    return std::ranges::all_of(row.entries, [](const AgreementInCase& entry) {
       return entry.solution == nullptr || entry.solution->status == transform::Status::not_offered;
     });
   });
@@ -49,20 +49,20 @@ std::vector<AgreementRow> agreement_rows(const results::Run& run) {
 
 }  // namespace
 
-int AgreementRow::case_count() const {
-  return static_cast<int>(entries.size()) - case_count_with(Agreement::absent);
+int SolutionAgreements::case_count() const {
+  return static_cast<int>(entries.size()) - case_count_with_agreement(Agreement::absent);
 }
 
-int AgreementRow::reproduced_case_count() const {
-  return static_cast<int>(std::ranges::count_if(entries, &AgreementEntry::reproduces_reference));
+int SolutionAgreements::reproduced_case_count() const {
+  return static_cast<int>(std::ranges::count_if(entries, &AgreementInCase::reproduces_reference));
 }
 
-int AgreementRow::case_count_with(Agreement agreement) const {
-  return static_cast<int>(std::ranges::count(entries, agreement, &AgreementEntry::agreement));
+int SolutionAgreements::case_count_with_agreement(Agreement agreement) const {
+  return static_cast<int>(std::ranges::count(entries, agreement, &AgreementInCase::agreement));
 }
 
-std::optional<double> AgreementRow::largest_l1_of(
-    std::optional<double> AgreementEntry::*marginal) const {
+std::optional<double> SolutionAgreements::largest_l1_of_marginal(
+    std::optional<double> AgreementInCase::*marginal) const {
   std::optional<double> most;
   for (const auto& entry : entries) {
     if (entry.agreement != Agreement::no_density) most = larger_of(most, entry.*marginal);
@@ -70,11 +70,12 @@ std::optional<double> AgreementRow::largest_l1_of(
   return most;
 }
 
-std::optional<double> AgreementRow::largest_l1() const {
-  return larger_of(largest_l1_of(&AgreementEntry::y), largest_l1_of(&AgreementEntry::ydot));
+std::optional<double> SolutionAgreements::largest_l1() const {
+  return larger_of(largest_l1_of_marginal(&AgreementInCase::y),
+                   largest_l1_of_marginal(&AgreementInCase::ydot));
 }
 
-double AgreementRow::longest_seconds() const {
+double SolutionAgreements::longest_seconds() const {
   double longest = 0;
   for (const auto& entry : entries) {
     if (entry.solution != nullptr) longest = std::max(longest, entry.solution->seconds);
@@ -82,23 +83,23 @@ double AgreementRow::longest_seconds() const {
   return longest;
 }
 
-void MarginalDistances::take_larger_distances(const std::optional<double>& other_y,
-                                              const std::optional<double>& other_ydot) {
+void MarginalDistances::update_maximum_distances(const std::optional<double>& other_y,
+                                                 const std::optional<double>& other_ydot) {
   y = larger_of(y, other_y);
   ydot = larger_of(ydot, other_ydot);
 }
 
-int case_count(const CasesBySolution& cases) {
+int case_count(const CaseNamesBySolution& cases) {
   std::size_t count = 0;
   for (const auto& [id, names] : cases) count += names.size();
   return static_cast<int>(count);
 }
 
-const AgreementRow* RunAssessment::fastest_row(double accuracy) const {
+const SolutionAgreements* RunAssessment::fastest_accurate_solution(double accuracy) const {
   const double error = std::max(reference_y_l1, reference_ydot_l1);
-  const AgreementRow* fastest = nullptr;
+  const SolutionAgreements* fastest = nullptr;
   for (const auto& row : rows) {
-    const bool is_accurate = std::ranges::all_of(row.entries, [&](const AgreementEntry& entry) {
+    const bool is_accurate = std::ranges::all_of(row.entries, [&](const AgreementInCase& entry) {
       if (entry.agreement == Agreement::reference) return error <= accuracy;
       return entry.solution != nullptr && entry.solution->is_ok() && entry.y && entry.ydot &&
              *entry.largest_l1() + error <= accuracy;
@@ -122,7 +123,7 @@ RunAssessment assess_run(const Run& run) {
     (second->has_agreement ? assessed.confirming : assessed.contradicting)[second->id].push_back(
         case_result.name());
     const auto& distances = *assessment.find(second->id);
-    assessed.confirmation_distances.take_larger_distances(distances.y, distances.ydot);
+    assessed.confirmation_distances.update_maximum_distances(distances.y, distances.ydot);
   }
   return assessed;
 }

@@ -22,7 +22,7 @@ using compare::Distances;
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
 using compare::PairDistances;
-using transform::Variable;
+using transform::StateVariable;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -94,8 +94,8 @@ Json bounds_json(const compare::GuaranteedBounds& bounds) {
 
 Json moment_error_estimate_json(const MomentErrorEstimate& own) {
   return {{"solution", own.solution},
-          {"corrected", moments_json(own.corrected)},
-          {"error", moments_json(own.error)}};
+          {"corrected", moments_to_json(own.corrected)},
+          {"error", moments_to_json(own.error)}};
 }
 
 Json limiting_error_json(const compare::LimitingErrorGroup& group) {
@@ -110,7 +110,7 @@ Json assessment_json(const compare::Assessment& assessment) {
   if (!assessment.reference.empty()) {
     json["reference"] = {
         {"solution", assessment.reference},
-        {"selected_by", assessment.is_selected_by_error_estimate() ? "error_estimate" : "trust"},
+        {"selected_by", assessment.is_reference_selected_by_error() ? "error_estimate" : "trust"},
         {"y_l1", assessment.reference_y_l1},
         {"ydot_l1", assessment.reference_ydot_l1}};
   }
@@ -130,7 +130,7 @@ Json assessment_json(const compare::Assessment& assessment) {
 }
 
 Json case_json(const CaseResult& case_result) {
-  Json json = problem_json(case_result.problem);
+  Json json = problem_to_json(case_result.problem);
   json["solutions"] = json_list(case_result.solutions, solution_json);
   json["comparisons"] = json_list(case_result.pairs, pair_json);
   json["budget"] = json_list(case_result.budget, budget_row_json);
@@ -144,9 +144,9 @@ Json case_json(const CaseResult& case_result) {
   return json;
 }
 
-Variable variable_from_json(const Json& object) {
+StateVariable variable_from_json(const Json& object) {
   const auto text = object.at("variable").get<std::string>();
-  const auto variable = base::enum_from_name<Variable>(text);
+  const auto variable = base::enum_from_name<StateVariable>(text);
   if (!variable)
     throw InputError(fmt::format("variable {} (must be y or ydot)", base::in_quotes(text)));
   return *variable;
@@ -163,7 +163,7 @@ PairDistances pair_from_json(const Json& json) {
                      json.at("b"),
                      variable_from_json(json),
                      {},
-                     optional_number_in(json, "l1_standard_error")};
+                     optional_number_at_key(json, "l1_standard_error")};
   Distances& d = pair.distances;
   d.l1 = number_or_default(kNotANumber, json.at("l1"));
   d.l2 = number_or_default(kNotANumber, json.at("l2"));
@@ -176,8 +176,8 @@ PairDistances pair_from_json(const Json& json) {
     d.log10_tail.push_back({.from = tail.at("from"),
                             .to = tail.at("to"),
                             .mean_abs = number_or_default(kNotANumber, tail.at("mean_abs")),
-                            .bins = integer_in(tail, "bins"),
-                            .bins_omitted = integer_in(tail, "left_out")});
+                            .bins = integer_at_key(tail, "bins"),
+                            .bins_omitted = integer_at_key(tail, "left_out")});
   }
   return pair;
 }
@@ -191,7 +191,7 @@ ErrorBudgetRow budget_row_from_json(const Json& json) {
                      .total_tail = number_or_default(kNotANumber, json.at("total_tail")),
                      .tail_from = tail.at("from"),
                      .tail_to = tail.at("to"),
-                     .tail_bins = integer_in(tail, "bins"),
+                     .tail_bins = integer_at_key(tail, "bins"),
                      .parts = {}};
   for (const auto& part : json.at("parts")) {
     row.parts.push_back(
@@ -200,10 +200,10 @@ ErrorBudgetRow budget_row_from_json(const Json& json) {
          .to = part.at("to"),
          .l1 = number_or_default(kNotANumber, part.at("l1")),
          .tail = number_or_default(kNotANumber, part.at("tail")),
-         .uncertainty = optional_number_in(part, "uncertainty"),
-         .expected = optional_number_in(part, "expected"),
-         .quantile_99 = optional_number_in(part, "in_99"),
-         .standard_error = optional_number_in(part, "standard_error")});
+         .uncertainty = optional_number_at_key(part, "uncertainty"),
+         .expected = optional_number_at_key(part, "expected"),
+         .quantile_99 = optional_number_at_key(part, "in_99"),
+         .standard_error = optional_number_at_key(part, "standard_error")});
   }
   if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts; run again");
   return row;
@@ -259,11 +259,11 @@ compare::Assessment assessment_from_json(const Json& json, const CaseResult& cas
     if (!agreement) throw InputError("\"assessment\" has an unknown agreement; run again");
     assessment.solutions.push_back({.id = id_in(solution),
                                     .agreement = *agreement,
-                                    .y = optional_number_in(solution, "y_l1"),
-                                    .ydot = optional_number_in(solution, "ydot_l1"),
+                                    .y = optional_number_at_key(solution, "y_l1"),
+                                    .ydot = optional_number_at_key(solution, "ydot_l1"),
                                     .rank = {}});
     if (!solution.at("rank").is_null())
-      assessment.solutions.back().rank = integer_in(solution, "rank");
+      assessment.solutions.back().rank = integer_at_key(solution, "rank");
   }
   if (!std::ranges::equal(assessment.solutions, case_result.solutions, {},
                           &compare::SolutionAssessment::id, &transform::Solution::id)) {
@@ -313,29 +313,31 @@ CaseResult case_from_json(const Json& json) {
   return case_result;
 }
 
-void require_summary(const Json& json, const std::string& where) {
+void require_summary(const Json& json, const std::string& file_name) {
   if (!json.is_object() || !json.contains("schema")) {
-    throw InputError(fmt::format("{} is not the summary of a run: \"schema\" is missing", where));
+    throw InputError(
+        fmt::format("{} is not the summary of a run: \"schema\" is missing", file_name));
   }
   if (json.at("schema") != kSummarySchema) {
     throw InputError(fmt::format("{} has schema {}, but this program reads schema {}; run again",
-                                 where, base::sanitise(json.at("schema").dump()), kSummarySchema));
+                                 file_name, base::sanitise(json.at("schema").dump()),
+                                 kSummarySchema));
   }
 }
 
 }  // namespace
 
-std::string summary_text(const Run& run, std::span<const FileChecksum> files) {
-  Json json{{"schema", kSummarySchema}, {"program", program_json(run.program)}};
+std::string run_summary_text(const Run& run, std::span<const FileChecksum> files) {
+  Json json{{"schema", kSummarySchema}, {"program", program_to_json(run.program)}};
   if (!run.stopped.empty()) json["stopped"] = run.stopped;
   json["cases"] = json_list(run.cases, case_json);
   for (const auto& [file, crc32] : files) json["files"][file] = crc32;
-  return json_text(with_null_for_non_finite(std::move(json)));
+  return serialise_json(replace_non_finite_by_null(std::move(json)));
 }
 
-Run read_summary(std::istream& in, const std::string& where) {
-  const Json json = parse_json(in, where);
-  require_summary(json, where);
+Run read_run_summary(std::istream& in, const std::string& file_name) {
+  const Json json = parse_json(in, file_name);
+  require_summary(json, file_name);
   try {
     const Json& program = json.at("program");
     Run run{{program.at("name"), program.at("version"), program.at("command")},
@@ -358,10 +360,10 @@ Run read_summary(std::istream& in, const std::string& where) {
     }
     return run;
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", where, error.what()));
+    throw InputError(fmt::format("{}: {}", file_name, error.what()));
   } catch (const Json::exception& error) {
-    throw InputError(
-        fmt::format("{} is not a complete summary: {}; run again", where, exception_text(error)));
+    throw InputError(fmt::format("{} is not a complete summary: {}; run again", file_name,
+                                 json_error_message(error)));
   }
 }
 

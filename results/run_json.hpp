@@ -14,14 +14,14 @@ inline constexpr int kSummarySchema = 1;
 /// null replaces non-finite numbers. A JSON null also replaces the moments, mass, minimum density
 /// and energy residual of a solution without a density.
 /// @param files checksums of the other files of the saved run
-std::string summary_text(const Run& run, std::span<const FileChecksum> files = {});
+std::string run_summary_text(const Run& run, std::span<const FileChecksum> files = {});
 
 /// Reads a summary.json. The solutions of the result have no densities. The JSON type of a metric
 /// determines its kind (metrics_from_json). Solutions from files of an older version have an empty
 /// `family`.
-/// @param where name of the file, for messages
+/// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the text is not a summary of this schema, or
 ///         has a missing or invalid field
-Run read_summary(std::istream& in, const std::string& where);
+Run read_run_summary(std::istream& in, const std::string& file_name);
 
 }  // namespace fpkcheck::results

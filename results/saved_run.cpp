@@ -11,8 +11,8 @@
 #include <set>
 #include <sstream>
 
+#include "base/files/file_transaction.hpp"
 #include "base/files/input_file.hpp"
-#include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "results/joint_netcdf.hpp"
@@ -62,7 +62,7 @@ void require_same_run(const fs::path& file, std::string_view contents, const Run
   if (recorded != run.files.end() && recorded->crc32 != crc32(contents)) refuse_other_run(file);
 }
 
-void read_curves(const fs::path& file, Run& run, std::vector<Curve> CaseResult::*curves) {
+void read_curves(const fs::path& file, Run& run, std::vector<DensityCurve> CaseResult::*curves) {
   auto csv = open_saved_file(file);
   require_same_run(file, csv.view(), run);
   // Simulated trajectories may overflow. A simulation with an overflow has the status `failed`, and
@@ -96,9 +96,9 @@ bool has_any_element(const Run& run, std::vector<Element> CaseResult::*list) {
       run.cases, [&](const CaseResult& case_result) { return !(case_result.*list).empty(); });
 }
 
-class SavedFiles {
+class ChecksummedFiles {
  public:
-  SavedFiles(base::PendingFiles& files, const fs::path& directory)
+  ChecksummedFiles(base::FileTransaction& files, const fs::path& directory)
       : files_(files), directory_(directory) {}
 
   void add(const char* name, const std::string& bytes) {
@@ -107,16 +107,16 @@ class SavedFiles {
   }
   void remove(const char* name) { files_.remove(directory_ / name); }
   void add_summary(const Run& run) {
-    files_.add(directory_ / kSummaryFile, summary_text(run, checksums_) + '\n');
+    files_.add(directory_ / kSummaryFile, run_summary_text(run, checksums_) + '\n');
   }
 
  private:
-  base::PendingFiles& files_;
+  base::FileTransaction& files_;
   const fs::path& directory_;
   std::vector<FileChecksum> checksums_;
 };
 
-void add_curve_files(SavedFiles& saved, const Run& run) {
+void add_curve_files(ChecksummedFiles& saved, const Run& run) {
   std::ostringstream csv, smooth;
   write_marginals_csv(csv, run.cases);
   saved.add(kMarginalsFile, csv.str());
@@ -154,14 +154,15 @@ void load_joint_densities(const fs::path& file, Run& run) {
 
 }  // namespace
 
-void add_summary_and_curves(base::PendingFiles& files, const fs::path& directory, const Run& run) {
-  SavedFiles saved(files, directory);
+void add_summary_and_curves(base::FileTransaction& files, const fs::path& directory,
+                            const Run& run) {
+  ChecksummedFiles saved(files, directory);
   add_curve_files(saved, run);
   saved.add_summary(run);
 }
 
-void add_run_files(base::PendingFiles& files, const fs::path& directory, const Run& run) {
-  SavedFiles saved(files, directory);
+void add_run_files(base::FileTransaction& files, const fs::path& directory, const Run& run) {
+  ChecksummedFiles saved(files, directory);
   add_curve_files(saved, run);
   if (has_any_element(run, &CaseResult::joints)) {
     saved.add(kJointFile, joint_netcdf(run));
@@ -171,10 +172,10 @@ void add_run_files(base::PendingFiles& files, const fs::path& directory, const R
   saved.add_summary(run);
 }
 
-Run load_summary(const fs::path& file) {
-  base::complete_interrupted_commit(file.parent_path());
+Run load_run_summary(const fs::path& file) {
+  base::recover_interrupted_commit(file.parent_path());
   auto in = open_saved_file(file);
-  return read_summary(in, sanitise(file.string()));
+  return read_run_summary(in, sanitise(file.string()));
 }
 
 void load_smooth_curves(const fs::path& file, Run& run) {
@@ -187,7 +188,7 @@ void load_curves(const fs::path& file, Run& run) {
 }
 
 Run load_run(const fs::path& directory) {
-  Run run = load_summary(directory / kSummaryFile);
+  Run run = load_run_summary(directory / kSummaryFile);
   load_curves(directory / kMarginalsFile, run);
   if (fs::exists(directory / kSmoothMarginalsFile))
     load_smooth_curves(directory / kSmoothMarginalsFile, run);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::results {
@@ -21,18 +21,18 @@ inline constexpr const char* kJointFile = "joint.nc";
 /// densities), and summary.json with the checksums of the other files. A smooth.csv or joint.nc of
 /// the earlier run is removed if this run has no such file.
 /// @throws std::runtime_error if a file cannot be written
-void add_run_files(base::PendingFiles& files, const std::filesystem::path& directory,
+void add_run_files(base::FileTransaction& files, const std::filesystem::path& directory,
                    const Run& run);
 
 /// Adds the files of a run to `files` as add_run_files() does, but without joint.nc.
-void add_summary_and_curves(base::PendingFiles& files, const std::filesystem::path& directory,
+void add_summary_and_curves(base::FileTransaction& files, const std::filesystem::path& directory,
                             const Run& run);
 
 /// Reads the summary of a run from a file of any name. If a run was killed while moving its files
 /// into the directory of `file`, the function first finishes the move.
 /// @throws InputError with a message of one line, if the file does not exist
-/// @throws the exceptions of read_summary() and base::complete_interrupted_commit()
-Run load_summary(const std::filesystem::path& file);
+/// @throws the exceptions of read_run_summary() and base::recover_interrupted_commit()
+Run load_run_summary(const std::filesystem::path& file);
 
 /// Reads the curves of a marginals.csv into the cases of a run.
 /// @throws InputError with a message of one line, if the file does not exist, contains no

@@ -15,8 +15,8 @@
 namespace fpkcheck::results {
 namespace {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using transform::Moments;
 using transform::Solution;
 using transform::SolutionIdentity;
@@ -77,15 +77,15 @@ void read_identity(const Json& json, SolutionIdentity& identity) {
   identity.role = *role;
   identity.family = json.at("family");
   identity.formulation = json.at("formulation");
-  if (!json.at("order").is_null()) identity.order = integer_in(json, "order");
+  if (!json.at("order").is_null()) identity.order = integer_at_key(json, "order");
   identity.meaning = json.at("meaning");
-  identity.trust = integer_in(json, "trust");
+  identity.trust = integer_at_key(json, "trust");
   const Json& plot_style = json.at("look");
   identity.plot_style = {.colour = plot_style.at("colour"),
                          .dash = plot_style.at("dash"),
                          .width = plot_style.at("width"),
                          .as_points = plot_style.at("as_points"),
-                         .layer = integer_in(plot_style, "layer"),
+                         .layer = integer_at_key(plot_style, "layer"),
                          .symbol = plot_style.at("symbol")};
 }
 
@@ -102,10 +102,10 @@ Json atoms_json(const std::vector<transform::RestAtom>& atoms) {
 std::vector<transform::RestAtom> atoms_from_json(const Json& json) {
   std::vector<transform::RestAtom> atoms;
   for (const Json& atom : json) {
-    atoms.push_back({.y = number_in(atom, "y"),
-                     .probability = number_in(atom, "probability"),
-                     .standard_error = optional_number_in(atom, "standard_error"),
-                     .error_estimate = optional_number_in(atom, "stated_error")});
+    atoms.push_back({.y = number_at_key(atom, "y"),
+                     .probability = number_at_key(atom, "probability"),
+                     .standard_error = optional_number_at_key(atom, "standard_error"),
+                     .error_estimate = optional_number_at_key(atom, "stated_error")});
   }
   return atoms;
 }
@@ -126,10 +126,10 @@ std::optional<transform::SamplingError> sampling_error_from_json(const Json& jso
                                                                  const char* key) {
   const auto sampling = json.find(key);
   if (sampling == json.end()) return std::nullopt;
-  return transform::SamplingError{.y = optional_number_in(*sampling, "y"),
-                                  .ydot = optional_number_in(*sampling, "ydot"),
-                                  .y_99 = optional_number_in(*sampling, "y_99"),
-                                  .ydot_99 = optional_number_in(*sampling, "ydot_99")};
+  return transform::SamplingError{.y = optional_number_at_key(*sampling, "y"),
+                                  .ydot = optional_number_at_key(*sampling, "ydot"),
+                                  .y_99 = optional_number_at_key(*sampling, "y_99"),
+                                  .ydot_99 = optional_number_at_key(*sampling, "ydot_99")};
 }
 
 template <class Enum>
@@ -147,18 +147,18 @@ void read_solution_numbers(const Json& json, Solution& s) {
   s.had_density = !json.at("mass").is_null();
   if (s.had_density) {
     s.moments = moments_from_json(json.at("moments"));
-    s.mass = number_in(json, "mass");
+    s.mass = number_at_key(json, "mass");
     if (json.contains("atoms")) s.atoms = atoms_from_json(json.at("atoms"));
-    s.min_density = number_in(json, "min_density");
-    s.energy_residual = number_in(json, "energy_residual");
+    s.min_density = number_at_key(json, "min_density");
+    s.energy_residual = number_at_key(json, "energy_residual");
   }
   if (const auto errors = json.find("standard_errors"); errors != json.end()) {
-    s.standard_errors = {moments_from_json(*errors), number_in(*errors, "energy_residual")};
+    s.standard_errors = {moments_from_json(*errors), number_at_key(*errors, "energy_residual")};
   }
   s.sampling = sampling_error_from_json(json, "sampling_l1");
   s.smooth_sampling = sampling_error_from_json(json, "smooth_sampling_l1");
   if (const auto error = json.find("error"); error != json.end() && error->is_object()) {
-    s.error = {number_in(*error, "y_l1"), number_in(*error, "ydot_l1"),
+    s.error = {number_at_key(*error, "y_l1"), number_at_key(*error, "ydot_l1"),
                moments_from_json(error->at("moments"))};
   }
 }
@@ -188,7 +188,7 @@ Json solution_json(const Solution& s) {
             {"equation", identity.equation ? name(*identity.equation) : kUnknownEquation},
             {"impact", identity.impact ? name(*identity.impact) : kUnknownImpact},
             {"identity", identity_json(identity)},
-            {"options", values_json(s.options)},
+            {"options", values_to_json(s.options)},
             {"status", name(s.status)},
             {"reason", s.reason},
             {"seconds", s.seconds},
@@ -197,14 +197,14 @@ Json solution_json(const Solution& s) {
             {"min_density", nullptr},
             {"energy_residual", nullptr}};
   if (s.has_density()) {
-    json["moments"] = moments_json(s.moments);
+    json["moments"] = moments_to_json(s.moments);
     json["mass"] = s.mass;
     if (!s.atoms.empty()) json["atoms"] = atoms_json(s.atoms);
     json["min_density"] = s.min_density;
     json["energy_residual"] = s.energy_residual;
   }
   if (s.standard_errors) {
-    json["standard_errors"] = moments_json(s.standard_errors->moments);
+    json["standard_errors"] = moments_to_json(s.standard_errors->moments);
     json["standard_errors"]["energy_residual"] = s.standard_errors->energy_residual;
   }
   if (s.sampling) json["sampling_l1"] = sampling_json(*s.sampling);
@@ -212,7 +212,7 @@ Json solution_json(const Solution& s) {
   if (s.error) {
     json["error"] = {{"y_l1", s.error->y_l1},
                      {"ydot_l1", s.error->ydot_l1},
-                     {"moments", moments_json(s.error->moments)}};
+                     {"moments", moments_to_json(s.error->moments)}};
   }
   for (const auto& observation : s.metrics) {
     const std::string_view path = observation.path;
@@ -229,15 +229,15 @@ Solution solution_from_json(const Json& json) {
   SolutionIdentity& identity = s.identity;
   identity.id = json.at("id");
   identity.method = json.at("method");
-  identity.equation = enumerator_from_json<Equation>(json, "equation", kUnknownEquation);
-  identity.impact = enumerator_from_json<Impact>(json, "impact", kUnknownImpact);
+  identity.equation = enumerator_from_json<DensityEquation>(json, "equation", kUnknownEquation);
+  identity.impact = enumerator_from_json<ImpactCondition>(json, "impact", kUnknownImpact);
   if (json.contains("identity")) read_identity(json.at("identity"), identity);
   s.options = values_from_json(json.at("options"));
   const auto status = enumerator_from_json<transform::Status>(json, "status", "");
   if (!status) throw InputError("the status is empty; run again");
   s.status = *status;
   s.reason = json.at("reason");
-  s.seconds = number_in(json, "seconds");
+  s.seconds = number_at_key(json, "seconds");
   read_solution_numbers(json, s);
   s.metrics = metrics_from_json(solver_metrics_part(json));
   return s;

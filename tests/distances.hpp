@@ -13,7 +13,7 @@ namespace fpkcheck::tests {
 template <class Y, class V>
 std::pair<double, double> distances(const transform::Solution& solution, const Y& y, const V& v) {
   const auto& grid = std::get<transform::GridDensity>(*solution.density);
-  const auto sum = [&](transform::Variable variable, const std::vector<double>& edges,
+  const auto sum = [&](transform::StateVariable variable, const std::vector<double>& edges,
                        const std::vector<double>& exact) {
     const auto marginal = transform::marginal(solution, variable, edges);
     double total = 0;
@@ -22,8 +22,8 @@ std::pair<double, double> distances(const transform::Solution& solution, const Y
     }
     return total;
   };
-  return {sum(transform::Variable::y, grid.y_edges, y(grid.y_edges)),
-          sum(transform::Variable::ydot, grid.v_edges, v(grid.v_edges))};
+  return {sum(transform::StateVariable::y, grid.y_edges, y(grid.y_edges)),
+          sum(transform::StateVariable::ydot, grid.v_edges, v(grid.v_edges))};
 }
 
 }  // namespace fpkcheck::tests

@@ -31,7 +31,8 @@ inline transform::SmoothDensity smooth_density(const Shape& s, double y_max, dou
 
 /// The identity of a synthetic solution, with a plot style as of the built-in methods.
 inline transform::SolutionIdentity identity(const std::string& id, const std::string& method,
-                                            problem::Equation equation, problem::Impact impact) {
+                                            problem::DensityEquation equation,
+                                            problem::ImpactCondition impact) {
   using transform::SolutionRole;
   transform::SolutionIdentity solution_identity{
       .id = id, .method = method, .equation = equation, .impact = impact};
@@ -51,7 +52,7 @@ inline transform::SolutionIdentity identity(const std::string& id, const std::st
 
 inline transform::SolutionIdentity closure_identity(const std::string& formulation, int order) {
   auto solution_identity = identity("epc-" + formulation + "-n" + std::to_string(order), "epc",
-                                    problem::Equation::km4, problem::Impact::delta);
+                                    problem::DensityEquation::km4, problem::ImpactCondition::delta);
   solution_identity.formulation = formulation;
   solution_identity.order = order;
   solution_identity.family = "epc-" + formulation;
@@ -67,7 +68,7 @@ inline transform::Solution solution(const transform::SolutionIdentity& solution_
   s.status = transform::Status::ok;
   s.seconds = 0.42;
   s.density = density;
-  s.moments = transform::panel_marginals(density, density.y_max, density.v_max).moments;
+  s.moments = transform::quadrature_marginals(density, density.y_max, density.v_max).moments;
   s.mass = 1;
   s.energy_residual = -1.5e-3;
   return s;
@@ -76,11 +77,13 @@ inline transform::Solution solution(const transform::SolutionIdentity& solution_
 /// A histogram of `samples` independent samples of the density on the axes, with 95 % intervals.
 inline transform::Solution simulation(const compare::ComparisonAxes& axes,
                                       const transform::SmoothDensity& density, double samples) {
-  auto s = solution(identity("mcs", "mcs", problem::Equation::kf, problem::Impact::exact), density);
+  auto s = solution(
+      identity("mcs", "mcs", problem::DensityEquation::kf, problem::ImpactCondition::exact),
+      density);
   s.density.reset();
   std::mt19937_64 random(1);
   for (const auto variable : transform::kVariables) {
-    auto m = transform::marginal(density, variable, compare::bin_edges(axes, variable));
+    auto m = transform::marginal(density, variable, compare::comparison_bin_edges(axes, variable));
     for (std::size_t k = 0; k < m.size(); ++k) {
       const double weight = samples * m.width(k);
       std::poisson_distribution<long> count(weight * m.density[k]);
@@ -94,8 +97,8 @@ inline transform::Solution simulation(const compare::ComparisonAxes& axes,
   s.sampling = {.y = 0.0011, .ydot = 0.0015};
   s.standard_errors = {.moments = {.y2 = 1e-4, .v2 = 1e-4}};
   s.metrics = transform::MetricBuilder()
-                  .add_work("samples", samples)
-                  .add_work("streams", std::int64_t{128})
+                  .add_diagnostic("samples", samples)
+                  .add_diagnostic("streams", std::int64_t{128})
                   .take_metrics();
   return s;
 }
@@ -116,10 +119,10 @@ inline transform::Solution solution_without_density(
 inline std::vector<transform::Solution> made_up_solutions(const compare::ComparisonAxes& axes) {
   const double y_max = axes.y_edges.back(), v_max = axes.v_edges.back();
   const auto shape = [&](const Shape& s) { return smooth_density(s, y_max, v_max); };
-  using problem::Equation;
-  using problem::Impact;
-  const auto fd = [&](const std::string& id, Equation equation, const Shape& s) {
-    return solution(identity(id, "fd", equation, Impact::map), shape(s));
+  using problem::DensityEquation;
+  using problem::ImpactCondition;
+  const auto fd = [&](const std::string& id, DensityEquation equation, const Shape& s) {
+    return solution(identity(id, "fd", equation, ImpactCondition::map), shape(s));
   };
   std::vector<transform::Solution> all;
   all.push_back(solution(closure_identity("gaussian", 2), shape({2.54, 0, 2.27, 0})));
@@ -130,9 +133,9 @@ inline std::vector<transform::Solution> made_up_solutions(const compare::Compari
       solution(closure_identity("gaussian", 6), shape({2.345, 0.061, 2.395, -0.0249, -0.0002})));
   all.push_back(
       solution_without_density(closure_identity("gaussian", 8), transform::Status::not_converged));
-  all.push_back(fd("fd-white", Equation::white, {2.33, 0.055, 2.27, 0}));
-  all.push_back(fd("fd-km4", Equation::km4, {2.3401, 0.06, 2.4, -0.0251}));
-  all.push_back(fd("fd-kf", Equation::kf, {2.34, 0.06, 2.4, -0.025}));
+  all.push_back(fd("fd-white", DensityEquation::white, {2.33, 0.055, 2.27, 0}));
+  all.push_back(fd("fd-km4", DensityEquation::km4, {2.3401, 0.06, 2.4, -0.0251}));
+  all.push_back(fd("fd-kf", DensityEquation::kf, {2.34, 0.06, 2.4, -0.025}));
   all.push_back(simulation(axes, shape({2.34, 0.06, 2.4, -0.025}), 1e7));
   return all;
 }
@@ -151,8 +154,8 @@ inline void add_smooth_estimates(transform::Solution& simulation,
                                  const compare::ComparisonAxes& axes,
                                  const transform::SmoothDensity& density, double error) {
   for (const auto variable : transform::kVariables) {
-    const auto& edges = compare::bin_edges(axes, variable);
-    const bool of_y = variable == transform::Variable::y;
+    const auto& edges = compare::comparison_bin_edges(axes, variable);
+    const bool of_y = variable == transform::StateVariable::y;
     const double spacing = edges.back() / (of_y ? 46 : 23);
     transform::SmoothBinEstimate e{
         .bins =

@@ -93,7 +93,7 @@ inline problem::Problem random_oscillator(std::uint64_t number) {
     const double intensity = 2 * c * k * length * length * log_between(0.05, 2);
     const int excitation = pick(3);
     problem::ImpulseTrain impulses;
-    problem::Noise noise;
+    problem::WhiteNoise noise;
     if (excitation != 1) {
       const char* const laws[] = {"gaussian", "laplace", "two_point", "uniform"};
       const double rate = frequency * log_between(0.1, 100);

@@ -10,7 +10,7 @@
 namespace fpkcheck::tests {
 
 inline results::Run made_up_run(const std::string& name = "case1") {
-  return {results::this_program("fpkcheck run"), {made_up_case(name)}};
+  return {results::current_program("fpkcheck run"), {made_up_case(name)}};
 }
 
 inline bool contains(const std::string& text, const std::string& part) {

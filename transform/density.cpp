@@ -40,10 +40,10 @@ GridDensity average_over_cells(const SmoothDensity& density, std::span<const dou
   for (std::size_t i = 0; i < grid.ny(); ++i) {
     for (std::size_t j = 0; j < grid.nv(); ++j) {
       const auto over_v = [&](double y) {
-        return numerics::gauss_average([&](double v) { return density.value(y, v); }, v_edges[j],
-                                       v_edges[j + 1]);
+        return numerics::gauss_legendre_average([&](double v) { return density.value(y, v); },
+                                                v_edges[j], v_edges[j + 1]);
       };
-      grid.averages.push_back(numerics::gauss_average(over_v, y_edges[i], y_edges[i + 1]));
+      grid.averages.push_back(numerics::gauss_legendre_average(over_v, y_edges[i], y_edges[i + 1]));
     }
   }
   return grid;

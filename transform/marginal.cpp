@@ -10,8 +10,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-std::vector<double> masses_along(const GridDensity& density, Variable variable) {
-  const bool is_y = variable == Variable::y;
+std::vector<double> masses_along(const GridDensity& density, StateVariable variable) {
+  const bool is_y = variable == StateVariable::y;
   std::vector<double> masses(is_y ? density.ny() : density.nv());
   for (std::size_t i = 0; i < density.ny(); ++i) {
     const double dy = density.y_edges[i + 1] - density.y_edges[i];
@@ -23,20 +23,20 @@ std::vector<double> masses_along(const GridDensity& density, Variable variable) 
   return masses;
 }
 
-std::vector<double> bin_averages(const GridDensity& density, Variable variable,
+std::vector<double> bin_averages(const GridDensity& density, StateVariable variable,
                                  std::span<const double> edges) {
-  const ConservativeRemap transfer(variable == Variable::y ? density.y_edges : density.v_edges,
+  const ConservativeRemap transfer(variable == StateVariable::y ? density.y_edges : density.v_edges,
                                    edges);
   std::vector<double> averages = transfer(masses_along(density, variable));
   for (std::size_t b = 0; b < averages.size(); ++b) averages[b] /= edges[b + 1] - edges[b];
   return averages;
 }
 
-std::vector<double> bin_averages(const SmoothDensity& density, Variable variable,
+std::vector<double> bin_averages(const SmoothDensity& density, StateVariable variable,
                                  std::span<const double> edges) {
   constexpr int kPanelsPerMarginal = 6;
   const auto at = [&](double x) {
-    if (variable == Variable::y) {
+    if (variable == StateVariable::y) {
       const auto p = [&](double v) { return density.value(x, v); };
       return numerics::integrate_by_composite_gauss(p, -density.v_max, 0.0, kPanelsPerMarginal) +
              numerics::integrate_by_composite_gauss(p, 0.0, density.v_max, kPanelsPerMarginal);
@@ -47,14 +47,14 @@ std::vector<double> bin_averages(const SmoothDensity& density, Variable variable
   };
   std::vector<double> averages;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
-    averages.push_back(numerics::gauss_average(at, edges[b], edges[b + 1]));
+    averages.push_back(numerics::gauss_legendre_average(at, edges[b], edges[b + 1]));
   }
   return averages;
 }
 
 }  // namespace
 
-Marginal marginal(const Density& density, Variable variable, std::span<const double> edges) {
+Marginal marginal(const Density& density, StateVariable variable, std::span<const double> edges) {
   return {.edges = {edges.begin(), edges.end()},
           .density = std::visit(
               [&](const auto& form) { return bin_averages(form, variable, edges); }, density),
@@ -78,11 +78,11 @@ namespace {
 // Number of panels of y for a density without a wall at y = 0.
 constexpr int kPanelsBetweenOpenEnds = 20;
 
-std::vector<numerics::QuadraturePoint> half_line_points(double end, PanelSpacing panels) {
+std::vector<numerics::QuadraturePoint> half_line_points(double end, QuadraturePanelSpacing panels) {
   // For a Gaussian density whose support is the domain, each panel is about one standard deviation
   // wide.
   constexpr int kUniformPanels = 8;
-  if (panels == PanelSpacing::uniform)
+  if (panels == QuadraturePanelSpacing::uniform)
     return numerics::composite_gauss_points(0.0, end, kUniformPanels);
   constexpr int kGradedPanels = 12;
   constexpr double kGradingExponent = 1.5;  // the last panel is about as wide as a uniform panel
@@ -92,7 +92,7 @@ std::vector<numerics::QuadraturePoint> half_line_points(double end, PanelSpacing
   constexpr int kGeometricPanels = 5;
   constexpr double kPanelRatio = 0.25;
   std::vector<double> edges{0};
-  for (int k = panels == PanelSpacing::geometric ? kGeometricPanels : 0; k > 0; --k) {
+  for (int k = panels == QuadraturePanelSpacing::geometric ? kGeometricPanels : 0; k > 0; --k) {
     edges.push_back(edge(1) * std::pow(kPanelRatio, k));
   }
   for (int k = 1; k <= kGradedPanels; ++k) edges.push_back(edge(k));
@@ -113,8 +113,8 @@ double distance(const std::vector<double>& p, const std::vector<double>& q,
 
 }  // namespace
 
-PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
-                               PanelSpacing panels) {
+QuadratureMarginals quadrature_marginals(const SmoothDensity& density, double y_max, double v_max,
+                                         QuadraturePanelSpacing panels) {
   const auto y_points = density.y_min == 0 ? half_line_points(y_max, panels)
                                            : numerics::composite_gauss_points(
                                                  density.y_min, y_max, kPanelsBetweenOpenEnds);
@@ -123,7 +123,7 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
     v_points.push_back({-v_points[j].at, v_points[j].weight});
   }
 
-  PanelMarginals result;
+  QuadratureMarginals result;
   result.p_v.assign(v_points.size(), 0.0);
   for (const auto& [v, weight] : v_points) result.weight_v.push_back(weight);
   for (const auto& [y, weight] : y_points) {
@@ -151,7 +151,7 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
   return result;
 }
 
-double mean_of_displacement_polynomial(const PanelMarginals& marginals,
+double mean_of_displacement_polynomial(const QuadratureMarginals& marginals,
                                        const numerics::Polynomial& g) {
   double sum = 0;
   for (std::size_t i = 0; i < marginals.y.size(); ++i) {
@@ -160,7 +160,7 @@ double mean_of_displacement_polynomial(const PanelMarginals& marginals,
   return sum;
 }
 
-double distance(const PanelMarginals& a, const PanelMarginals& b) {
+double distance(const QuadratureMarginals& a, const QuadratureMarginals& b) {
   assert(a.y == b.y && a.weight_v == b.weight_v);
   return distance(a.p_y, b.p_y, a.weight_y) + distance(a.p_v, b.p_v, a.weight_v);
 }

@@ -10,12 +10,12 @@
 
 namespace fpkcheck::transform {
 
-enum class Variable { y, ydot };
-inline constexpr Variable kVariables[] = {Variable::y, Variable::ydot};
-inline constexpr base::EnumEntry<Variable> kVariableNames[] = {
-    {Variable::y, "y", "displacement"}, {Variable::ydot, "ydot", "velocity"}};
-constexpr const auto& enumerator_names(Variable) { return kVariableNames; }
-constexpr std::string_view name(Variable variable) { return base::name_of(variable); }
+enum class StateVariable { y, ydot };
+inline constexpr StateVariable kVariables[] = {StateVariable::y, StateVariable::ydot};
+inline constexpr base::EnumEntry<StateVariable> kVariableNames[] = {
+    {StateVariable::y, "y", "displacement"}, {StateVariable::ydot, "ydot", "velocity"}};
+constexpr const auto& enumerator_names(StateVariable) { return kVariableNames; }
+constexpr std::string_view name(StateVariable variable) { return base::name_of(variable); }
 
 /// A marginal density given by its averages over bins, the form in which all solutions are
 /// compared.
@@ -32,14 +32,14 @@ struct Marginal {
 
 /// Computes the marginal density of y, paper (30), or of y', paper (34), averaged over the bins
 /// between `edges`. For a density on cells, ConservativeRemap computes the masses of the bins.
-Marginal marginal(const Density& density, Variable variable, std::span<const double> edges);
+Marginal marginal(const Density& density, StateVariable variable, std::span<const double> edges);
 
 /// Returns the L1 distance int |a - b| of two marginals with the same bins: 0 for equal marginals,
 /// 2 for marginals of mass 1 with disjoint supports.
 /// @throws std::invalid_argument if the bins of a and b differ
 double l1(const Marginal& a, const Marginal& b);
 
-enum class PanelSpacing {
+enum class QuadraturePanelSpacing {
   uniform,
   /// Panels are narrower towards 0, where strong dissipation and rare impulses cause a spike of the
   /// density.
@@ -52,7 +52,7 @@ enum class PanelSpacing {
 /// Marginal densities at the points of a composite Gauss-Legendre rule on [y_min, y_max] x [-v_max,
 /// 0] and [y_min, y_max] x [0, v_max]. Mass and moments are computed from the same values of the
 /// density.
-struct PanelMarginals {
+struct QuadratureMarginals {
   std::vector<double> y;         ///< points of the quadrature rule in y
   std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the quadrature points
   std::vector<double> weight_y, weight_v;
@@ -63,14 +63,15 @@ struct PanelMarginals {
 /// Computes the marginals of a density on a given domain; for a comparison of two densities, the
 /// domain may be that of the other density. The spacing `panels` applies to y only for a density
 /// with a wall at y = 0; otherwise the panels of y have equal widths.
-PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
-                               PanelSpacing panels = PanelSpacing::uniform);
+QuadratureMarginals quadrature_marginals(
+    const SmoothDensity& density, double y_max, double v_max,
+    QuadraturePanelSpacing panels = QuadraturePanelSpacing::uniform);
 
-double mean_of_displacement_polynomial(const PanelMarginals& marginals,
+double mean_of_displacement_polynomial(const QuadratureMarginals& marginals,
                                        const numerics::Polynomial& g);
 
 /// Returns the L1 distance of the marginals p(y) plus the L1 distance of the marginals p(y').
 /// @pre a and b have the same quadrature points
-double distance(const PanelMarginals& a, const PanelMarginals& b);
+double distance(const QuadratureMarginals& a, const QuadratureMarginals& b);
 
 }  // namespace fpkcheck::transform

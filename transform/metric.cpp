@@ -34,7 +34,7 @@ MetricBuilder& MetricBuilder::add(Metric metric) {
 MetricBuilder& MetricBuilder::add_result(const std::string& path, base::Value value) {
   return add({.path = path, .value = std::move(value)});
 }
-MetricBuilder& MetricBuilder::add_work(const std::string& path, base::Value value) {
+MetricBuilder& MetricBuilder::add_diagnostic(const std::string& path, base::Value value) {
   return add({.path = path, .value = std::move(value), .kind = MetricKind::work});
 }
 MetricBuilder& MetricBuilder::add_text(const std::string& path, base::Value value) {

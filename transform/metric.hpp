@@ -53,7 +53,7 @@ std::optional<std::string> metric_text(const Metrics& metrics, std::string_view 
 class MetricBuilder {
  public:
   MetricBuilder& add_result(const std::string& path, base::Value value);
-  MetricBuilder& add_work(const std::string& path, base::Value value);
+  MetricBuilder& add_diagnostic(const std::string& path, base::Value value);
   MetricBuilder& add_text(const std::string& path, base::Value value);
   MetricBuilder& add_error(const std::string& path, base::Value value);
   MetricBuilder& add(Metric metric);

@@ -7,8 +7,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-double l1_of_both_marginals(const LevelDifference& level_difference) {
-  return level_difference.y_l1 + level_difference.ydot_l1;
+double l1_of_both_marginals(const GridLevelDifference& grid_level_difference) {
+  return grid_level_difference.y_l1 + grid_level_difference.ydot_l1;
 }
 
 double order(double before, double last, double ratio) {
@@ -33,36 +33,37 @@ Marginal richardson_limit(const Marginal& middle, const Marginal& fine, double f
 
 GridLevel grid_level(const Solution& solution, std::span<const double> y_edges,
                      std::span<const double> ydot_edges) {
-  GridLevel level{marginal(solution, Variable::y, y_edges),
-                  marginal(solution, Variable::ydot, ydot_edges), solution.moments};
+  GridLevel level{marginal(solution, StateVariable::y, y_edges),
+                  marginal(solution, StateVariable::ydot, ydot_edges), solution.moments};
   for (const RestAtom& atom : solution.atoms) level.rest_probabilities.push_back(atom.probability);
   return level;
 }
 
-LevelDifference level_difference(const GridLevel& coarser, const GridLevel& finer) {
-  LevelDifference level_difference{.y_l1 = l1(coarser.y, finer.y),
-                                   .ydot_l1 = l1(coarser.ydot, finer.ydot),
-                                   .moments = {},
-                                   .impact_rate = finer.impact_rate - coarser.impact_rate};
+GridLevelDifference grid_level_difference(const GridLevel& coarser, const GridLevel& finer) {
+  GridLevelDifference grid_level_difference{.y_l1 = l1(coarser.y, finer.y),
+                                            .ydot_l1 = l1(coarser.ydot, finer.ydot),
+                                            .moments = {},
+                                            .impact_rate = finer.impact_rate - coarser.impact_rate};
   for (const auto& [name, symbol, moment, size] : kMoments) {
-    level_difference.moments.*moment = finer.moments.*moment - coarser.moments.*moment;
+    grid_level_difference.moments.*moment = finer.moments.*moment - coarser.moments.*moment;
   }
   if (coarser.rest_probabilities.size() != finer.rest_probabilities.size()) {
     throw std::invalid_argument("grid levels not comparable: different numbers of rest atoms");
   }
   double total_change = 0;  // all rest atoms are at y' = 0
   for (std::size_t k = 0; k < finer.rest_probabilities.size(); ++k) {
-    level_difference.rest_probabilities.push_back(finer.rest_probabilities[k] -
-                                                  coarser.rest_probabilities[k]);
-    level_difference.y_l1 += std::abs(level_difference.rest_probabilities[k]);
-    total_change += level_difference.rest_probabilities[k];
+    grid_level_difference.rest_probabilities.push_back(finer.rest_probabilities[k] -
+                                                       coarser.rest_probabilities[k]);
+    grid_level_difference.y_l1 += std::abs(grid_level_difference.rest_probabilities[k]);
+    total_change += grid_level_difference.rest_probabilities[k];
   }
-  level_difference.ydot_l1 += std::abs(total_change);
-  return level_difference;
+  grid_level_difference.ydot_l1 += std::abs(total_change);
+  return grid_level_difference;
 }
 
-ObservedConvergenceOrders observed_convergence_orders(const LevelDifference& before,
-                                                      const LevelDifference& last, double ratio) {
+ObservedConvergenceOrders observed_convergence_orders(const GridLevelDifference& before,
+                                                      const GridLevelDifference& last,
+                                                      double ratio) {
   const auto of = [&](double Moments::*moment) {
     return order(std::abs(before.moments.*moment), std::abs(last.moments.*moment), ratio);
   };
@@ -77,12 +78,12 @@ double credible_convergence_order(double observed, int scheme_order) {
                     std::max(1.0, 1.0 * scheme_order));
 }
 
-bool has_richardson_limit(double observed, int order_of_scheme) {
-  return observed >= kMinOrderForLimit && observed <= order_of_scheme + kMaxOrderExcess;
+bool has_richardson_limit(double observed, int scheme_order) {
+  return observed >= kMinOrderForLimit && observed <= scheme_order + kMaxOrderExcess;
 }
 
-RichardsonEstimate richardson_estimate(const LevelDifference& before, const LevelDifference& last,
-                                       double ratio, int order) {
+RichardsonEstimate richardson_estimate(const GridLevelDifference& before,
+                                       const GridLevelDifference& last, double ratio, int order) {
   const ObservedConvergenceOrders orders = observed_convergence_orders(before, last, ratio);
   const double observed = l1_of_both_marginals(before) / l1_of_both_marginals(last);
   const double reduction_ratio = std::clamp(observed, ratio, std::pow(ratio, order));
@@ -107,7 +108,7 @@ RichardsonEstimate richardson_estimate(const LevelDifference& before, const Leve
   return result;
 }
 
-Moments richardson_limit(const Moments& fine, const LevelDifference& last, double factor) {
+Moments richardson_limit(const Moments& fine, const GridLevelDifference& last, double factor) {
   Moments limit = fine;
   for (const auto& [name, symbol, moment, size] : kMoments) {
     limit.*moment += factor * last.moments.*moment;
@@ -118,7 +119,7 @@ Moments richardson_limit(const Moments& fine, const LevelDifference& last, doubl
 GridLevel richardson_limit(const GridLevel& middle, const GridLevel& fine, double factor) {
   return {richardson_limit(middle.y, fine.y, factor),
           richardson_limit(middle.ydot, fine.ydot, factor),
-          richardson_limit(fine.moments, level_difference(middle, fine), factor)};
+          richardson_limit(fine.moments, grid_level_difference(middle, fine), factor)};
 }
 
 }  // namespace fpkcheck::transform

@@ -37,7 +37,7 @@ inline constexpr double kMaxOrderExcess = 1.6;
 double credible_convergence_order(double observed, int scheme_order);
 
 /// Returns whether the observed convergence order is credible enough for a Richardson limit.
-bool has_richardson_limit(double observed, int order_of_scheme);
+bool has_richardson_limit(double observed, int scheme_order);
 
 /// The converging quantities of a solution on one grid level: marginals, moments, probabilities of
 /// the rest atoms, and impact rate.
@@ -54,7 +54,7 @@ GridLevel grid_level(const Solution& solution, std::span<const double> y_edges,
                      std::span<const double> ydot_edges);
 
 /// The difference finer - coarser of two consecutive grid levels.
-struct LevelDifference {
+struct GridLevelDifference {
   double y_l1;      ///< L1 distance of the two p(y), atoms included
   double ydot_l1;   ///< L1 distance of the two p(y'), atoms included
   Moments moments;  ///< moments of the finer level minus moments of the coarser level
@@ -63,7 +63,7 @@ struct LevelDifference {
 };
 /// @throws std::invalid_argument if the marginals have different bins or the numbers of atoms
 /// differ
-LevelDifference level_difference(const GridLevel& coarser, const GridLevel& finer);
+GridLevelDifference grid_level_difference(const GridLevel& coarser, const GridLevel& finer);
 
 /// The observed convergence orders log(|u_1 - u_0| / |u_2 - u_1|) / log(q) of different quantities
 /// u.
@@ -72,8 +72,9 @@ struct ObservedConvergenceOrders {
   double y2;  ///< observed order of E[y^2]
   double v2;  ///< observed order of E[y'^2]
 };
-ObservedConvergenceOrders observed_convergence_orders(const LevelDifference& before,
-                                                      const LevelDifference& last, double ratio);
+ObservedConvergenceOrders observed_convergence_orders(const GridLevelDifference& before,
+                                                      const GridLevelDifference& last,
+                                                      double ratio);
 
 struct RichardsonEstimate {
   ObservedConvergenceOrders orders;
@@ -93,12 +94,12 @@ struct RichardsonEstimate {
 /// @param last the difference u_2 - u_1; its bins may differ from the bins of `before`
 /// @param ratio ratio q > 1 of the cell widths of consecutive levels
 /// @param order convergence order of the scheme
-RichardsonEstimate richardson_estimate(const LevelDifference& before, const LevelDifference& last,
-                                       double ratio, int order);
+RichardsonEstimate richardson_estimate(const GridLevelDifference& before,
+                                       const GridLevelDifference& last, double ratio, int order);
 
 /// Returns the Richardson limit of moments, or of the marginals and moments of a grid level. Bin
 /// averages near 0 may become negative by extrapolation.
-Moments richardson_limit(const Moments& fine, const LevelDifference& last, double factor);
+Moments richardson_limit(const Moments& fine, const GridLevelDifference& last, double factor);
 GridLevel richardson_limit(const GridLevel& middle, const GridLevel& fine, double factor);
 
 }  // namespace fpkcheck::transform

@@ -10,7 +10,7 @@ namespace fpkcheck::transform {
 
 bool has_error_estimate(const Solution& solution) {
   const auto& sampling = best_sampling_error(solution);
-  return std::ranges::all_of(kVariables, [&](Variable variable) {
+  return std::ranges::all_of(kVariables, [&](StateVariable variable) {
     const bool estimated = std::ranges::any_of(
         solution.estimated_marginals, [&](const auto& one) { return one.first == variable; });
     // A marginal that does not exist needs no error estimate.
@@ -39,7 +39,7 @@ const Solution* find_solution(std::span<const Solution> solutions, std::string_v
   return found == solutions.end() ? nullptr : &*found;
 }
 
-Marginal marginal(const Solution& solution, Variable variable, std::span<const double> edges) {
+Marginal marginal(const Solution& solution, StateVariable variable, std::span<const double> edges) {
   for (const auto& [estimated, estimate] : solution.estimated_marginals) {
     if (estimated == variable && std::ranges::equal(estimate.edges, edges)) return estimate;
   }
@@ -47,7 +47,7 @@ Marginal marginal(const Solution& solution, Variable variable, std::span<const d
   return marginal(*solution.density, variable, edges);
 }
 
-Marginal richardson_limit_marginal(const Solution& solution, Variable variable,
+Marginal richardson_limit_marginal(const Solution& solution, StateVariable variable,
                                    std::span<const double> edges) {
   if (!solution.density || !solution.extrapolation) {
     throw std::logic_error("solution " + solution.id() + ": no grids to extrapolate from");
@@ -65,23 +65,24 @@ const std::optional<SamplingError>& best_sampling_error(const Solution& solution
   return solution.smooth_sampling ? solution.smooth_sampling : solution.sampling;
 }
 
-const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, Variable variable) {
+const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution,
+                                                  StateVariable variable) {
   for (const auto& [estimated, estimate] : solution.smooth_estimates) {
     if (estimated == variable) return &estimate;
   }
   return nullptr;
 }
 
-std::optional<double> expected_l1_error(const SamplingError& sampling, Variable variable) {
-  return variable == Variable::y ? sampling.y : sampling.ydot;
+std::optional<double> expected_l1_error(const SamplingError& sampling, StateVariable variable) {
+  return variable == StateVariable::y ? sampling.y : sampling.ydot;
 }
 
-std::optional<double> l1_error_quantile_99(const SamplingError& sampling, Variable variable) {
-  return variable == Variable::y ? sampling.y_99 : sampling.ydot_99;
+std::optional<double> l1_error_quantile_99(const SamplingError& sampling, StateVariable variable) {
+  return variable == StateVariable::y ? sampling.y_99 : sampling.ydot_99;
 }
 
-double l1(const ErrorEstimate& error, Variable variable) {
-  return variable == Variable::y ? error.y_l1 : error.ydot_l1;
+double l1(const ErrorEstimate& error, StateVariable variable) {
+  return variable == StateVariable::y ? error.y_l1 : error.ydot_l1;
 }
 
 }  // namespace fpkcheck::transform

@@ -9,10 +9,10 @@
 
 #include "base/options/parameter.hpp"
 #include "transform/density.hpp"
-#include "transform/identity.hpp"
 #include "transform/marginal.hpp"
 #include "transform/metric.hpp"
 #include "transform/smooth_bins.hpp"
+#include "transform/solution_identity.hpp"
 
 namespace fpkcheck::transform {
 
@@ -89,10 +89,10 @@ struct Solution {
   /// saved run.
   std::optional<Density> density = {};
   /// Marginals with confidence intervals, estimated by a simulation; empty for other solvers.
-  std::vector<std::pair<Variable, Marginal>> estimated_marginals = {};
+  std::vector<std::pair<StateVariable, Marginal>> estimated_marginals = {};
   /// Marginals over smooth bins from a simulation with control variates, far more accurate than
   /// marginals over sharp bins; empty for other solvers and for solutions from a saved run.
-  std::vector<std::pair<Variable, SmoothBinEstimate>> smooth_estimates = {};
+  std::vector<std::pair<StateVariable, SmoothBinEstimate>> smooth_estimates = {};
   /// Richardson extrapolation, if the solver estimated its discretisation error from a coarser
   /// grid.
   std::optional<RichardsonExtrapolation> extrapolation = {};
@@ -136,21 +136,21 @@ const Solution* find_solution(std::span<const Solution> solutions, std::string_v
 /// Returns the marginal of a solution over the bins between `edges`: the marginal that the solver
 /// estimated, if its bins have exactly these edges; otherwise the marginal of the density.
 /// @throws std::logic_error if the solution has no density
-Marginal marginal(const Solution& solution, Variable variable, std::span<const double> edges);
+Marginal marginal(const Solution& solution, StateVariable variable, std::span<const double> edges);
 
 /// Returns the marginal of the Richardson limit of the densities on the grids of a solution. Bin
 /// averages near 0 may become negative by extrapolation.
 /// @throws std::logic_error if the solution has no density or no extrapolation
-Marginal richardson_limit_marginal(const Solution& solution, Variable variable,
+Marginal richardson_limit_marginal(const Solution& solution, StateVariable variable,
                                    std::span<const double> edges);
 
 /// Returns the sampling error of the marginals over smooth bins if the solution has such marginals,
 /// otherwise of the marginals over sharp bins.
 const std::optional<SamplingError>& best_sampling_error(const Solution& solution);
-const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, Variable variable);
+const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, StateVariable variable);
 
-std::optional<double> expected_l1_error(const SamplingError& sampling, Variable variable);
-std::optional<double> l1_error_quantile_99(const SamplingError& sampling, Variable variable);
-double l1(const ErrorEstimate& error, Variable variable);
+std::optional<double> expected_l1_error(const SamplingError& sampling, StateVariable variable);
+std::optional<double> l1_error_quantile_99(const SamplingError& sampling, StateVariable variable);
+double l1(const ErrorEstimate& error, StateVariable variable);
 
 }  // namespace fpkcheck::transform

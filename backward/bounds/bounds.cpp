@@ -61,7 +61,7 @@ std::vector<GridGroup> next_grid_groups(std::size_t level, const Options& option
     const FunctionalBounds& bound = refinement.bounds.each[i];
     StopReason& end = refinement.ends[i];
     if (end.cause != StopReason::Cause::none || is_narrow_enough(bound, options)) continue;
-    const auto grids = grid_sequence(width_limiting_feature(bound.functional));
+    const auto grids = spline_grid_sequence(width_limiting_feature(bound.functional));
     if (level >= grids.size()) {
       end.cause = StopReason::Cause::grids;
       continue;

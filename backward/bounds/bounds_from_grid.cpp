@@ -55,19 +55,20 @@ std::vector<numerics::Enclosure> bounds_from_grid(const problem::Problem& proble
                                                   const std::vector<Functional>& functionals,
                                                   int threads, SplineGridReport* report) {
   const double begun = now();
-  const numerics::SplineBasis displacement = displacement_basis(grid, weight, problem.system);
-  const BoxEnds ends = box_ends(displacement, problem.system);
-  const ImpactBasis velocity = velocity_basis(grid, weight, problem.system.restitution());
+  const numerics::SplineBasis displacement =
+      displacement_spline_basis(grid, weight, problem.system);
+  const BoxEndTypes ends = box_end_types(displacement, problem.system);
+  const ImpactBasis velocity = velocity_spline_basis(grid, weight, problem.system.restitution());
   const std::vector<double> y_cuts = integrand_breaks(Axis::displacement, functionals),
                             v_cuts = integrand_breaks(Axis::velocity, functionals);
-  const VelocityOperators v_operators = numerics::call_with_upward_rounding(
-      [&] { return velocity_operators(problem, velocity, v_cuts); });
-  const DisplacementOperators y_operators = numerics::call_with_upward_rounding(
-      [&] { return displacement_operators(problem, displacement, y_cuts); });
+  const VelocityFactorEnclosures v_operators = numerics::call_with_upward_rounding(
+      [&] { return enclose_velocity_factors(problem, velocity, v_cuts); });
+  const DisplacementFactorEnclosures y_operators = numerics::call_with_upward_rounding(
+      [&] { return enclose_displacement_factors(problem, displacement, y_cuts); });
   const double tabulated = now();
 
-  const DisplacementSamples y = displacement_samples(displacement, kPointsPerCell);
-  const VelocitySamples v = velocity_samples(v_operators, velocity, kPointsPerCell);
+  const DisplacementSplineSamples y = sample_displacement_splines(displacement, kPointsPerCell);
+  const VelocityFactorSamples v = sample_velocity_factors(v_operators, velocity, kPointsPerCell);
   std::vector<std::function<double(double, double)>> integrands;
   for (const Functional& f : functionals) {
     integrands.emplace_back(

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "backward/generator/impulse_table.hpp"
+#include "backward/generator/impulse_mean_table.hpp"
 #include "base/input_error.hpp"
 #include "numerics/splines/spline_basis.hpp"
 
@@ -149,7 +149,8 @@ numerics::BernsteinCoefficients integrand_enclosure(const Functional& functional
     const problem::SystemCoefficients& c = problem.system.coefficients();
     powers = {0.0, c.stiffness, 0.0, c.cubic};
   }
-  return elevate_degree(bernstein_on_segment(powers, numerics::Interval(0), from, to), degree);
+  return elevate_degree(bernstein_coefficients_on_segment(powers, numerics::Interval(0), from, to),
+                        degree);
 }
 
 numerics::Interval integrand_magnitude_bound(const Functional& functional,

@@ -6,7 +6,7 @@
 #include "backward/bounds/functional.hpp"
 #include "backward/bounds/residual_weight.hpp"
 #include "backward/bounds/spline_grid.hpp"
-#include "backward/generator/generator_operators.hpp"
+#include "backward/generator/generator_enclosures.hpp"
 
 namespace fpkcheck::backward {
 
@@ -23,10 +23,10 @@ struct CertificateCheckInputs {
   const problem::Problem& problem;
   const numerics::SplineBasis& displacement;
   const ImpactBasis& velocity;
-  const DisplacementOperators& y;
-  const VelocityOperators& v;
+  const DisplacementFactorEnclosures& y;
+  const VelocityFactorEnclosures& v;
   const ResidualWeight& weight;
-  BoxEnds ends = {};
+  BoxEndTypes ends = {};
 };
 
 /// Returns an upper bound of the weighted residual |f + L V - U| / tau outside the box of the

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "backward/generator/impulse_table.hpp"
+#include "backward/generator/impulse_mean_table.hpp"
 
 namespace fpkcheck::backward {
 namespace {

@@ -13,8 +13,9 @@ constexpr double kLeastCellFraction = 3e-2;
 
 }  // namespace
 
-numerics::SplineBasis displacement_basis(const SplineGrid& grid, const ResidualWeight& weight,
-                                         const problem::System& system) {
+numerics::SplineBasis displacement_spline_basis(const SplineGrid& grid,
+                                                const ResidualWeight& weight,
+                                                const problem::System& system) {
   // the equation of y is (k - c^2/4) y^2/2 + mu y^4/4 = edge h0
   const double a = weight.cubic / 4,
                b = (weight.stiffness - weight.damping * weight.damping / 4) / 2;
@@ -43,7 +44,8 @@ numerics::SplineBasis displacement_basis(const SplineGrid& grid, const ResidualW
   return numerics::SplineBasis(std::move(breaks));
 }
 
-BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::System& system) {
+BoxEndTypes box_end_types(const numerics::SplineBasis& displacement,
+                          const problem::System& system) {
   const double begin = displacement.breaks().front(), end = displacement.end();
   return {.left_wall = system.left_wall().has_value(),
           .right_wall = system.right_wall().has_value(),
@@ -51,8 +53,8 @@ BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::Syste
           .right_open = !system.right_wall() || system.right_wall()->position > end};
 }
 
-ImpactBasis velocity_basis(const SplineGrid& grid, const ResidualWeight& weight,
-                           double restitution) {
+ImpactBasis velocity_spline_basis(const SplineGrid& grid, const ResidualWeight& weight,
+                                  double restitution) {
   // Without impact losses the edge of the box is at v = -u, where v^2/2 = edge h0. With impact
   // losses the box is larger, so that the energy G is also large at the outgoing edge v = r u of
   // the box.
@@ -69,7 +71,7 @@ WidthLimitingFeature width_limiting_feature(const Functional& functional) {
                                             : WidthLimitingFeature::origin;
 }
 
-std::span<const SplineGrid> grid_sequence(WidthLimitingFeature limit) {
+std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature limit) {
   // The certificate V has a conical point at the origin. Smaller cells at the origin reduce the
   // error as long as the error from the cells at the origin dominates. On finer grids than the last
   // grid of kOrigin, rounding in the normal equations loses more accuracy than smaller cells gain.

@@ -19,18 +19,19 @@ struct SplineGrid {
 
 /// Kinds of the two ends of the box in y. The motion can leave the box at an open end. Beyond an
 /// open end the certificate V is constant in y, up to a wall if present.
-struct BoxEnds {
+struct BoxEndTypes {
   bool left_wall = true, right_wall = false;
   bool left_open = false, right_open = true;
 };
 
 /// Returns the splines of y from wall to wall. On a side without a wall the splines end where the
 /// energy G of ResidualWeight, at y' = -c y/2, equals SplineGrid::edge times the energy scale h0.
-numerics::SplineBasis displacement_basis(const SplineGrid& grid, const ResidualWeight& weight,
-                                         const problem::System& system);
-BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::System& system);
-ImpactBasis velocity_basis(const SplineGrid& grid, const ResidualWeight& weight,
-                           double restitution);
+numerics::SplineBasis displacement_spline_basis(const SplineGrid& grid,
+                                                const ResidualWeight& weight,
+                                                const problem::System& system);
+BoxEndTypes box_end_types(const numerics::SplineBasis& displacement, const problem::System& system);
+ImpactBasis velocity_spline_basis(const SplineGrid& grid, const ResidualWeight& weight,
+                                  double restitution);
 
 /// Feature of the certificate V that limits how narrow the bounds on a grid can be.
 enum class WidthLimitingFeature {
@@ -42,7 +43,7 @@ WidthLimitingFeature width_limiting_feature(const Functional& functional);
 
 /// Returns the sequence of grids, from coarse to fine, for functionals whose bounds are limited by
 /// the feature `limit`.
-std::span<const SplineGrid> grid_sequence(WidthLimitingFeature limit);
+std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature limit);
 /// Upper limit of the ratio of the computing times of consecutive grids of a sequence
 inline constexpr double kGridCostRatio = 2.5;
 

@@ -47,9 +47,9 @@ Eigen::VectorXd values_at_points(const std::vector<double>& points,
 /// mirrored at a right wall.
 Eigen::MatrixXd wall_gram(const ControlFitProblem& p, const ImpactWall& wall) {
   numerics::QuadratureRule q =
-      numerics::composite_gauss_rule<kPoints>(impact_jump_breaks(p.v, wall));
+      numerics::composite_gauss_rule<kPoints>(non_smooth_impact_speeds(p.v, wall));
   apply_weight(q, [&](double u) { return u * p.weight_v(u); });
-  const Eigen::MatrixXd jump = impact_jumps(p.v, wall, q.points);
+  const Eigen::MatrixXd jump = spline_jumps_at_impacts(p.v, wall, q.points);
   return p.weight_y(wall.position) * (jump.transpose() * (q.weights.asDiagonal() * jump));
 }
 
@@ -82,10 +82,11 @@ ControlFunctions fit_control_functions(const ControlFitProblem& problem,
                            in_v = numerics::composite_gauss_rule<kPoints>(problem.v.breaks());
   apply_weight(in_y, problem.weight_y);
   apply_weight(in_v, problem.weight_v);
-  const GeneratorFactors y = displacement_factors(problem.problem.system, problem.y, in_y.points);
-  const GeneratorFactors v =
-      velocity_factors(problem.problem, problem.v, in_v.points,
-                       impulse_means(problem.v, problem.problem.impulses, in_v.points));
+  const GeneratorFactors y =
+      displacement_generator_factors(problem.problem.system, problem.y, in_y.points);
+  const GeneratorFactors v = velocity_generator_factors(
+      problem.problem, problem.v, in_v.points,
+      spline_means_after_impulse(problem.v, problem.problem.impulses, in_v.points));
   const NormalEquations equations(
       normal_matrix(problem, gram_matrices(y, in_y.weights), gram_matrices(v, in_v.weights)),
       "the control functions");

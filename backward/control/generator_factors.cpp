@@ -33,8 +33,8 @@ std::vector<ImpactWall> impact_walls(const problem::System& system) {
   return walls;
 }
 
-Eigen::MatrixXd impact_jumps(const numerics::QuinticBSplines& splines, const ImpactWall& wall,
-                             std::span<const double> speeds) {
+Eigen::MatrixXd spline_jumps_at_impacts(const numerics::QuinticBSplines& splines,
+                                        const ImpactWall& wall, std::span<const double> speeds) {
   std::vector<double> before, after;
   for (const double u : speeds) {
     before.push_back(-wall.rebound_sign * u);
@@ -43,8 +43,8 @@ Eigen::MatrixXd impact_jumps(const numerics::QuinticBSplines& splines, const Imp
   return spline_values(splines, after).value - spline_values(splines, before).value;
 }
 
-std::vector<double> impact_jump_breaks(const numerics::QuinticBSplines& splines,
-                                       const ImpactWall& wall) {
+std::vector<double> non_smooth_impact_speeds(const numerics::QuinticBSplines& splines,
+                                             const ImpactWall& wall) {
   const double end = std::max(splines.end(), -splines.begin());
   std::vector<double> breaks{0};
   for (const double at : splines.breaks()) {
@@ -56,9 +56,9 @@ std::vector<double> impact_jump_breaks(const numerics::QuinticBSplines& splines,
   return breaks;
 }
 
-GeneratorFactors displacement_factors(const problem::System& system,
-                                      const numerics::QuinticBSplines& splines,
-                                      std::span<const double> points) {
+GeneratorFactors displacement_generator_factors(const problem::System& system,
+                                                const numerics::QuinticBSplines& splines,
+                                                std::span<const double> points) {
   const SplineValues a = spline_values(splines, points);
   const numerics::Polynomial& damping = system.damping_polynomial();
   Eigen::VectorXd force(a.value.rows()), damping_change(a.value.rows());
@@ -72,9 +72,10 @@ GeneratorFactors displacement_factors(const problem::System& system,
   return factors;
 }
 
-GeneratorFactors velocity_factors(const problem::Problem& problem,
-                                  const numerics::QuinticBSplines& splines,
-                                  std::span<const double> points, const Eigen::MatrixXd& means) {
+GeneratorFactors velocity_generator_factors(const problem::Problem& problem,
+                                            const numerics::QuinticBSplines& splines,
+                                            std::span<const double> points,
+                                            const Eigen::MatrixXd& means) {
   const problem::System& system = problem.system;
   const SplineValues b = spline_values(splines, points);
   const Eigen::Map<const Eigen::VectorXd> v(points.data(), b.value.rows());
@@ -134,8 +135,9 @@ std::vector<double> part_ends(const numerics::QuinticBSplines& splines, double f
 
 }  // namespace
 
-Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
-                              const problem::ImpulseLaw& law, std::span<const double> v) {
+Eigen::MatrixXd spline_means_after_impulse(const numerics::QuinticBSplines& splines,
+                                           const problem::ImpulseLaw& law,
+                                           std::span<const double> v) {
   Eigen::MatrixXd means =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(v.size()), splines.size());
   const auto atoms = law.atoms();
@@ -157,10 +159,11 @@ Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
   return means;
 }
 
-Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
-                              const problem::ImpulseTrain& impulses, std::span<const double> v) {
+Eigen::MatrixXd spline_means_after_impulse(const numerics::QuinticBSplines& splines,
+                                           const problem::ImpulseTrain& impulses,
+                                           std::span<const double> v) {
   if (!impulses.is_present()) return {};
-  return impulse_means(splines, impulses.law(), v);
+  return spline_means_after_impulse(splines, impulses.law(), v);
 }
 
 }  // namespace fpkcheck::backward

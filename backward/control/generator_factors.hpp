@@ -29,12 +29,12 @@ std::vector<ImpactWall> impact_walls(const problem::System& system);
 
 /// Returns the jumps of the splines at impacts, B_j(s r u) - B_j(-s u) with s = rebound_sign, shape
 /// (speeds u, functions).
-Eigen::MatrixXd impact_jumps(const numerics::QuinticBSplines& splines, const ImpactWall& wall,
-                             std::span<const double> speeds);
-/// Returns the impact speeds u at which impact_jumps() is not smooth, increasing from 0, within the
+Eigen::MatrixXd spline_jumps_at_impacts(const numerics::QuinticBSplines& splines,
+                                        const ImpactWall& wall, std::span<const double> speeds);
+/// Returns the impact speeds u at which spline_jumps_at_impacts() is not smooth, increasing from 0, within the
 /// range of the splines.
-std::vector<double> impact_jump_breaks(const numerics::QuinticBSplines& splines,
-                                       const ImpactWall& wall);
+std::vector<double> non_smooth_impact_speeds(const numerics::QuinticBSplines& splines,
+                                             const ImpactWall& wall);
 
 /// Factors in y, or factors in v, of the terms of the generator
 ///
@@ -46,24 +46,27 @@ std::vector<double> impact_jump_breaks(const numerics::QuinticBSplines& splines,
 using GeneratorFactors = std::vector<Eigen::MatrixXd>;
 
 /// Returns the factors in y: A', A, g A, (c(y) - c) A.
-GeneratorFactors displacement_factors(const problem::System& system,
-                                      const numerics::QuinticBSplines& splines,
-                                      std::span<const double> points);
+GeneratorFactors displacement_generator_factors(const problem::System& system,
+                                                const numerics::QuinticBSplines& splines,
+                                                std::span<const double> points);
 /// Returns the factors in v: v B, lambda (K B - B) - (c + c_vv v^2) v B' + D B'', -B', -v B'.
-/// @param means K B at the points (impulse_means); ignored without impulses
-GeneratorFactors velocity_factors(const problem::Problem& problem,
-                                  const numerics::QuinticBSplines& splines,
-                                  std::span<const double> points, const Eigen::MatrixXd& means);
+/// @param means K B at the points (spline_means_after_impulse); ignored without impulses
+GeneratorFactors velocity_generator_factors(const problem::Problem& problem,
+                                            const numerics::QuinticBSplines& splines,
+                                            std::span<const double> points,
+                                            const Eigen::MatrixXd& means);
 
 /// Returns the means (K B_j)(v) = E[B_j(v + Y)] of the splines after an impulse, at the velocities
 /// v, shape (points, functions). The smooth pieces of the density of Y are divided at the breaks of
 /// the splines, and into parts no longer than the standard deviation of Y. The Gauss rule of 8
 /// points integrates each part with an error of 1e-15. Atoms of the law are summed exactly.
-Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
-                              const problem::ImpulseLaw& law, std::span<const double> v);
+Eigen::MatrixXd spline_means_after_impulse(const numerics::QuinticBSplines& splines,
+                                           const problem::ImpulseLaw& law,
+                                           std::span<const double> v);
 /// Returns the means (K B_j)(v) for the amplitude law of an impulse train; shape (0, 0) without
 /// impulses.
-Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
-                              const problem::ImpulseTrain& impulses, std::span<const double> v);
+Eigen::MatrixXd spline_means_after_impulse(const numerics::QuinticBSplines& splines,
+                                           const problem::ImpulseTrain& impulses,
+                                           std::span<const double> v);
 
 }  // namespace fpkcheck::backward

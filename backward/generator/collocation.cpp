@@ -13,8 +13,9 @@ std::vector<double> chebyshev_points(int count) {
   return points;
 }
 
-DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int points_per_cell) {
-  DisplacementSamples samples;
+DisplacementSplineSamples sample_displacement_splines(const numerics::SplineBasis& basis,
+                                                      int points_per_cell) {
+  DisplacementSplineSamples samples;
   for (int s = 0; s < basis.span_count(); ++s) {
     const double begin = basis.breaks()[s], width = basis.breaks()[s + 1] - begin;
     for (const double t : chebyshev_points(points_per_cell)) {
@@ -48,9 +49,9 @@ double sum(std::span<const numerics::Interval> coefficients, const std::vector<d
 
 }  // namespace
 
-VelocitySamples velocity_samples(const VelocityOperators& operators, const ImpactBasis& basis,
-                                 int points_per_cell) {
-  VelocitySamples samples;
+VelocityFactorSamples sample_velocity_factors(const VelocityFactorEnclosures& operators,
+                                              const ImpactBasis& basis, int points_per_cell) {
+  VelocityFactorSamples samples;
   std::vector<Eigen::Triplet<double>> drift, force;
   const std::vector<double> breaks = velocity_breaks(basis);
   std::vector<std::pair<std::size_t, double>> places;  // piece and coordinate t of each point
@@ -74,7 +75,7 @@ VelocitySamples velocity_samples(const VelocityOperators& operators, const Impac
     }
     for (std::size_t l = 0; l < operators.index[at].size(); ++l) {
       drift.emplace_back(i, operators.index[at][l], sum(operators.drift[at][l], bernstein));
-      // adds the term (c_l - c_{l-1}) S_l' of the spline derivative, see VelocityOperators
+      // adds the term (c_l - c_{l-1}) S_l' of the spline derivative, see VelocityFactorEnclosures
       if (l == 0) continue;
       const double slope = sum(operators.force[at][l - 1], bernstein);
       force.emplace_back(i, operators.index[at][l], slope);

@@ -4,22 +4,22 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "backward/generator/generator_operators.hpp"
+#include "backward/generator/generator_enclosures.hpp"
 #include "backward/generator/impact_basis.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::backward {
 
-/// Values of the three factors in v of the generator (VelocityOperators) at points, rounded to
+/// Values of the three factors in v of the generator (VelocityFactorEnclosures) at points, rounded to
 /// nearest. The least-squares fit needs no guaranteed enclosures.
-struct VelocitySamples {
+struct VelocityFactorSamples {
   std::vector<double> v;  ///< increasing points
   Eigen::MatrixXd jump;   ///< factor lambda (K B - B) - c v B', shape (points, functions)
   Eigen::SparseMatrix<double> drift;  ///< factor v B
   Eigen::SparseMatrix<double> force;  ///< factor -B'
 };
 
-struct DisplacementSamples {
+struct DisplacementSplineSamples {
   std::vector<double> y;
   std::vector<int> span;
   std::vector<Eigen::MatrixXd> values;  ///< values and slopes of the splines, shape (2, degree + 1)
@@ -29,11 +29,12 @@ struct DisplacementSamples {
 /// increasing order.
 std::vector<double> chebyshev_points(int count);
 
-DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int points_per_cell);
+DisplacementSplineSamples sample_displacement_splines(const numerics::SplineBasis& basis,
+                                                      int points_per_cell);
 
 /// Returns the velocity factors of the generator at `points_per_cell` Chebyshev points of every
 /// cell of v.
-VelocitySamples velocity_samples(const VelocityOperators& operators, const ImpactBasis& basis,
-                                 int points_per_cell);
+VelocityFactorSamples sample_velocity_factors(const VelocityFactorEnclosures& operators,
+                                              const ImpactBasis& basis, int points_per_cell);
 
 }  // namespace fpkcheck::backward

@@ -24,9 +24,9 @@ class ImpactBasis {
   /// Returns the index of the only function that is nonzero at v = 0.
   int centre_index() const { return speeds_.size() - 1; }
   int mirrored_index(int b) const { return size() - 1 - b; }
-  /// Indices on the incoming and on the outgoing side of the spline `h` of the speed
-  int incoming_index(int h) const { return centre_index() - h; }
-  int outgoing_index(int h) const { return centre_index() + h; }
+  /// Indices on the incoming and on the outgoing side of the spline `speed_index` of the speed
+  int incoming_index(int speed_index) const { return centre_index() - speed_index; }
+  int outgoing_index(int speed_index) const { return centre_index() + speed_index; }
   double begin() const { return -speeds_.end(); }
   double end() const { return restitution_ * speeds_.end(); }
 

@@ -25,8 +25,8 @@ struct LeastSquaresProblem {
   const problem::Problem& problem;
   const numerics::SplineBasis& displacement;
   const ImpactBasis& velocity;
-  const DisplacementSamples& y;
-  const VelocitySamples& v;
+  const DisplacementSplineSamples& y;
+  const VelocityFactorSamples& v;
   /// Weight of each row of the fit, and weight of the residuals in `residual_extremes`
   std::function<double(double y, double v)> row_weight, residual_weight;
   /// Whether V satisfies the impact condition of `velocity` at the first and at the last y

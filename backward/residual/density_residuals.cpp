@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "backward/control/control_fit.hpp"
+#include "backward/control/control_function_fit.hpp"
 #include "base/input_error.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
-#include "problem/features.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::backward {
 namespace {
@@ -63,7 +63,7 @@ std::optional<transform::ErrorEstimate> DensityErrors::error_estimate() const {
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const auto moment = transform::kMoments[k].moment;
     result.moments.*moment =
-        std::abs(error.*moment) + share * unresolved[k] + most / 2 * well_contrasts[k];
+        std::abs(error.*moment) + share * unresolved[k] + most / 2 * well_residual_contrasts[k];
   }
   return result;
 }
@@ -75,8 +75,8 @@ DensityResiduals::DensityResiduals(const problem::Problem& problem, const Contro
     : residuals_(problem, control_splines(problem, cells, CellWidths::narrower_at_walls)),
       functions_(goal_functions(residuals_.y(), residuals_.v(), problem.frame)) {
   assert(residuals_unsupported_reason(problem).empty());
-  const ControlFitProblem fit = control_fit(problem, residuals_.y(), residuals_.v(),
-                                            kWallWeight * problem::scales(problem).frequency);
+  const ControlFitProblem fit = control_function_fit(
+      problem, residuals_.y(), residuals_.v(), kWallWeight * problem::scales(problem).frequency);
   h_ = fit_control_functions(fit, functions_.all);
   unresolved_ = UnresolvedResidual(fit, functions_.all, h_);
 }
@@ -92,13 +92,13 @@ DensityErrors DensityResiduals::estimate_errors(const transform::Density& densit
                        .error = {},
                        .contributions = {},
                        .unresolved = {},
-                       .well_contrasts = {},
+                       .well_residual_contrasts = {},
                        .y_l1 = {},
                        .ydot_l1 = {}};
   const Eigen::VectorXd errors =
       -(h_.coefficients.transpose() * weak.residuals.reshaped<Eigen::RowMajor>().eval());
   const Eigen::VectorXd unresolved = unresolved_.mean_residuals(weak);
-  const Eigen::VectorXd& well_contrasts = unresolved_.well_contrasts();
+  const Eigen::VectorXd& well_residual_contrasts = unresolved_.well_residual_contrasts();
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const Eigen::MatrixXd h = backward_solution(static_cast<Eigen::Index>(k));
     const double mean = h.cwiseProduct(weak.means).sum();
@@ -107,12 +107,12 @@ DensityErrors DensityResiduals::estimate_errors(const transform::Density& densit
     result.error.*moment = result.contributions[k].sum();
     result.corrected.*moment -= result.error.*moment;
     result.unresolved[k] = unresolved(static_cast<Eigen::Index>(k));
-    result.well_contrasts[k] = well_contrasts(static_cast<Eigen::Index>(k));
+    result.well_residual_contrasts[k] = well_residual_contrasts(static_cast<Eigen::Index>(k));
   }
   const auto in_bins = [&](int first, int count) {
     return ErrorComponents{errors.segment(first, count).cwiseAbs().sum(),
                            unresolved.segment(first, count).sum(),
-                           well_contrasts.segment(first, count).sum() / 2};
+                           well_residual_contrasts.segment(first, count).sum() / 2};
   };
   result.y_l1 = in_bins(functions_.moments, functions_.y_bins);
   result.ydot_l1 = in_bins(functions_.moments + functions_.y_bins, functions_.v_bins);
@@ -130,8 +130,8 @@ Eigen::MatrixXd DensityResiduals::contributions_per_cell(const Eigen::MatrixXd& 
     }
     return inverse;
   };
-  const Eigen::MatrixXd in_cells =
-      spline_fractions(y(), y_edges) * contributions * spline_fractions(v(), v_edges).transpose();
+  const Eigen::MatrixXd in_cells = spline_fractions_in_cells(y(), y_edges) * contributions *
+                                   spline_fractions_in_cells(v(), v_edges).transpose();
   return inverse_widths(y_edges).asDiagonal() * in_cells * inverse_widths(v_edges).asDiagonal();
 }
 
@@ -147,8 +147,8 @@ std::string residuals_unsupported_reason(const problem::Problem& problem) {
   return {};
 }
 
-Eigen::MatrixXd spline_fractions(const numerics::QuinticBSplines& splines,
-                                 std::span<const double> edges) {
+Eigen::MatrixXd spline_fractions_in_cells(const numerics::QuinticBSplines& splines,
+                                          std::span<const double> edges) {
   if (edges.size() < 2 ||
       std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
     throw InputError("the cell edges of a map do not increase");

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "backward/control/control_fit.hpp"
+#include "backward/control/control_function_fit.hpp"
 #include "backward/residual/goal_functions.hpp"
 #include "backward/residual/unresolved_residual.hpp"
 #include "backward/residual/weak_residuals.hpp"
@@ -24,7 +24,7 @@ struct ErrorComponents {
   /// Mean residuals (UnresolvedResidual) of the functions h that weight the residuals of the
   /// density
   double unresolved = 0;
-  /// Half the sum of UnresolvedResidual::well_contrasts(): 0 if the residuals determine the
+  /// Half the sum of UnresolvedResidual::well_residual_contrasts(): 0 if the residuals determine the
   /// probabilities of the wells, 1 if the residuals do not depend on the probabilities
   double contrast = 0;
 };
@@ -40,7 +40,7 @@ struct DensityErrors {
   std::array<Eigen::MatrixXd, kMomentCount> contributions;
 
   std::array<double, kMomentCount> unresolved;
-  std::array<double, kMomentCount> well_contrasts;
+  std::array<double, kMomentCount> well_residual_contrasts;
   /// L1 errors of p(y) and of p(y'), over the bins of goal_functions()
   ErrorComponents y_l1, ydot_l1;
 
@@ -122,7 +122,7 @@ std::string residuals_unsupported_reason(const problem::Problem& problem);
 /// Returns the fraction of the integral of each spline in each cell, shape (cells, functions). The
 /// columns sum to 1 if the cells cover the splines.
 /// @throws InputError when the edges do not increase
-Eigen::MatrixXd spline_fractions(const numerics::QuinticBSplines& splines,
-                                 std::span<const double> edges);
+Eigen::MatrixXd spline_fractions_in_cells(const numerics::QuinticBSplines& splines,
+                                          std::span<const double> edges);
 
 }  // namespace fpkcheck::backward

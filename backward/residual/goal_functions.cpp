@@ -34,7 +34,7 @@ std::vector<std::function<double(double)>> bin_functions(const numerics::Quintic
 }  // namespace
 
 GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
-                             const problem::Frame& frame) {
+                             const problem::WallFrame& frame) {
   GoalFunctions goal;
   for (const int n : {1, 2, 4}) {
     goal.all.push_back({[=](double x) { return std::pow(frame.physical_y(x), n); }, constant_one});

@@ -21,6 +21,6 @@ struct GoalFunctions {
 /// the solution of the backward equation for a bin is smooth on the scale of the cells.
 /// @param frame coordinate frame of the splines
 GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
-                             const problem::Frame& frame = {});
+                             const problem::WallFrame& frame = {});
 
 }  // namespace fpkcheck::backward

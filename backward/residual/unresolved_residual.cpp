@@ -6,7 +6,7 @@
 
 #include "backward/control/generator_factors.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::backward {
@@ -65,7 +65,7 @@ Eigen::MatrixXd well_averages(const problem::Problem& problem, const numerics::Q
                               const std::function<double(double)>& weight) {
   if (problem::features(problem).wells < 2) return {};
   // Fraction of the integral of the fit weight below which a well is omitted. An omitted well has
-  // less than 1e-4 of the mass, since with several wells the weight of control_fit() is narrower
+  // less than 1e-4 of the mass, since with several wells the weight of control_function_fit() is narrower
   // than the density.
   constexpr double kNegligible = 1e-6;
   const std::vector<double> tops = barrier_positions(problem, rule.points);
@@ -98,9 +98,9 @@ UnresolvedResidual::UnresolvedResidual(const ControlFitProblem& fit,
                                  in_v = numerics::composite_gauss_rule<kGaussPointsPerCell>(
                                      vs.breaks());
   const auto &y = in_y.points, &v = in_v.points;
-  const GeneratorFactors y_factor = displacement_factors(problem.system, ys, y);
-  const GeneratorFactors v_factor =
-      velocity_factors(problem, vs, v, impulse_means(vs, problem.impulses, v));
+  const GeneratorFactors y_factor = displacement_generator_factors(problem.system, ys, y);
+  const GeneratorFactors v_factor = velocity_generator_factors(
+      problem, vs, v, spline_means_after_impulse(vs, problem.impulses, v));
   const auto walls = impact_walls(problem.system);
   std::vector<Eigen::MatrixXd> jumps;
 
@@ -113,8 +113,9 @@ UnresolvedResidual::UnresolvedResidual(const ControlFitProblem& fit,
   const Eigen::VectorXd over_v = normalised_weights(in_v, fit.weight_v);
   for (const ImpactWall& wall : walls) {
     const auto u =
-        numerics::composite_gauss_rule<kGaussPointsPerCell>(impact_jump_breaks(vs, wall)).points;
-    jumps.push_back(impact_jumps(vs, wall, u));
+        numerics::composite_gauss_rule<kGaussPointsPerCell>(non_smooth_impact_speeds(vs, wall))
+            .points;
+    jumps.push_back(spline_jumps_at_impacts(vs, wall, u));
     at_walls_.emplace_back(std::ssize(u) / kGaussPointsPerCell, count);
   }
   for (Eigen::Index k = 0; k < count; ++k) {

@@ -32,7 +32,7 @@ class UnresolvedResidual {
   /// nearly constant in each well. Well probabilities with an error d then contribute d times the
   /// largest difference to (E_p - E)[e], for any value of E_p|e|. Wells of negligible mass are
   /// omitted.
-  const Eigen::VectorXd& well_contrasts() const { return well_contrasts_; }
+  const Eigen::VectorXd& well_residual_contrasts() const { return well_contrasts_; }
 
  private:
   Eigen::MatrixXd in_cells_;               // shape (cells of y times cells of v, functions)

@@ -55,7 +55,7 @@ std::vector<ImpactBreaks> impact_breaks(const std::vector<ImpactWall>& walls,
                                         const numerics::QuinticBSplines& v) {
   std::vector<ImpactBreaks> all;
   for (const ImpactWall& wall : walls) {
-    all.push_back({wall.position, wall.rebound_sign, impact_jump_breaks(v, wall)});
+    all.push_back({wall.position, wall.rebound_sign, non_smooth_impact_speeds(v, wall)});
   }
   return all;
 }
@@ -94,12 +94,13 @@ WeakResiduals::WeakResiduals(const problem::Problem& problem, ControlSplines spl
       wall_breaks_(impact_breaks(walls_, v_)),
       v_breaks_(breaks_after_impulse(v_, problem.impulses)),
       nodes_(gauss_nodes(v_breaks_)),
-      means_(impulse_means(v_, problem.impulses, nodes_)) {}
+      means_(spline_means_after_impulse(v_, problem.impulses, nodes_)) {}
 
 /// Returns the means K B_j of the splines B_j after an impulse, interpolated between the Gauss
 /// points of a cell, where the mean K B_j is smooth. Beyond the ends of the splines the mean is
 /// constant.
-Eigen::MatrixXd WeakResiduals::interpolated_impulse_means(std::span<const double> v) const {
+Eigen::MatrixXd WeakResiduals::interpolated_spline_means_after_impulse(
+    std::span<const double> v) const {
   if (!problem_.impulses.is_present()) return {};
   Eigen::MatrixXd result(std::ssize(v), v_.size());
   const auto& breaks = v_breaks_;
@@ -123,7 +124,7 @@ Eigen::RowVectorXd WeakResiduals::impact_terms(const ImpactWall& wall,
                                                const SampledWallDensity& impacts) const {
   const auto& speeds = impacts.speeds.points;
   const Eigen::Map<const Eigen::VectorXd> u(speeds.data(), std::ssize(speeds));
-  const Eigen::MatrixXd jumps = impact_jumps(v_, wall, speeds);
+  const Eigen::MatrixXd jumps = spline_jumps_at_impacts(v_, wall, speeds);
   return (impacts.speeds.integrals_with_density(u.asDiagonal() * jumps) * impacts.samples)
       .transpose();
 }
@@ -133,7 +134,7 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
       sample_density(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
 
   // Moments E_p[y^m y'^n] in physical coordinates, before the division by the mass.
-  const problem::Frame& frame = problem_.frame;
+  const problem::WallFrame& frame = problem_.frame;
   const Eigen::MatrixXd along_y = p.y.integrals_with_density(coordinate_powers(
                                       p.y.points, [&](double x) { return frame.physical_y(x); })) *
                                   p.samples;
@@ -146,9 +147,9 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
   }
   const auto moment = [&](int m, int n) { return powers(m, n) / mass; };
 
-  const GeneratorFactors y = displacement_factors(problem_.system, y_, p.y.points);
-  const GeneratorFactors v =
-      velocity_factors(problem_, v_, p.v.points, interpolated_impulse_means(p.v.points));
+  const GeneratorFactors y = displacement_generator_factors(problem_.system, y_, p.y.points);
+  const GeneratorFactors v = velocity_generator_factors(
+      problem_, v_, p.v.points, interpolated_spline_means_after_impulse(p.v.points));
   Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_.size(), v_.size());
   for (std::size_t term = 0; term < y.size(); ++term) {
     residuals.noalias() += p.y.integrals_with_density(y[term]) * p.samples *

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "backward/control/control_fit.hpp"
+#include "backward/control/control_function_fit.hpp"
 #include "backward/control/generator_factors.hpp"
 #include "backward/residual/sampled_density.hpp"
 #include "numerics/splines/quintic_bsplines.hpp"
@@ -22,7 +22,7 @@ struct DensityIntegrals {
   Eigen::MatrixXd residuals;
   /// Probabilities of the cells between the breaks of the splines, shape (cells of y, cells of v)
   Eigen::MatrixXd cells;
-  /// Impact fluxes int u p(0, -u) du between consecutive impact_jump_breaks(), for each of
+  /// Impact fluxes int u p(0, -u) du between consecutive non_smooth_impact_speeds(), for each of
   /// impact_walls()
   std::vector<Eigen::VectorXd> impacts;
 };
@@ -51,7 +51,7 @@ class WeakResiduals {
   const numerics::QuinticBSplines& v() const { return v_; }
 
  private:
-  Eigen::MatrixXd interpolated_impulse_means(std::span<const double> v) const;
+  Eigen::MatrixXd interpolated_spline_means_after_impulse(std::span<const double> v) const;
   Eigen::RowVectorXd impact_terms(const ImpactWall& wall, const SampledWallDensity& impacts) const;
 
   problem::Problem problem_;

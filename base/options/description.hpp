@@ -20,13 +20,13 @@ struct MemberConversion;
 
 template <>
 struct MemberConversion<bool> {
-  static constexpr Type kType = Type::flag;
+  static constexpr ParameterType kType = ParameterType::flag;
   static Value to_value(bool member) { return member; }
   static void set_from_value(bool& member, const Value& value) { member = std::get<bool>(value); }
 };
 template <std::integral Integer>
 requires(!std::same_as<Integer, bool>) struct MemberConversion<Integer> {
-  static constexpr Type kType = Type::integer;
+  static constexpr ParameterType kType = ParameterType::integer;
   static Value to_value(Integer member) { return static_cast<std::int64_t>(member); }
   /// @throws std::out_of_range if the type `Integer` cannot represent the value
   static void set_from_value(Integer& member, const Value& value) {
@@ -37,7 +37,7 @@ requires(!std::same_as<Integer, bool>) struct MemberConversion<Integer> {
 };
 template <>
 struct MemberConversion<double> {
-  static constexpr Type kType = Type::number;
+  static constexpr ParameterType kType = ParameterType::number;
   static Value to_value(double member) { return member; }
   static void set_from_value(double& member, const Value& value) {
     member = std::get<double>(value);
@@ -45,7 +45,7 @@ struct MemberConversion<double> {
 };
 template <>
 struct MemberConversion<std::string> {
-  static constexpr Type kType = Type::word;
+  static constexpr ParameterType kType = ParameterType::word;
   static Value to_value(const std::string& member) { return member; }
   static void set_from_value(std::string& member, const Value& value) {
     member = std::get<std::string>(value);
@@ -54,7 +54,7 @@ struct MemberConversion<std::string> {
 template <class Enum>
 requires std::is_enum_v<Enum>
 struct MemberConversion<Enum> {
-  static constexpr Type kType = Type::word;
+  static constexpr ParameterType kType = ParameterType::word;
   static Value to_value(Enum member) { return std::string(name_of(member)); }
   static void set_from_value(Enum& member, const Value& value) {
     member = *enum_from_name<Enum>(std::get<std::string>(value));
@@ -72,7 +72,7 @@ concept HasEnumChoices = requires {
 
 template <class Member>
 struct MemberConversion<std::optional<Member>> {
-  static constexpr Type kType = MemberConversion<Member>::kType;
+  static constexpr ParameterType kType = MemberConversion<Member>::kType;
   static Value to_value(const std::optional<Member>& member) {
     return member ? MemberConversion<Member>::to_value(*member) : Value();
   }

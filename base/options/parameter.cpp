@@ -24,13 +24,13 @@ std::optional<Value> parse_number(std::string_view text) {
 
 std::string type_text(const Parameter& parameter) {
   switch (parameter.type) {
-    case Type::flag:
+    case ParameterType::flag:
       return "true or false";
-    case Type::integer:
+    case ParameterType::integer:
       return "an integer";
-    case Type::number:
+    case ParameterType::number:
       return "a number";
-    case Type::word:
+    case ParameterType::word:
       return parameter.choices.empty()
                  ? std::string("a text")
                  : fmt::format("one of {}", fmt::join(parameter.choices, ", "));
@@ -39,11 +39,11 @@ std::string type_text(const Parameter& parameter) {
 }
 
 std::string rejection_reason(const Parameter& parameter, std::string_view text) {
-  if (parameter.type == Type::number || parameter.type == Type::integer) {
+  if (parameter.type == ParameterType::number || parameter.type == ParameterType::integer) {
     double ignored = 0;
     const auto error = std::from_chars(text.data(), text.data() + text.size(), ignored).ec;
     if (error == std::errc::result_out_of_range) return "out of the range of double precision";
-    return parameter.type == Type::number ? "not a number" : "not an integer";
+    return parameter.type == ParameterType::number ? "not a number" : "not an integer";
   }
   return fmt::format("must be {}", parameter.requirement_text());
 }
@@ -63,14 +63,14 @@ std::string Parameter::requirement_text() const {
 std::optional<Value> Parameter::convert_to_parameter_type(const Value& value) const {
   if (is_unset(value)) return can_be_automatic ? std::optional(value) : std::nullopt;
   switch (type) {
-    case Type::flag:
+    case ParameterType::flag:
       return std::holds_alternative<bool>(value) ? std::optional(value) : std::nullopt;
-    case Type::integer:
+    case ParameterType::integer:
       return std::holds_alternative<std::int64_t>(value) ? std::optional(value) : std::nullopt;
-    case Type::number:
+    case ParameterType::number:
       if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
       return std::holds_alternative<double>(value) ? std::optional(value) : std::nullopt;
-    case Type::word: {
+    case ParameterType::word: {
       const auto* word = std::get_if<std::string>(&value);
       const bool known = word != nullptr &&
                          (choices.empty() || std::ranges::find(choices, *word) != choices.end());
@@ -83,14 +83,14 @@ std::optional<Value> Parameter::convert_to_parameter_type(const Value& value) co
 std::optional<Value> Parameter::parse(std::string_view text) const {
   if (can_be_automatic && text == "auto") return Value();
   switch (type) {
-    case Type::flag:
+    case ParameterType::flag:
       if (text == "true" || text == "false") return text == "true";
       return std::nullopt;
-    case Type::integer:
+    case ParameterType::integer:
       return parse_number<std::int64_t>(text);
-    case Type::number:
+    case ParameterType::number:
       return parse_number<double>(text);
-    case Type::word:
+    case ParameterType::word:
       return convert_to_parameter_type(std::string(text));
   }
   return std::nullopt;

@@ -49,7 +49,7 @@ AdmissibleRange closed_interval(double least, double greatest);
 AdmissibleRange open_interval(double least, double greatest);
 AdmissibleRange even_integers_between(int least, int greatest);
 
-enum class Type { flag, integer, number, word };
+enum class ParameterType { flag, integer, number, word };
 
 /// Description of one parameter of the program, from which the command-line option, the case-file
 /// key, JSON and the range check are derived.
@@ -62,7 +62,7 @@ struct Parameter {
   std::string flag = {};
   /// Symbol of the parameter in formulas, as plain text and typeset: "mu", "μ".
   std::string symbol = {}, typeset = {};
-  Type type = Type::number;
+  ParameterType type = ParameterType::number;
   bool can_be_automatic = false;
   std::vector<std::string> choices = {};  ///< allowed words; if empty, any word is allowed
   std::optional<AdmissibleRange> range = {};

@@ -47,7 +47,7 @@ ExitBlocker::~ExitBlocker() {
   d.changed.notify_all();
 }
 
-void stop_writes_of_other_threads() {
+void wait_and_block_other_writers() {
   GuardState& d = guard_state();
   std::unique_lock lock(d.mutex);
   d.changed.wait(lock, [&] { return d.guard_count == 0; });

@@ -27,6 +27,6 @@ class ExitBlocker {
 /// Waits until no ExitBlocker exists; afterwards, the constructor of ExitBlocker blocks every
 /// thread except the calling thread. A thread calls this function before ending the process while
 /// other threads may write files.
-void stop_writes_of_other_threads();
+void wait_and_block_other_writers();
 
 }  // namespace fpkcheck::base

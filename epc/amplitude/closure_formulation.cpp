@@ -15,9 +15,9 @@ namespace fpkcheck::epc::amplitude {
 using Eigen::VectorXd;
 using half_plane::ClosureDensity;
 using half_plane::Confinement;
+using half_plane::QuadraturePointCounts;
 using half_plane::QuadraturePoints;
-using half_plane::QuadratureRefinement;
-using half_plane::QuadratureSize;
+using half_plane::QuadratureRefinementCriterion;
 using half_plane::SearchStage;
 
 namespace {
@@ -41,14 +41,14 @@ double largest_scan_amplitude(double temperature) {
 
 double exponent_with_gaussian_tail(const PolarExponent& q, const ClosureDensity& closure,
                                    double rho, double theta) {
-  const double inside = std::min(rho, closure.decay_extent);
+  const double inside = std::min(rho, closure.end_of_decay);
   return q(inside, theta) - (rho * rho - inside * inside) / (2 * closure.temperature);
 }
 
 ClosureDensity ClosureFormulation::initial_density() const {
   ClosureDensity closure{.q = Polynomial({{2, 0, -1 / (2 * temperature_)}}),
                          .temperature = temperature_};
-  closure.decay_extent = decay_extent(closure.q, temperature_);
+  closure.end_of_decay = end_of_decay(closure.q, temperature_);
   return closure;
 }
 
@@ -58,26 +58,27 @@ std::vector<double> ClosureFormulation::confinement_levels(const ClosureDensity&
   std::vector<double> confinement_levels;
   const auto add = [&](double rho) { confinement_levels.push_back(energy_of_amplitude(rho)); };
   for (const double depth : kDepths) {
-    const DecayScan fall = scan_decay(polar_exponent(guess.q), depth, end);
+    const ExponentDecayScan fall = scan_exponent_decay(polar_exponent(guess.q), depth, end);
     if (fall.crossing) add(*fall.crossing);
   }
-  if (guess.decay_extent < end) {
-    for (const double factor : kBeyondDecayExtent) add(factor * guess.decay_extent);
+  if (guess.end_of_decay < end) {
+    for (const double factor : kBeyondDecayExtent) add(factor * guess.end_of_decay);
   }
   for (const double deviations : kLevelDeviations) add(deviations * std::sqrt(guess.temperature));
   return confinement_levels;
 }
 
-QuadratureSize ClosureFormulation::quadrature_size(int order, double level_over_temperature,
-                                                   SearchStage stage) const {
+QuadraturePointCounts ClosureFormulation::quadrature_point_counts(int order,
+                                                                  double level_over_temperature,
+                                                                  SearchStage stage) const {
   const int least = stage == SearchStage::rough ? 16 : 20;
   const double width = std::max(1.0, std::sqrt(2 * level_over_temperature) / kLevelDeviations[0]);
   const int rho = static_cast<int>((least + 2 * order) * width);
   return {rho, least + 2 * order, rho};
 }
 
-QuadratureRefinement ClosureFormulation::quadrature_refinement() const {
-  return {QuadratureRefinement::ChangeMeasure::solved, 1e-5};
+QuadratureRefinementCriterion ClosureFormulation::quadrature_refinement() const {
+  return {QuadratureRefinementCriterion::ChangeMeasure::solved, 1e-5};
 }
 
 double ClosureFormulation::exponent_of_guess(const ClosureDensity& guess, double s,
@@ -85,8 +86,9 @@ double ClosureFormulation::exponent_of_guess(const ClosureDensity& guess, double
   return exponent_with_gaussian_tail(polar_exponent(guess.q), guess, s, phase(s, t));
 }
 
-double ClosureFormulation::decay_extent(const Polynomial& q, double temperature) const {
-  return scan_decay(polar_exponent(q), kDepths.back(), largest_scan_amplitude(temperature)).extent;
+double ClosureFormulation::end_of_decay(const Polynomial& q, double temperature) const {
+  return scan_exponent_decay(polar_exponent(q), kDepths.back(), largest_scan_amplitude(temperature))
+      .extent;
 }
 
 // The weights of the fit are proportional to a power of the density. A power below 1 gives weight
@@ -96,7 +98,7 @@ VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double sup
                                          const QuadraturePoints& points, const VectorXd& exponent,
                                          const VectorXd&) const {
   constexpr double kFlatter = 0.5;
-  const double power = amplitude_of_energy(support) > guess.decay_extent ? kFlatter : 1;
+  const double power = amplitude_of_energy(support) > guess.end_of_decay ? kFlatter : 1;
   const VectorXd mass =
       points.weight.array() * (power * (exponent.array() - exponent.maxCoeff())).exp();
   return mass / mass.sum();
@@ -104,7 +106,7 @@ VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double sup
 
 double ClosureFormulation::decay_ratio(const ClosureDensity& closure, SearchStage) const {
   constexpr int kInside = 50, kOutside = 12;
-  const Confinement confinement = half_plane::confinement_of(closure.level, tail_);
+  const Confinement confinement = half_plane::make_confinement(closure.level, tail_);
   const PolarExponent q = polar_exponent(closure.q);
   const double rho = amplitude_of_energy(closure.level), end = amplitude_of_energy(closure.support);
   double peak = maximum_over_phase(q, 0), outside = -std::numeric_limits<double>::infinity();

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "epc/amplitude/coordinate_policy.hpp"
-#include "epc/half_plane/result_from_root.hpp"
+#include "epc/amplitude/amplitude_equations.hpp"
+#include "epc/half_plane/root_assessment.hpp"
 #include "epc/half_plane/root_search.hpp"
 #include "epc/options.hpp"
 
@@ -32,12 +32,12 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   double rate_of_change_unit() const override { return rate_unit_; }
   std::vector<double> confinement_levels(const half_plane::ClosureDensity& guess,
                                          half_plane::SearchStage stage) const override;
-  half_plane::QuadratureSize quadrature_size(int order, double level_over_temperature,
-                                             half_plane::SearchStage stage) const override;
-  half_plane::QuadratureRefinement quadrature_refinement() const override;
+  half_plane::QuadraturePointCounts quadrature_point_counts(
+      int order, double level_over_temperature, half_plane::SearchStage stage) const override;
+  half_plane::QuadratureRefinementCriterion quadrature_refinement() const override;
   double exponent_of_guess(const half_plane::ClosureDensity& guess, double s,
                            double t) const override;
-  double decay_extent(const Polynomial& q, double temperature) const override;
+  double end_of_decay(const Polynomial& q, double temperature) const override;
   Eigen::VectorXd fit_weights(const half_plane::ClosureDensity& guess, double support,
                               const half_plane::QuadraturePoints& points,
                               const Eigen::VectorXd& exponent,
@@ -65,14 +65,14 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
 std::string inadmissible_reason(const char* quantity, double at_level, double edge);
 
 template <class Coordinates>
-class FormulationIn final : public ClosureFormulation {
+class CoordinateFormulation final : public ClosureFormulation {
  public:
-  FormulationIn(const problem::Problem& problem, const Coordinates& coordinates, double temperature,
-                double unit, TailTreatment tail)
+  CoordinateFormulation(const problem::Problem& problem, const Coordinates& coordinates,
+                        double temperature, double unit, TailTreatment tail)
       : ClosureFormulation(temperature, unit, tail), problem_(problem), coordinates_(coordinates) {}
 
-  half_plane::QuadraturePoints points_below_energy(
-      double support, const half_plane::QuadratureSize& size) const override {
+  half_plane::QuadraturePoints quadrature_points_below_energy(
+      double support, const half_plane::QuadraturePointCounts& size) const override {
     const double rho_max = amplitude_of_energy(support);
     return quadrature_points(coordinates_, rho_max,
                              Coordinates::amplitude_break_points(problem_.impulses.law(), rho_max),
@@ -80,7 +80,8 @@ class FormulationIn final : public ClosureFormulation {
   }
   half_plane::ClosureEquations closure_equations(
       double support, const half_plane::Confinement& confinement, half_plane::Basis basis,
-      half_plane::QuadraturePoints points, const half_plane::QuadratureSize& size) const override {
+      half_plane::QuadraturePoints points,
+      const half_plane::QuadraturePointCounts& size) const override {
     return amplitude::closure_equations(problem_, coordinates_, amplitude_of_energy(support),
                                         confinement, std::move(basis), std::move(points),
                                         size.wall);
@@ -113,11 +114,11 @@ void assess_root(const problem::Problem& problem, const Coordinates& coordinates
   const double support = amplitude_of_energy(closure.support);
   const double edge =
       std::exp(maximum_over_phase(amplitude::polar_exponent<Coordinates>(closure.q), support) +
-               half_plane::confinement_of(closure.level, tail)(closure.support) - closure.peak);
+               half_plane::make_confinement(closure.level, tail)(closure.support) - closure.peak);
   half_plane::store_half_plane_summary(
       root, tail, density, sigma,
-      {.support = contour_of_amplitude(coordinates, support),
-       .level = contour_of_amplitude(coordinates, amplitude_of_energy(closure.level)),
+      {.support = constant_amplitude_contour(coordinates, support),
+       .level = constant_amplitude_contour(coordinates, amplitude_of_energy(closure.level)),
        .density = edge},
       result);
   half_plane::set_status(root, kQuadratureTolerance,

@@ -81,7 +81,7 @@ MatrixXd means_after_impulse(const problem::ImpulseLaw& law, const half_plane::B
     const MatrixXd means = basis.polynomials_in_s().polynomial_values(s).transpose() *
                            probability.asDiagonal() * basis.polynomials_in_t().polynomial_values(t);
     for (Index k = 0; k < basis.size(); ++k) {
-      const auto& [p, q] = basis.members()[k];
+      const auto& [p, q] = basis.basis_functions()[k];
       result(i, k) = means(p, q);
     }
   }

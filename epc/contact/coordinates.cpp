@@ -5,16 +5,16 @@
 #include <limits>
 #include <utility>
 
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::epc::contact {
 
-bool is_pressed_on_one_wall(const problem::Problem& problem) {
+bool force_presses_on_single_wall(const problem::Problem& problem) {
   const auto features = problem::features(problem);
   const auto& system = problem.system;
   return features.rests_in_contact && !features.two_walls &&
-         problem::sign_changes_between_walls(system.restoring_force(), system).empty();
+         problem::sign_change_points_between_walls(system.restoring_force(), system).empty();
 }
 
 Coordinates::Coordinates(const problem::Problem& problem)
@@ -23,7 +23,7 @@ Coordinates::Coordinates(const problem::Problem& problem)
       restitution_(problem.system.restitution()),
       atom_weight_(2 * std::log(1 / problem.system.restitution()) /
                    problem.impulses.arrival_rate()) {
-  assert(is_pressed_on_one_wall(problem));
+  assert(force_presses_on_single_wall(problem));
 }
 
 double Coordinates::displacement(double w) const {
@@ -40,8 +40,8 @@ double Coordinates::displacement(double w) const {
       std::min(beyond, energy / force_(0.0)), 0.0, beyond, kDigits, iterations);
 }
 
-amplitude::FlowRates Coordinates::flow_rates(const problem::System& system, double y, double rho,
-                                             double v) const {
+amplitude::CoordinateRates Coordinates::coordinate_rates(const problem::System& system, double y,
+                                                         double rho, double v) const {
   const double damping =
       (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v;
   return {-v * damping / rho, -(damping + force_(y))};

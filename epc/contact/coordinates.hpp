@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "epc/amplitude/coordinate_policy.hpp"
+#include "epc/amplitude/amplitude_equations.hpp"
 #include "epc/form/closed_form.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 #include "problem/problem.hpp"
@@ -14,7 +14,7 @@ namespace fpkcheck::epc::contact {
 
 /// Whether the only wall is on the left, the mass can rest in contact with this wall, and the
 /// restoring force acts towards this wall everywhere.
-bool is_pressed_on_one_wall(const problem::Problem& problem);
+bool force_presses_on_single_wall(const problem::Problem& problem);
 
 /// Coordinates amplitude and velocity on the half-plane y >= 0, with the potential V(y) = U(y) -
 /// U(0):
@@ -40,16 +40,16 @@ class Coordinates {
  public:
   static constexpr ExponentCoordinates kVariables = ExponentCoordinates::contact;
 
-  /// @pre is_pressed_on_one_wall(problem), and the wall is at y = 0
+  /// @pre force_presses_on_single_wall(problem), and the wall is at y = 0
   explicit Coordinates(const problem::Problem& problem);
 
   /// Returns the speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals V(y).
-  double potential_speed(double y) const { return std::sqrt(2 * potential_(y)); }
+  double sqrt_twice_potential(double y) const { return std::sqrt(2 * potential_(y)); }
   /// Returns the displacement y with w(y) = w.
   double displacement(double w) const;
   /// Returns the derivative dy/dw = w/g with the restoring force g.
-  double displacement_slope(double y) const { return potential_speed(y) / force_(y); }
-  double amplitude_of(double y, double v) const { return std::hypot(potential_speed(y), v); }
+  double displacement_slope(double y) const { return sqrt_twice_potential(y) / force_(y); }
+  double amplitude_of(double y, double v) const { return std::hypot(sqrt_twice_potential(y), v); }
   std::pair<double, double> coordinates_of_state(double y, double v) const {
     return {amplitude_of(y, v), v};
   }
@@ -65,8 +65,8 @@ class Coordinates {
   }
   /// Returns rates of change between impulses: rho' = -v f / rho and v' = -(f + g) with damping
   /// force f.
-  amplitude::FlowRates flow_rates(const problem::System& system, double y, double rho,
-                                  double v) const;
+  amplitude::CoordinateRates coordinate_rates(const problem::System& system, double y, double rho,
+                                              double v) const;
 
   /// Returns the factor 1/e of the density at an amplitude rho > 0.
   static double density_prefactor(double rho) { return 2 / (rho * rho); }
@@ -76,8 +76,8 @@ class Coordinates {
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw&, double) {
     return {};
   }
-  static std::vector<double> leading_phases() {
-    return {amplitude::scan_phases().begin(), amplitude::scan_phases().end()};
+  static std::vector<double> leading_form_phases() {
+    return {amplitude::equidistant_phases().begin(), amplitude::equidistant_phases().end()};
   }
 
  private:

@@ -5,9 +5,9 @@
 #include "epc/contact/store_density.hpp"
 #include "epc/formulations.hpp"
 #include "epc/half_plane/newton.hpp"
-#include "epc/half_plane/result_from_root.hpp"
+#include "epc/half_plane/root_assessment.hpp"
 #include "epc/half_plane/root_search.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 namespace fpkcheck::epc::contact {
 namespace {
@@ -44,7 +44,7 @@ double distance_to_previous_order(const Coordinates& coordinates, const ClosureD
   const auto& cells = std::get<GridDensity>(*solution.density);
   const GridDensity before = transform::average_over_cells(
       amplitude::density_from_exponent(previous.q, coordinates, previous.support,
-                                       half_plane::confinement_of(previous.level, tail),
+                                       half_plane::make_confinement(previous.level, tail),
                                        -previous.log_normalisation),
       cells.y_edges, cells.v_edges);
   const double atoms =
@@ -59,16 +59,17 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const double deviation = problem::scales(problem).velocity_deviation;
   const double temperature = deviation * deviation;
   const RootSearchResult root = half_plane::find_root(
-      amplitude::FormulationIn(problem, coordinates, temperature,
-                               half_plane::rate_of_change_unit(problem, temperature), options.tail),
+      amplitude::CoordinateFormulation(problem, coordinates, temperature,
+                                       half_plane::rate_of_change_unit(problem, temperature),
+                                       options.tail),
       options);
-  Result result = half_plane::make_unassessed_result(root);
+  Result result = half_plane::initial_result_of_search(root);
   if (!root.failure.empty()) return result;
 
   const ClosureDensity& closure = root.closure;
   const transform::SmoothDensity density = amplitude::density_from_exponent(
       closure.q, coordinates, closure.support,
-      half_plane::confinement_of(closure.level, options.tail), -closure.log_normalisation);
+      half_plane::make_confinement(closure.level, options.tail), -closure.log_normalisation);
   store_density_and_atom(problem, coordinates, root, density, result);
   if (root.previous) {
     result.summary.distance_to_previous =

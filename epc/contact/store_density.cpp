@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "epc/amplitude/half_circle.hpp"
+#include "epc/amplitude/amplitude_phase.hpp"
 #include "epc/amplitude/impulse_means.hpp"
 #include "problem/balances.hpp"
 #include "problem/problem.hpp"
@@ -67,7 +67,7 @@ DiscreteLaw discrete_law_of(const Coordinates& coordinates,
   return law;
 }
 
-transform::Moments moments_of(const problem::Frame& frame, const DiscreteLaw& law) {
+transform::Moments moments_of(const problem::WallFrame& frame, const DiscreteLaw& law) {
   const auto mean = [&](int y_power, int v_power) {
     return law.mean([&](double y, double v) {
       return std::pow(frame.physical_y(y), y_power) * std::pow(frame.physical_velocity(v), v_power);
@@ -105,11 +105,11 @@ transform::BalanceResiduals balances_of(const problem::Problem& problem, const D
                                         double momentum_of_impacts, double release_rate) {
   const problem::System& system = problem.system;
   const auto& force = system.restoring_force();
-  problem::VirialTerms virial{
+  problem::VirialBalanceTerms virial{
       .mean_displacement = law.mean([](double y, double) { return y; }),
       .mean_square_velocity = law.mean([](double, double v) { return v * v; }),
       .mean_virial = law.mean([&](double y, double) { return y * force(y); })};
-  problem::MomentumTerms momentum{
+  problem::MomentumBalanceTerms momentum{
       .mean_force = law.mean([&](double y, double) { return force(y); }),
       .impact_momentum = momentum_of_impacts,
       .contact_momentum_rate =
@@ -148,7 +148,7 @@ void store_density_and_atom(const problem::Problem& problem, const Coordinates& 
       {.y = 0, .probability = law.at_rest(), .standard_error = {}, .error_estimate = {}}};
   solution.moments = moments_of(problem.frame, law);
   summary.moments = moments_of({}, law);
-  problem::EnergyTerms energy{
+  problem::PowerBalanceTerms energy{
       .mean_velocity = summary.moments.v1,
       .mean_square_velocity = summary.moments.v2,
       .impact_energy_flux = wall_flux(density, root.quadrature.wall, 3) +
@@ -158,7 +158,8 @@ void store_density_and_atom(const problem::Problem& problem, const Coordinates& 
       return (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v * v;
     });
   }
-  solution.energy_residual = problem::energy_residual(problem, problem::Impact::map, energy);
+  solution.energy_residual =
+      problem::energy_residual(problem, problem::ImpactCondition::map, energy);
   summary.balances =
       balances_of(problem, law, wall_flux(density, root.quadrature.wall, 2), release_rate);
 }

@@ -91,8 +91,8 @@ std::optional<double> optional_number(const Metrics& metrics, const std::string&
   return require_number(metrics, path);
 }
 
-problem::Frame read_frame_of_coordinates(const Metrics& metrics) {
-  problem::Frame frame{.origin = optional_number(metrics, "frame.origin").value_or(0)};
+problem::WallFrame read_frame_of_coordinates(const Metrics& metrics) {
+  problem::WallFrame frame{.origin = optional_number(metrics, "frame.origin").value_or(0)};
   if (const auto* mirrored = transform::find_metric(metrics, "frame.mirrored")) {
     const bool* value = std::get_if<bool>(&mirrored->value);
     if (value == nullptr) {

@@ -40,7 +40,7 @@ struct BoundingBox {
 struct ClosedFormParameters {
   ExponentCoordinates variables = ExponentCoordinates::plane;
   /// Origin and direction of the coordinates of Q_n on the physical axes (problem/walls.hpp).
-  problem::Frame coordinates = {};
+  problem::WallFrame coordinates = {};
   /// ln C of the constant factor C; empty for a density that is not normalised.
   std::optional<double> log_constant = {};
   /// Standard deviations that scale the support gaussian::DensitySupport; empty for other supports.

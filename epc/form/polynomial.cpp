@@ -35,7 +35,7 @@ double Polynomial::operator()(double x1, double x2) const {
   return value;
 }
 
-std::vector<double> Polynomial::restriction_to_ray(double e1, double e2) const {
+std::vector<double> Polynomial::coefficients_along_ray(double e1, double e2) const {
   std::vector<double> power1{1}, power2{1};
   for (int m = 1; m <= degree_; ++m) {
     power1.push_back(power1.back() * e1);
@@ -54,7 +54,7 @@ std::vector<double> derivative_coefficients(const std::vector<double>& coefficie
   return result;
 }
 
-const std::vector<Direction>& scan_directions() {
+const std::vector<Direction>& equiangular_directions() {
   constexpr int kDirections = 1440;
   static const std::vector<Direction> table = [] {
     std::vector<Direction> all;
@@ -70,13 +70,13 @@ const std::vector<Direction>& scan_directions() {
 std::size_t distinct_direction_count(const Polynomial& q) {
   const bool even = std::ranges::all_of(
       q.terms(), [](const Term& term) { return (term.x1 + term.x2) % 2 == 0 || term.a == 0; });
-  return even ? scan_directions().size() / 2 : scan_directions().size();
+  return even ? equiangular_directions().size() / 2 : equiangular_directions().size();
 }
 
-RayCoefficients restrict_to_ray(const Polynomial& q, const StandardDeviations& sigma,
-                                const Direction& direction) {
-  RayCoefficients coefficients =
-      q.restriction_to_ray(sigma.x1 * direction.x1, sigma.x2 * direction.x2);
+RadialPolynomial radial_polynomial(const Polynomial& q, const StandardDeviations& sigma,
+                                   const Direction& direction) {
+  RadialPolynomial coefficients =
+      q.coefficients_along_ray(sigma.x1 * direction.x1, sigma.x2 * direction.x2);
   while (!coefficients.empty() && coefficients.back() == 0) coefficients.pop_back();
   return coefficients;
 }
@@ -99,10 +99,10 @@ Polynomial without_rounding(const Polynomial& q, const StandardDeviations& sigma
 
 // Returns the radius, in units of sigma, from which a polynomial of the radius rises: the largest
 // radius below `end` at which its slope changes sign.
-double last_rise(const RayCoefficients& ray, double sigma, double end, double step) {
-  const RayCoefficients slope = derivative_coefficients(ray);
+double last_rise(const RadialPolynomial& ray, double sigma, double end, double step) {
+  const RadialPolynomial slope = derivative_coefficients(ray);
   double radius = end;
-  while (radius > 0 && horner(slope, radius * sigma) > 0) radius -= step;
+  while (radius > 0 && evaluate_polynomial(slope, radius * sigma) > 0) radius -= step;
   return std::max(radius, 0.0);
 }
 
@@ -115,12 +115,12 @@ LeadingForm leading_form(const Polynomial& with_rounding, const StandardDeviatio
   double largest = -std::numeric_limits<double>::infinity();
   int rising = 0, seen = 0;
   const std::size_t distinct = distinct_direction_count(q);
-  RayCoefficients worst;
-  for (std::size_t k = 0; k < scan_directions().size(); ++k) {
-    const Direction e = scan_directions()[k];
+  RadialPolynomial worst;
+  for (std::size_t k = 0; k < equiangular_directions().size(); ++k) {
+    const Direction e = equiangular_directions()[k];
     if (plane == DirectionSet::half ? e.x1 < 0 : k >= distinct) continue;
     ++seen;
-    const RayCoefficients coefficients = restrict_to_ray(q, sigma, e);
+    const RadialPolynomial coefficients = radial_polynomial(q, sigma, e);
     if (coefficients.size() < 2) continue;
     const double leading = coefficients.back();
     if (leading > 0) ++rising;
@@ -136,15 +136,15 @@ LeadingForm leading_form(const Polynomial& with_rounding, const StandardDeviatio
   return form;
 }
 
-LeadingForm leading_form_along(const Polynomial& q, const std::vector<Direction>& directions,
-                               double sigma) {
+LeadingForm leading_form_along_directions(const Polynomial& q,
+                                          const std::vector<Direction>& directions, double sigma) {
   assert(!directions.empty());
   LeadingForm form{true, {1, 0}, 0, 0};
   double largest = -std::numeric_limits<double>::infinity();
   int rising = 0;
-  RayCoefficients worst;
+  RadialPolynomial worst;
   for (const Direction& e : directions) {
-    const RayCoefficients coefficients = q.restriction_to_ray(e.x1, e.x2);
+    const RadialPolynomial coefficients = q.coefficients_along_ray(e.x1, e.x2);
     const double leading = coefficients.back();
     if (leading >= 0) ++rising;
     if (leading <= largest) continue;
@@ -158,7 +158,7 @@ LeadingForm leading_form_along(const Polynomial& q, const std::vector<Direction>
   return form;
 }
 
-std::string leading_form_text(const LeadingForm& form, const std::string& plane) {
+std::string describe_leading_form(const LeadingForm& form, const std::string& plane) {
   if (form.negative) return "although Q_n falls at infinity";
   return fmt::format(
       "and Q_n rises at infinity along {:.0f} % of all directions, most steeply along {} = "

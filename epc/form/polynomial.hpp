@@ -24,7 +24,7 @@ class Polynomial {
   double operator()(double x1, double x2) const;
 
   /// Returns the coefficients of the polynomial rho -> Q_n(rho e1, rho e2), lowest power first.
-  std::vector<double> restriction_to_ray(double e1, double e2) const;
+  std::vector<double> coefficients_along_ray(double e1, double e2) const;
 
  private:
   std::vector<Term> terms_;
@@ -34,7 +34,7 @@ class Polynomial {
 };
 
 /// Evaluates a polynomial by Horner's method, from coefficients with the lowest power first.
-inline double horner(const std::vector<double>& coefficients, double rho) {
+inline double evaluate_polynomial(const std::vector<double>& coefficients, double rho) {
   double value = 0;
   for (std::size_t m = coefficients.size(); m-- > 0;) value = value * rho + coefficients[m];
   return value;
@@ -56,21 +56,21 @@ struct Direction {
 
 /// Coefficients of the polynomial rho -> Q_n along a direction of the scaled plane, lowest power
 /// first. The last coefficient is not 0.
-using RayCoefficients = std::vector<double>;
+using RadialPolynomial = std::vector<double>;
 
 /// Step and largest radius of the radial scans, in standard deviations.
 inline constexpr double kRadialStep = 0.1;
 inline constexpr double kLargestRadius = 15;
 
 /// Directions at equal angles over the whole circle, exact along the axes.
-const std::vector<Direction>& scan_directions();
+const std::vector<Direction>& equiangular_directions();
 
-/// Returns the number of leading entries of scan_directions() along which the values of the
+/// Returns the number of leading entries of equiangular_directions() along which the values of the
 /// exponent Q_n are distinct: half of all directions if all degrees of Q_n are even.
 std::size_t distinct_direction_count(const Polynomial& q);
 
-RayCoefficients restrict_to_ray(const Polynomial& q, const StandardDeviations& sigma,
-                                const Direction& direction);
+RadialPolynomial radial_polynomial(const Polynomial& q, const StandardDeviations& sigma,
+                                   const Direction& direction);
 
 /// Behaviour of the exponent Q_n at infinity by condition (19) of the paper: sign of the
 /// coefficient of the highest significant power of Q_n along each direction.
@@ -93,11 +93,11 @@ LeadingForm leading_form(const Polynomial& q, const StandardDeviations& sigma,
 /// plane.
 /// @param sigma unit of the radius in the result
 /// @pre there is at least one direction
-LeadingForm leading_form_along(const Polynomial& q, const std::vector<Direction>& directions,
-                               double sigma);
+LeadingForm leading_form_along_directions(const Polynomial& q,
+                                          const std::vector<Direction>& directions, double sigma);
 
 /// Returns a clause on the behaviour of Q_n at infinity, such as "although Q_n falls at infinity".
 /// @param plane name of the coordinates of the scaled plane, e.g. "(y, v) / deviations"
-std::string leading_form_text(const LeadingForm& form, const std::string& plane);
+std::string describe_leading_form(const LeadingForm& form, const std::string& plane);
 
 }  // namespace fpkcheck::epc

@@ -25,13 +25,13 @@ double damping_power(const problem::System& system, const transform::SmoothDensi
   });
 }
 
-problem::EnergyTerms energy_terms(const problem::Problem& problem,
-                                  const transform::SmoothDensity& density,
-                                  const transform::Moments& moments) {
-  problem::EnergyTerms terms{.mean_velocity = moments.v1,
-                             .mean_square_velocity = moments.v2,
-                             .impact_energy_flux = transform::impact_flux(density, 3),
-                             .right_energy_flux = right_flux(problem, density, 3)};
+problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
+                                        const transform::SmoothDensity& density,
+                                        const transform::Moments& moments) {
+  problem::PowerBalanceTerms terms{.mean_velocity = moments.v1,
+                                   .mean_square_velocity = moments.v2,
+                                   .impact_energy_flux = transform::impact_flux(density, 3),
+                                   .right_energy_flux = right_flux(problem, density, 3)};
   if (!problem.system.has_constant_damping()) {
     terms.mean_damping_power = damping_power(problem.system, density);
   }
@@ -40,17 +40,18 @@ problem::EnergyTerms energy_terms(const problem::Problem& problem,
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const transform::SmoothDensity& density,
-                                              const transform::PanelMarginals& marginals) {
+                                              const transform::QuadratureMarginals& marginals) {
   const auto& force = problem.system.restoring_force();
   const double right_momentum = right_flux(problem, density, 2);
-  problem::VirialTerms virial{
+  problem::VirialBalanceTerms virial{
       .mean_displacement = marginals.moments.y1,
       .mean_square_velocity = marginals.moments.v2,
       .mean_virial = mean_of_displacement_polynomial(marginals, force.multiplied_by_argument()),
       .right_momentum = right_momentum};
-  problem::MomentumTerms momentum{.mean_force = mean_of_displacement_polynomial(marginals, force),
-                                  .impact_momentum = transform::impact_flux(density, 2),
-                                  .right_momentum = right_momentum};
+  problem::MomentumBalanceTerms momentum{
+      .mean_force = mean_of_displacement_polynomial(marginals, force),
+      .impact_momentum = transform::impact_flux(density, 2),
+      .right_momentum = right_momentum};
   if (problem.system.rayleigh_coefficient() != 0) {
     const auto mean = [&](const auto& g) { return transform::expectation(density, g); };
     virial.mean_y_cubed_velocity = mean([](double y, double v) { return y * v * v * v; });
@@ -68,8 +69,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
 }
 
 // Returns the moments of the physical coordinates y = origin + sign x and y' = sign x'.
-transform::Moments physical_moments(const problem::Frame& frame,
-                                    const transform::PanelMarginals& marginals) {
+transform::Moments physical_moments(const problem::WallFrame& frame,
+                                    const transform::QuadratureMarginals& marginals) {
   transform::Moments moments = marginals.moments;
   if (frame.is_identity()) return moments;
   const auto mean_of_power = [&](std::size_t n) {
@@ -87,11 +88,13 @@ transform::Moments physical_moments(const problem::Frame& frame,
 
 }  // namespace
 
-transform::PanelMarginals store_density(const problem::Problem& problem, problem::Impact impact,
-                                        const transform::SmoothDensity& density, Result& result,
-                                        transform::PanelSpacing panels) {
-  transform::PanelMarginals marginals =
-      transform::panel_marginals(density, density.y_max, density.v_max, panels);
+transform::QuadratureMarginals store_density(const problem::Problem& problem,
+                                             problem::ImpactCondition impact,
+                                             const transform::SmoothDensity& density,
+                                             Result& result,
+                                             transform::QuadraturePanelSpacing panels) {
+  transform::QuadratureMarginals marginals =
+      transform::quadrature_marginals(density, density.y_max, density.v_max, panels);
   auto& solution = result.solution;
   solution.density = density;
   solution.mass = marginals.mass;

@@ -12,9 +12,9 @@ namespace fpkcheck::epc {
 /// coordinates of the problem's frame in the summary.
 /// @param impact impact condition of the equation, which defines the power lost in impacts
 /// @return marginal densities
-transform::PanelMarginals store_density(
-    const problem::Problem& problem, problem::Impact impact,
+transform::QuadratureMarginals store_density(
+    const problem::Problem& problem, problem::ImpactCondition impact,
     const transform::SmoothDensity& density, Result& result,
-    transform::PanelSpacing panels = transform::PanelSpacing::uniform);
+    transform::QuadraturePanelSpacing panels = transform::QuadraturePanelSpacing::uniform);
 
 }  // namespace fpkcheck::epc

@@ -103,7 +103,7 @@ void PlaneQuadratureRule::add_point(double at_x1, double at_x2, double weight) {
   weights.push_back(weight);
 }
 
-PlaneQuadratureRule fold_symmetric_rule(const PlaneQuadratureRule& rule) {
+PlaneQuadratureRule fold_point_symmetric_rule(const PlaneQuadratureRule& rule) {
   const double rounding = 1e-9 * (std::abs(rule.x1.front()) + std::abs(rule.x2.front()));
   const auto sign = [&](double x) { return x > rounding ? 1 : x < -rounding ? -1 : 0; };
   PlaneQuadratureRule half;

@@ -60,7 +60,7 @@ struct PlaneQuadratureRule {
 /// Returns a quadrature rule for integrands that are even under (x1, x2) -> (-x1, -x2). The rule
 /// has one point of each pair of opposite points, with the sum of the weights of the pair.
 /// @pre up to rounding, the given rule is symmetric under (x1, x2) -> (-x1, -x2)
-PlaneQuadratureRule fold_symmetric_rule(const PlaneQuadratureRule& rule);
+PlaneQuadratureRule fold_point_symmetric_rule(const PlaneQuadratureRule& rule);
 
 /// Quadrature rule in the plane, with precomputed values of the basis functions at its points.
 class ProjectionNodes {

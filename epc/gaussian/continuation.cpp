@@ -109,8 +109,8 @@ NewtonResult root_at_curve_end(const SolutionCurve& curve, const CurvePoint& las
 
 }  // namespace
 
-BranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
-                                     const ResidualCoefficients& full, double tolerance) {
+SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
+                                             const ResidualCoefficients& full, double tolerance) {
   const Basis& basis = projection.basis();
   const Eigen::VectorXd exact =
       basis.scaled_coefficients(elastic_white_noise_exponent(full, basis.sigma()));

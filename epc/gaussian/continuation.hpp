@@ -5,7 +5,7 @@
 
 namespace fpkcheck::epc::gaussian {
 
-struct BranchAndRoot {
+struct SolutionBranchAndRoot {
   SolutionBranch branch;
   /// Root of the full problem. If the branch does not reach fraction 1, this member is the iterate
   /// at the largest fraction, without convergence.
@@ -16,8 +16,8 @@ struct BranchAndRoot {
 /// branch leads from the exact density under white noise with elastic impacts to the full problem
 /// (homotopy_coefficients()). If the force has even powers, the branch starts from an approximation
 /// of this exact density.
-BranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
-                                     const ResidualCoefficients& full, double tolerance);
+SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
+                                             const ResidualCoefficients& full, double tolerance);
 
 /// @param start root of the equations of lower order
 numerics::NewtonResult follow_newton_homotopy(const ProjectedEquations& projection,

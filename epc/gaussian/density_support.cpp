@@ -7,7 +7,7 @@
 
 #include "epc/summary.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -17,23 +17,23 @@ namespace {
 constexpr double kCoreRadius = 2;
 constexpr int kRadialPanels = 6;
 
-double minimum_between(const RayCoefficients& slope, double low, double high) {
+double minimum_between(const RadialPolynomial& slope, double low, double high) {
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
-    (horner(slope, middle) < 0 ? low : high) = middle;
+    (evaluate_polynomial(slope, middle) < 0 ? low : high) = middle;
   }
   return (low + high) / 2;
 }
 
 // Returns the radius between `low` and `high` at which the exponent Q_n equals `level`, by Newton's
 // method with bracketing.
-double crossing_between(const RayCoefficients& q, const RayCoefficients& slope, double level,
+double crossing_between(const RadialPolynomial& q, const RadialPolynomial& slope, double level,
                         double low, double high) {
   double at = (low + high) / 2;
   for (int i = 0; i < 60; ++i) {
-    const double excess = horner(q, at) - level;
+    const double excess = evaluate_polynomial(q, at) - level;
     (excess > 0 ? low : high) = at;
-    const double next = at - excess / horner(slope, at);
+    const double next = at - excess / evaluate_polynomial(slope, at);
     if (std::abs(next - at) < 1e-14 * at) break;
     at = next > low && next < high ? next : (low + high) / 2;
   }
@@ -46,21 +46,22 @@ struct EdgeOnRay {
 };
 
 // Applies rules (a) to (c) of DensitySupport along one direction.
-EdgeOnRay edge_on_ray(const RayCoefficients& q, double core_peak) {
-  const RayCoefficients slope = derivative_coefficients(q);
+EdgeOnRay edge_on_ray(const RadialPolynomial& q, double core_peak) {
+  const RadialPolynomial slope = derivative_coefficients(q);
   const double negligible = core_peak + std::log(DensitySupport::kNegligible);
   const double allowed = core_peak + std::log(kEdgeDensityLimit);
-  double lowest = 0, value_there = horner(q, 0), peak = value_there, peak_there = peak;
-  double slope_here = horner(slope, 0);
+  double lowest = 0, value_there = evaluate_polynomial(q, 0), peak = value_there, peak_there = peak;
+  double slope_here = evaluate_polynomial(slope, 0);
   for (double rho = 0; rho < kLargestRadius; rho += kRadialStep) {
     const double next = rho + kRadialStep;
-    const double value_next = horner(q, next), slope_next = horner(slope, next);
+    const double value_next = evaluate_polynomial(q, next),
+                 slope_next = evaluate_polynomial(slope, next);
     if (rho > kCoreRadius && value_next > core_peak) break;
     if (value_next < negligible) return {crossing_between(q, slope, negligible, rho, next), peak};
     double candidate = next, value = value_next;
     if (slope_here < 0 && slope_next >= 0) {
       candidate = minimum_between(slope, rho, next);
-      value = horner(q, candidate);
+      value = evaluate_polynomial(q, candidate);
       if (value < allowed) return {candidate, peak};
     }
     if (value < value_there) {
@@ -79,31 +80,31 @@ EdgeOnRay edge_on_ray(const RayCoefficients& q, double core_peak) {
 DensitySupport::DensitySupport(const Polynomial& q, const StandardDeviations& sigma)
     : sigma_(sigma) {
   const std::size_t distinct = distinct_direction_count(q);
-  std::vector<RayCoefficients> rays;
+  std::vector<RadialPolynomial> rays;
   double core_peak = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < distinct; ++k) {
-    rays.push_back(restrict_to_ray(q, sigma, scan_directions()[k]));
+    rays.push_back(radial_polynomial(q, sigma, equiangular_directions()[k]));
     for (double rho = 0; rho <= kCoreRadius; rho += kRadialStep) {
-      core_peak = std::max(core_peak, horner(rays.back(), rho));
+      core_peak = std::max(core_peak, evaluate_polynomial(rays.back(), rho));
     }
   }
   peak_ = -std::numeric_limits<double>::infinity();
-  for (const RayCoefficients& along : rays) {
+  for (const RadialPolynomial& along : rays) {
     const auto [radius, peak] = edge_on_ray(along, core_peak);
     radius_.push_back(radius);
     peak_ = std::max(peak_, peak);
   }
-  for (std::size_t k = distinct; k < scan_directions().size(); ++k)
+  for (std::size_t k = distinct; k < equiangular_directions().size(); ++k)
     radius_.push_back(radius_[k - distinct]);
   compute_integrals(rays);
 }
 
-void DensitySupport::compute_integrals(const std::vector<RayCoefficients>& rays) {
+void DensitySupport::compute_integrals(const std::vector<RadialPolynomial>& rays) {
   for (std::size_t k = 0; k < radius_.size(); ++k) {
     const double radius = radius_[k];
     sector_.push_back(std::min(radius, radius_[(k + 1) % radius_.size()]));
-    x1_max_ = std::max(x1_max_, radius * std::abs(scan_directions()[k].x1) * sigma_.x1);
-    x2_max_ = std::max(x2_max_, radius * std::abs(scan_directions()[k].x2) * sigma_.x2);
+    x1_max_ = std::max(x1_max_, radius * std::abs(equiangular_directions()[k].x1) * sigma_.x1);
+    x2_max_ = std::max(x2_max_, radius * std::abs(equiangular_directions()[k].x2) * sigma_.x2);
   }
   const auto [least, greatest] = std::ranges::minmax(radius_);
   least_radius_ = least;
@@ -113,7 +114,9 @@ void DensitySupport::compute_integrals(const std::vector<RayCoefficients>& rays)
   double edge_sum = 0, sum = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const double radius = radius_[k];
-    const auto relative = [&](double rho) { return std::exp(horner(rays[k], rho) - peak_); };
+    const auto relative = [&](double rho) {
+      return std::exp(evaluate_polynomial(rays[k], rho) - peak_);
+    };
     const double at_edge = relative(radius);
     edge_ratio_ = std::max(edge_ratio_, at_edge);
     edge_sum += at_edge;
@@ -155,13 +158,12 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Densit
     return {[plane](double y, double v) { return 2 * plane(y, v); }, support.x1_max(),
             support.x2_max()};
   }
-  return transform::physical_density(
+  return transform::zhuravlev_transform(
       {.value = plane, .x1_max = support.x1_max(), .x2_max = support.x2_max()});
 }
 
-transform::SmoothDensity unfolded_density_from_exponent(const Polynomial& q,
-                                                        const DensitySupport& support,
-                                                        double log_constant) {
+transform::SmoothDensity density_without_wall(const Polynomial& q, const DensitySupport& support,
+                                              double log_constant) {
   return {.value =
               [q, support, log_constant](double y, double v) {
                 return support.contains(y, v) ? std::exp(q(y, v) + log_constant) : 0;

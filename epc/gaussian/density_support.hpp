@@ -39,10 +39,10 @@ class DensitySupport {
   double cut_off_probability() const { return cut_off_; }
 
  private:
-  void compute_integrals(const std::vector<RayCoefficients>& rays);
+  void compute_integrals(const std::vector<RadialPolynomial>& rays);
 
   StandardDeviations sigma_;
-  std::vector<double> radius_;  // radius of the edge in each direction of scan_directions()
+  std::vector<double> radius_;  // radius of the edge in each direction of equiangular_directions()
   std::vector<double> sector_;  // radius of the set in the sector between two successive directions
   double least_radius_ = 0, greatest_radius_ = 0;
   double x1_max_ = 0, x2_max_ = 0;
@@ -57,8 +57,7 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Densit
                                                double log_constant);
 
 /// Returns the density C exp(Q_n) of (y, v) for a problem without a wall.
-transform::SmoothDensity unfolded_density_from_exponent(const Polynomial& q,
-                                                        const DensitySupport& support,
-                                                        double log_constant);
+transform::SmoothDensity density_without_wall(const Polynomial& q, const DensitySupport& support,
+                                              double log_constant);
 
 }  // namespace fpkcheck::epc::gaussian

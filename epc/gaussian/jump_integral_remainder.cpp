@@ -15,13 +15,13 @@ using numerics::QuadratureRule;
 namespace {
 
 QuadratureRule quadrature_rule_of(const problem::GaussianLaw& law, int points) {
-  QuadratureRule rule = numerics::normal_quadrature_rule(2 * points - 1);
+  QuadratureRule rule = numerics::gauss_hermite_rule(2 * points - 1);
   for (double& y : rule.points) y = law.mean + law.deviation * y;
   return rule;
 }
 
 QuadratureRule quadrature_rule_of(const problem::LaplaceLaw& law, int points) {
-  const QuadratureRule half = numerics::exponential_quadrature_rule(2 * points - 1);
+  const QuadratureRule half = numerics::gauss_laguerre_rule(2 * points - 1);
   QuadratureRule rule{{}, Eigen::VectorXd(2 * half.size())};
   for (Eigen::Index i = 0; i < half.size(); ++i) {
     for (const int side : {-1, 1})
@@ -32,7 +32,7 @@ QuadratureRule quadrature_rule_of(const problem::LaplaceLaw& law, int points) {
 }
 
 QuadratureRule quadrature_rule_of(const problem::ExponentialLaw& law, int points) {
-  QuadratureRule rule = numerics::exponential_quadrature_rule(2 * points - 1);
+  QuadratureRule rule = numerics::gauss_laguerre_rule(2 * points - 1);
   for (double& y : rule.points) y = law.mean + law.scale * (y - 1);
   return rule;
 }
@@ -139,22 +139,24 @@ JumpIntegralRemainder::JumpIntegralRemainder(const Basis& basis,
   }
 }
 
-Eigen::VectorXd JumpIntegralRemainder::weighted_density_ratios(const Eigen::VectorXd& a) const {
+Eigen::VectorXd JumpIntegralRemainder::weighted_jump_density_ratios(
+    const Eigen::VectorXd& a) const {
   return jump_weights_.array() * (increments_ * a).array().exp();
 }
 
 Eigen::VectorXd JumpIntegralRemainder::projected_remainder(const Eigen::VectorXd& a) const {
-  const Eigen::VectorXd weighted = weighted_density_ratios(a);
+  const Eigen::VectorXd weighted = weighted_jump_density_ratios(a);
   const std::vector<ExponentDerivatives> q = nodes_.exponent_derivatives(a);
-  return nodes_.project_on_basis(
-      Eigen::VectorXd::NullaryExpr(nodes_.size(), [&](Eigen::Index i) {
-        const double expectation = weighted.segment(i * jumps_, jumps_).sum();
-        return rate_ * (expectation - 1) - series_residual_part(series_, sign_of_x1(i), q[i]);
-      }).eval());
+  return nodes_.project_on_basis(Eigen::VectorXd::NullaryExpr(nodes_.size(), [&](Eigen::Index i) {
+                                   const double expectation =
+                                       weighted.segment(i * jumps_, jumps_).sum();
+                                   return rate_ * (expectation - 1) -
+                                          kramers_moyal_residual_part(series_, sign_of_x1(i), q[i]);
+                                 }).eval());
 }
 
 Eigen::MatrixXd JumpIntegralRemainder::jacobian(const Eigen::VectorXd& a) const {
-  const Eigen::VectorXd weighted = weighted_density_ratios(a);
+  const Eigen::VectorXd weighted = weighted_jump_density_ratios(a);
   Eigen::MatrixXd rows(nodes_.size(), a.size());
   for (Eigen::Index i = 0; i < nodes_.size(); ++i) {
     rows.row(i).noalias() = rate_ * weighted.segment(i * jumps_, jumps_).transpose() *
@@ -162,7 +164,7 @@ Eigen::MatrixXd JumpIntegralRemainder::jacobian(const Eigen::VectorXd& a) const 
   }
   std::vector<ExponentDerivatives> series = nodes_.exponent_derivatives(a);
   for (Eigen::Index i = 0; i < nodes_.size(); ++i)
-    series[i] = series_residual_gradient(series_, sign_of_x1(i), series[i]);
+    series[i] = kramers_moyal_residual_gradient(series_, sign_of_x1(i), series[i]);
   return nodes_.project_on_basis(rows) - nodes_.project_gradients_on_basis(series);
 }
 

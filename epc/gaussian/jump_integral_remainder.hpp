@@ -48,7 +48,7 @@ class JumpIntegralRemainder {
   int sign_of_x1(Eigen::Index i) const { return nodes_.x1(i) > 0 ? 1 : -1; }
   /// Returns the jump weight times exp(Q after the jump - Q before the jump), for each node and
   /// jump.
-  Eigen::VectorXd weighted_density_ratios(const Eigen::VectorXd& a) const;
+  Eigen::VectorXd weighted_jump_density_ratios(const Eigen::VectorXd& a) const;
 
   double rate_;
   RateTimesMoments series_;  ///< coefficients of the subtracted Kramers-Moyal series

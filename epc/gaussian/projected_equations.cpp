@@ -47,7 +47,7 @@ PlaneQuadratureRule wall_line_rule(const numerics::QuadratureRule& absolute,
 // F is even, and half of the nodes suffice.
 ProjectionNodes projection_nodes(const PlaneQuadratureRule& rule, const Basis& basis) {
   const bool even = basis.monomial_set() == MonomialSet::point_symmetric;
-  return {even ? fold_symmetric_rule(rule) : rule, basis};
+  return {even ? fold_point_symmetric_rule(rule) : rule, basis};
 }
 
 template <class Part>
@@ -76,17 +76,15 @@ bool has_signed_part(const ResidualCoefficients& f) {
 ProjectedEquations::ProjectedEquations(Basis basis)
     : basis_(std::move(basis)),
       smooth_(projection_nodes(
-          product_rule(numerics::normal_quadrature_rule(smooth_degree(basis_.order())),
-                       numerics::normal_quadrature_rule(smooth_degree(basis_.order())),
-                       basis_.sigma()),
+          product_rule(numerics::gauss_hermite_rule(smooth_degree(basis_.order())),
+                       numerics::gauss_hermite_rule(smooth_degree(basis_.order())), basis_.sigma()),
           basis_)),
       signed_(projection_nodes(
-          product_rule(numerics::sign_weighted_normal_rule(signed_degree(basis_.order())),
-                       numerics::normal_quadrature_rule(signed_degree(basis_.order())),
-                       basis_.sigma()),
+          product_rule(numerics::normal_rule_weighted_by_sign(signed_degree(basis_.order())),
+                       numerics::gauss_hermite_rule(signed_degree(basis_.order())), basis_.sigma()),
           basis_)),
       impact_(projection_nodes(
-          wall_line_rule(numerics::absolute_weighted_normal_rule(impact_degree(basis_.order())),
+          wall_line_rule(numerics::normal_rule_weighted_by_abs(impact_degree(basis_.order())),
                          basis_.sigma()),
           basis_)) {}
 
@@ -101,7 +99,7 @@ Eigen::VectorXd ProjectedEquations::residual(const ResidualCoefficients& f,
   if (!f.folded) {
     return smooth_.project_on_basis(
         values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
-          return unfolded_residual(f, smooth_.x1(i), smooth_.x2(i), q);
+          return residual_without_wall(f, smooth_.x1(i), smooth_.x2(i), q);
         }));
   }
   Eigen::VectorXd result = smooth_.project_on_basis(
@@ -126,7 +124,7 @@ Eigen::MatrixXd ProjectedEquations::jacobian(const ResidualCoefficients& f,
   if (!f.folded) {
     return smooth_.project_gradients_on_basis(
         gradients_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
-          return unfolded_residual_gradient(f, smooth_.x1(i), smooth_.x2(i), q);
+          return residual_without_wall_gradient(f, smooth_.x1(i), smooth_.x2(i), q);
         }));
   }
   Eigen::MatrixXd result = smooth_.project_gradients_on_basis(

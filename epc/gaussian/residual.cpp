@@ -5,7 +5,7 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-using problem::Equation;
+using problem::DensityEquation;
 
 numerics::Polynomial part(const numerics::Polynomial& polynomial, std::size_t parity) {
   numerics::Polynomial::Coefficients a = polynomial.coefficients();
@@ -48,8 +48,9 @@ ExponentDerivatives odd_series_gradient(const RateTimesMoments& m, const Exponen
 
 }  // namespace
 
-ResidualCoefficients residual_coefficients(const problem::Problem& problem, Equation equation) {
-  const bool higher = equation != Equation::white;
+ResidualCoefficients residual_coefficients(const problem::Problem& problem,
+                                           DensityEquation equation) {
+  const bool higher = equation != DensityEquation::white;
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
   const bool folded = system.left_wall().has_value();
@@ -62,7 +63,7 @@ ResidualCoefficients residual_coefficients(const problem::Problem& problem, Equa
                                 impulses.rate_times_moment(2) + problem.noise.intensity,
                                 higher ? impulses.rate_times_moment(3) : 0,
                                 higher ? impulses.rate_times_moment(4) : 0},
-          .jump_fraction = equation == Equation::kf ? 1.0 : 0.0,
+          .jump_fraction = equation == DensityEquation::kf ? 1.0 : 0.0,
           .folded = folded,
           .damping_polynomial = system.damping_polynomial(),
           .rayleigh = system.rayleigh_coefficient()};
@@ -102,29 +103,29 @@ ExponentDerivatives signed_residual_gradient(const ResidualCoefficients& f, doub
   return gradient;
 }
 
-double unfolded_residual(const ResidualCoefficients& f, double x1, double x2,
-                         const ExponentDerivatives& q) {
+double residual_without_wall(const ResidualCoefficients& f, double x1, double x2,
+                             const ExponentDerivatives& q) {
   const double damping = f.damping_polynomial(x1), square = f.rayleigh * x2 * x2;
   const double drift = (damping + square) * x2 + f.odd_force(x1);
-  return -x2 * q.q1 + drift * q.q2 + series_residual_part(f.rate_times_moment, 1, q) + damping +
-         3 * square;
+  return -x2 * q.q1 + drift * q.q2 + kramers_moyal_residual_part(f.rate_times_moment, 1, q) +
+         damping + 3 * square;
 }
 
-ExponentDerivatives unfolded_residual_gradient(const ResidualCoefficients& f, double x1, double x2,
-                                               const ExponentDerivatives& q) {
-  ExponentDerivatives gradient = series_residual_gradient(f.rate_times_moment, 1, q);
+ExponentDerivatives residual_without_wall_gradient(const ResidualCoefficients& f, double x1,
+                                                   double x2, const ExponentDerivatives& q) {
+  ExponentDerivatives gradient = kramers_moyal_residual_gradient(f.rate_times_moment, 1, q);
   gradient.q1 -= x2;
   gradient.q2 += (f.damping_polynomial(x1) + f.rayleigh * x2 * x2) * x2 + f.odd_force(x1);
   return gradient;
 }
 
-double series_residual_part(const RateTimesMoments& rate_times_moment, int side,
-                            const ExponentDerivatives& q) {
+double kramers_moyal_residual_part(const RateTimesMoments& rate_times_moment, int side,
+                                   const ExponentDerivatives& q) {
   return even_series(rate_times_moment, q) + side * odd_series(rate_times_moment, q);
 }
 
-ExponentDerivatives series_residual_gradient(const RateTimesMoments& rate_times_moment, int side,
-                                             const ExponentDerivatives& q) {
+ExponentDerivatives kramers_moyal_residual_gradient(const RateTimesMoments& rate_times_moment,
+                                                    int side, const ExponentDerivatives& q) {
   const ExponentDerivatives even = even_series_gradient(rate_times_moment, q),
                             odd = odd_series_gradient(rate_times_moment, q);
   return {.q1 = 0,

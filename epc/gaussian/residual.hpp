@@ -26,7 +26,7 @@ struct ResidualCoefficients {
   double jump_fraction;
   /// Whether the plane is Zhuravlev's plane (z, z'). Without a wall the plane is (y, y'), odd_force
   /// is the whole force g, even_force is 0, the damping force is y' (damping_polynomial(y) +
-  /// rayleigh y'^2), and F is unfolded_residual().
+  /// rayleigh y'^2), and F is residual_without_wall().
   bool folded = true;
   numerics::Polynomial damping_polynomial{{}};
   double rayleigh = 0;
@@ -34,7 +34,7 @@ struct ResidualCoefficients {
 
 /// @param equation white (without E[Y^3] and E[Y^4]), km4 or kf
 ResidualCoefficients residual_coefficients(const problem::Problem& problem,
-                                           problem::Equation equation);
+                                           problem::DensityEquation equation);
 
 /// Returns coefficients between white noise with elastic impacts (fraction 0) and the full problem
 /// (fraction 1): 1-r, lambda E[Y], lambda E[Y^3], lambda E[Y^4] and jump_fraction are multiplied by
@@ -71,17 +71,17 @@ ExponentDerivatives signed_residual_gradient(const ResidualCoefficients& f, doub
 /// Returns the residual F without a wall, for any damping force f,
 /// -x2 Q_1 + [f + g - lambda E[Y]] Q_2 + f_v + (lambda E[Y^2] + 2D)/2! [Q_22 + Q_2^2] - .., with
 /// the higher terms of the smooth and the signed part
-double unfolded_residual(const ResidualCoefficients& f, double x1, double x2,
-                         const ExponentDerivatives& q);
-ExponentDerivatives unfolded_residual_gradient(const ResidualCoefficients& f, double x1, double x2,
-                                               const ExponentDerivatives& q);
+double residual_without_wall(const ResidualCoefficients& f, double x1, double x2,
+                             const ExponentDerivatives& q);
+ExponentDerivatives residual_without_wall_gradient(const ResidualCoefficients& f, double x1,
+                                                   double x2, const ExponentDerivatives& q);
 
 /// Returns the truncated Kramers-Moyal series applied to exp(Q), divided by exp(Q).
 /// @param side 1 for x1 > 0, -1 for x1 < 0
-double series_residual_part(const RateTimesMoments& rate_times_moment, int side,
-                            const ExponentDerivatives& q);
-ExponentDerivatives series_residual_gradient(const RateTimesMoments& rate_times_moment, int side,
-                                             const ExponentDerivatives& q);
+double kramers_moyal_residual_part(const RateTimesMoments& rate_times_moment, int side,
+                                   const ExponentDerivatives& q);
+ExponentDerivatives kramers_moyal_residual_gradient(const RateTimesMoments& rate_times_moment,
+                                                    int side, const ExponentDerivatives& q);
 
 /// Returns the part of F with the factor delta(x1) |x2|, from the impacts: (1-r) [x2 Q_2 + 2]
 double impact_residual_part(const ResidualCoefficients& f, double x2, const ExponentDerivatives& q);

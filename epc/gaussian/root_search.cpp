@@ -17,7 +17,7 @@ namespace fpkcheck::epc::gaussian {
 namespace {
 
 using numerics::NewtonResult;
-using problem::Equation;
+using problem::DensityEquation;
 
 // Limit on the relative change of the coefficients between two discs of the jump integral. For
 // roots that are insensitive to the disc, this change is below 0.01.
@@ -38,8 +38,10 @@ MonomialSet monomials_of(const problem::Problem& problem, const Options& options
 }
 
 ProjectedEquations projection_of(const problem::Problem& problem, const Options& options) {
-  const Basis basis(options.order, monomials_of(problem, options), weight_deviations(problem));
-  if (equation_of(options) == Equation::kf) return ProjectedEquations(basis, problem.impulses);
+  const Basis basis(options.order, monomials_of(problem, options),
+                    gaussian_weight_deviations(problem));
+  if (effective_equation(options) == DensityEquation::kf)
+    return ProjectedEquations(basis, problem.impulses);
   return ProjectedEquations(basis);
 }
 
@@ -62,7 +64,7 @@ class RootSearch {
       : problem_(problem),
         options_(options),
         projection_(projection_of(problem, options)),
-        coefficients_(residual_coefficients(problem, equation_of(options))),
+        coefficients_(residual_coefficients(problem, effective_equation(options))),
         gaussian_coefficients_(projection_.basis().scaled_coefficients(
             gaussian_exponent(projection_.basis().sigma()))) {}
 
@@ -81,7 +83,7 @@ class RootSearch {
       return search_;
     }
     search_.condition = condition();
-    if (equation_of(options_) == Equation::kf) check_disc_sensitivity();
+    if (effective_equation(options_) == DensityEquation::kf) check_disc_sensitivity();
     return search_;
   }
 
@@ -118,7 +120,7 @@ class RootSearch {
   }
 
   bool try_branch() {
-    const BranchAndRoot followed =
+    const SolutionBranchAndRoot followed =
         follow_solution_branch(projection_, coefficients_, options_.tolerance);
     search_.branch = followed.branch;
     NewtonResult root = followed.root;

@@ -20,7 +20,7 @@ transform::SmoothDensity density_on(const problem::Problem& problem, const Polyn
                                     const DensitySupport& support) {
   return problem.system.left_wall()
              ? density_from_exponent(q, support, log_normalising_constant(support))
-             : unfolded_density_from_exponent(q, support, log_normalising_constant(support));
+             : density_without_wall(q, support, log_normalising_constant(support));
 }
 
 // Returns the smallest order n-2 whose density is compared with order n. Without a wall a Gaussian,
@@ -37,7 +37,7 @@ std::string inadmissible_reason(const DensitySupport& support, const LeadingForm
         "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}); the support "
         "cuts off about {:.1e} of the probability, {}",
         support.edge_density_ratio(), kEdgeDensityLimit, support.cut_off_probability(),
-        leading_form_text(form, "(x1/sigma1, x2/sigma2)"));
+        describe_leading_form(form, "(x1/sigma1, x2/sigma2)"));
   }
   if (!(std::abs(solution.mass - 1) <= kMassTolerance)) {
     return fmt::format("the mass of the density in the box around its support is {:.6f}, not 1",
@@ -73,7 +73,7 @@ std::string virial_inadmissible_reason(const problem::Problem& problem,
 
 void assess_root(const problem::Problem& problem, const Polynomial& q,
                  const std::optional<Polynomial>& previous, Result& result) {
-  const StandardDeviations sigma = weight_deviations(problem);
+  const StandardDeviations sigma = gaussian_weight_deviations(problem);
   const DensitySupport support(q, sigma);
   const LeadingForm form = leading_form(q, sigma);
   auto& [solution, summary] = result;
@@ -93,15 +93,15 @@ void assess_root(const problem::Problem& problem, const Polynomial& q,
 
   const transform::SmoothDensity density = density_on(problem, q, support);
   summary.support->y_min = density.y_min;
-  const transform::PanelMarginals marginals =
-      store_density(problem, Impact::delta, density, result);
+  const transform::QuadratureMarginals marginals =
+      store_density(problem, ImpactCondition::delta, density, result);
   std::optional<double> distance_to_density_before;
   if (previous) {
     const DensitySupport before(*previous, sigma);
     auto before_density = density_on(problem, *previous, before);
     before_density.y_min = density.y_min;  // both densities then have the same panels
     summary.distance_to_previous = distance(
-        marginals, transform::panel_marginals(before_density, density.y_max, density.v_max));
+        marginals, transform::quadrature_marginals(before_density, density.y_max, density.v_max));
     if (before.edge_density_ratio() < kEdgeDensityLimit &&
         previous->degree() >= first_comparable_order(problem)) {
       distance_to_density_before = summary.distance_to_previous;

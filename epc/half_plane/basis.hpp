@@ -7,7 +7,7 @@
 
 namespace fpkcheck::epc::half_plane {
 
-struct QuadratureSize {
+struct QuadraturePointCounts {
   int s, t, wall;
 };
 
@@ -70,7 +70,7 @@ class Basis {
 
   int order() const { return order_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()); }
-  const std::vector<BasisFunction>& members() const { return members_; }
+  const std::vector<BasisFunction>& basis_functions() const { return members_; }
   const OrthonormalPolynomials& polynomials_in_s() const { return of_s_; }
   const OrthonormalPolynomials& polynomials_in_t() const { return of_t_; }
 
@@ -86,7 +86,7 @@ class Basis {
 };
 
 /// Returns the products s_table.col(p_k) * t_table.col(q_k) for all basis functions k.
-Eigen::MatrixXd products_of_tables(const std::vector<Basis::BasisFunction>& members,
-                                   const Eigen::MatrixXd& s_table, const Eigen::MatrixXd& t_table);
+Eigen::MatrixXd products_of_columns(const std::vector<Basis::BasisFunction>& basis_functions,
+                                    const Eigen::MatrixXd& s_table, const Eigen::MatrixXd& t_table);
 
 }  // namespace fpkcheck::epc::half_plane

@@ -7,14 +7,15 @@
 namespace fpkcheck::epc::half_plane {
 
 double support_energy(double level, TailTreatment tail) {
-  return tail == TailTreatment::confined ? level * Confinement::support_ratio() : level;
+  return tail == TailTreatment::confined ? level * Confinement::support_to_level_ratio() : level;
 }
 
-Confinement confinement_of(double level, TailTreatment tail) {
+Confinement make_confinement(double level, TailTreatment tail) {
   return tail == TailTreatment::confined ? Confinement{level} : Confinement{};
 }
 
-std::pair<double, double> radius_range(const Contour& contour, const StandardDeviations& sigma) {
+std::pair<double, double> scaled_radius_range(const Contour& contour,
+                                              const StandardDeviations& sigma) {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
   for (const ContourPoint& point : contour) {
     const double radius = std::hypot(point.y / sigma.x1, point.v / sigma.x2);

@@ -26,12 +26,12 @@ struct Confinement {
     return std::isfinite(level) ? -std::pow(energy / level, kPower) : 0;
   }
   /// Ratio of the energy beyond which the density is neglected to the confinement level.
-  static double support_ratio() { return std::pow(kNegligible, 1.0 / kPower); }
+  static double support_to_level_ratio() { return std::pow(kNegligible, 1.0 / kPower); }
 };
 
 double support_energy(double level, TailTreatment tail);
 
-Confinement confinement_of(double level, TailTreatment tail);
+Confinement make_confinement(double level, TailTreatment tail);
 
 struct ClosureDensity {
   Polynomial q{{}};              ///< polynomial Q_n of s and t, without the constant term
@@ -41,7 +41,7 @@ struct ClosureDensity {
   double level = 0;              ///< confinement level, or energy beyond which the density is cut
   double support = 0;            ///< energy beyond which the density is 0
   /// Largest coordinate s up to which the exponent Q_n falls.
-  double decay_extent = std::numeric_limits<double>::infinity();
+  double end_of_decay = std::numeric_limits<double>::infinity();
 };
 
 struct ContourPoint {
@@ -52,7 +52,8 @@ struct ContourPoint {
 using Contour = std::vector<ContourPoint>;
 
 /// Returns the smallest and largest distance of a contour from the origin, in units of sigma.
-std::pair<double, double> radius_range(const Contour& contour, const StandardDeviations& sigma);
+std::pair<double, double> scaled_radius_range(const Contour& contour,
+                                              const StandardDeviations& sigma);
 
 /// Estimates the probability outside a contour by T oint p dA/dh, which is exact for a density that
 /// decays like exp(-h/T).

@@ -10,8 +10,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 GalerkinSystem::DensityAtPoints GalerkinSystem::evaluate_density(const VectorXd& a) const {
-  const ArrayXd exponent = tables_.members * a + tables_.confinement_terms;
-  const ArrayXd wall_exponent = tables_.wall_members * a + tables_.wall_confinement_terms;
+  const ArrayXd exponent = tables_.basis_functions * a + tables_.confinement_terms;
+  const ArrayXd wall_exponent = tables_.wall_basis_functions * a + tables_.wall_confinement_terms;
   DensityAtPoints density;
   density.peak = exponent.maxCoeff();
   density.mass = tables_.weight.array() * (exponent - density.peak).exp();
@@ -29,17 +29,18 @@ VectorXd GalerkinSystem::residual(const DensityAtPoints& density) const {
          tables_.impact_terms.transpose() * density.wall_mass;
 }
 
-MatrixXd GalerkinSystem::centred_members(const MatrixXd& members,
-                                         const DensityAtPoints& density) const {
-  const Eigen::RowVectorXd mean = density.mass.transpose() * tables_.members;
-  return members.rowwise() - mean;
+MatrixXd GalerkinSystem::centred_basis_functions(const MatrixXd& basis_functions,
+                                                 const DensityAtPoints& density) const {
+  const Eigen::RowVectorXd mean = density.mass.transpose() * tables_.basis_functions;
+  return basis_functions.rowwise() - mean;
 }
 
 MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density) const {
   // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall.
-  const MatrixXd change = density.mass.asDiagonal() * centred_members(tables_.members, density);
-  const MatrixXd wall_change =
-      density.wall_mass.asDiagonal() * centred_members(tables_.wall_members, density);
+  const MatrixXd change =
+      density.mass.asDiagonal() * centred_basis_functions(tables_.basis_functions, density);
+  const MatrixXd wall_change = density.wall_mass.asDiagonal() *
+                               centred_basis_functions(tables_.wall_basis_functions, density);
   MatrixXd result(size(), size());
   result.noalias() = tables_.generator_terms.transpose() * change;
   result.noalias() += tables_.impact_terms.transpose() * wall_change;
@@ -47,17 +48,17 @@ MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density) const {
 }
 
 MatrixXd GalerkinSystem::covariance(const DensityAtPoints& density) const {
-  const MatrixXd members =
-      density.mass.cwiseSqrt().asDiagonal() * centred_members(tables_.members, density);
+  const MatrixXd basis_functions = density.mass.cwiseSqrt().asDiagonal() *
+                                   centred_basis_functions(tables_.basis_functions, density);
   MatrixXd result = MatrixXd::Zero(size(), size());
-  result.selfadjointView<Eigen::Lower>().rankUpdate(members.transpose());
+  result.selfadjointView<Eigen::Lower>().rankUpdate(basis_functions.transpose());
   return result.selfadjointView<Eigen::Lower>();
 }
 
 VectorXd GalerkinSystem::fit_coefficients(const VectorXd& exponent, const VectorXd& mass) const {
   // Q_n has no constant term: the column of ones represents the constant term of the exponent.
-  MatrixXd columns(tables_.members.rows(), tables_.members.cols() + 1);
-  columns << VectorXd::Ones(tables_.members.rows()), tables_.members;
+  MatrixXd columns(tables_.basis_functions.rows(), tables_.basis_functions.cols() + 1);
+  columns << VectorXd::Ones(tables_.basis_functions.rows()), tables_.basis_functions;
   const MatrixXd weighted = mass.asDiagonal() * columns;
   const VectorXd solution =
       (columns.transpose() * weighted).ldlt().solve(weighted.transpose() * exponent);

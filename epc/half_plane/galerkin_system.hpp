@@ -11,13 +11,13 @@ namespace fpkcheck::epc::half_plane {
 /// phi_k, at quadrature points on the half-plane y >= 0.
 struct GalerkinTables {
   Eigen::VectorXd weight;
-  Eigen::MatrixXd members;          ///< values of phi_k, of shape (points, basis functions)
+  Eigen::MatrixXd basis_functions;  ///< values of phi_k, of shape (points, basis functions)
   Eigen::MatrixXd generator_terms;  ///< L*phi_k, the mean rate of change of phi_k between impacts
   Eigen::VectorXd confinement_terms;
 
   /// Quadrature weights of the points on the wall before an impact, y = 0 and v < 0
   Eigen::VectorXd wall_weight;
-  Eigen::MatrixXd wall_members;
+  Eigen::MatrixXd wall_basis_functions;
   /// Change of phi_k in an impact, times the impact speed: |v| [phi(0,-r v) - phi(0,v)]
   Eigen::MatrixXd impact_terms;
   Eigen::VectorXd wall_confinement_terms;
@@ -33,7 +33,7 @@ class GalerkinSystem {
  public:
   explicit GalerkinSystem(GalerkinTables tables) : tables_(std::move(tables)) {}
 
-  Eigen::Index size() const { return tables_.members.cols(); }
+  Eigen::Index size() const { return tables_.basis_functions.cols(); }
 
   struct DensityAtPoints {
     Eigen::VectorXd mass;          ///< probability at the interior points; the sum is 1
@@ -60,8 +60,8 @@ class GalerkinSystem {
                                    const Eigen::VectorXd& mass) const;
 
  private:
-  Eigen::MatrixXd centred_members(const Eigen::MatrixXd& members,
-                                  const DensityAtPoints& density) const;
+  Eigen::MatrixXd centred_basis_functions(const Eigen::MatrixXd& basis_functions,
+                                          const DensityAtPoints& density) const;
 
   GalerkinTables tables_;
 };

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "numerics/linear_algebra/factorisations.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 namespace fpkcheck::epc::half_plane {
 

@@ -23,7 +23,7 @@ constexpr int kMaxRefinements = 4;
 constexpr double kLongestSeconds = 1e9;  // duration in seconds that the clock can represent
 
 // Multiplies the number of quadrature points in the plane by more than 2.
-QuadratureSize refined_size(const QuadratureSize& size) {
+QuadraturePointCounts refined_size(const QuadraturePointCounts& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
 }
 
@@ -142,13 +142,14 @@ class RootSearch {
 
   // Increases the number of quadrature points until the quadrature error is small.
   bool solve_at_level(const ClosureDensity& guess, double level) {
-    const QuadratureRefinement refinement = formulation_.quadrature_refinement();
-    const bool estimated = refinement.rule == QuadratureRefinement::ChangeMeasure::estimated;
-    QuadratureSize size = initial_size(guess, options_.order, level, SearchStage::last);
+    const QuadratureRefinementCriterion refinement = formulation_.quadrature_refinement();
+    const bool estimated =
+        refinement.rule == QuadratureRefinementCriterion::ChangeMeasure::estimated;
+    QuadraturePointCounts size = initial_size(guess, options_.order, level, SearchStage::last);
     StartingPoint at = start_of(guess, options_.order, level, size);
     NewtonResult result = solve(at, SearchStage::last);
     for (int left = kMaxRefinements; result.converged; --left) {
-      const QuadratureSize finer = refined_size(size);
+      const QuadraturePointCounts finer = refined_size(size);
       StartingPoint fine{equations_of(at.equations.basis(), level, finer), result.a};
       if (estimated) {
         const double change = change_on_finer_points(fine.equations, at.equations, result.a);
@@ -169,25 +170,26 @@ class RootSearch {
     return false;
   }
 
-  QuadratureSize initial_size(const ClosureDensity& guess, int n, double level,
-                              SearchStage stage) const {
-    return formulation_.quadrature_size(n, level / guess.temperature, stage);
+  QuadraturePointCounts initial_size(const ClosureDensity& guess, int n, double level,
+                                     SearchStage stage) const {
+    return formulation_.quadrature_point_counts(n, level / guess.temperature, stage);
   }
 
   ClosureEquations equations_of(const Basis& basis, double level,
-                                const QuadratureSize& size) const {
+                                const QuadraturePointCounts& size) const {
     const double support = support_energy(level, options_.tail);
-    return formulation_.closure_equations(support, confinement_of(level, options_.tail), basis,
-                                          formulation_.points_below_energy(support, size), size);
+    return formulation_.closure_equations(
+        support, make_confinement(level, options_.tail), basis,
+        formulation_.quadrature_points_below_energy(support, size), size);
   }
 
   // Returns the equations of order n, and the coefficients of the fit of Q_n to the initial guess.
   // The basis is orthonormal under the initial guess.
   StartingPoint start_of(const ClosureDensity& guess, int n, double level,
-                         const QuadratureSize& size) const {
+                         const QuadraturePointCounts& size) const {
     const double support = support_energy(level, options_.tail);
-    const Confinement confinement = confinement_of(level, options_.tail);
-    const QuadraturePoints points = formulation_.points_below_energy(support, size);
+    const Confinement confinement = make_confinement(level, options_.tail);
+    const QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);
     VectorXd exponent(points.size()), mass(points.size());
     for (Index i = 0; i < points.size(); ++i) {
       exponent[i] = level == guess.level
@@ -253,7 +255,7 @@ class RootSearch {
         equations.basis().basis_values(points.s.head(1), points.t.head(1)).row(0).dot(a);
     closure.log_normalisation = density.log_normalisation + constant;
     closure.peak = density.peak + constant;
-    closure.decay_extent = formulation_.decay_extent(closure.q, closure.temperature);
+    closure.end_of_decay = formulation_.end_of_decay(closure.q, closure.temperature);
     return closure;
   }
 
@@ -271,7 +273,7 @@ class RootSearch {
   }
 
   bool store_root(const ClosureEquations& equations, const NewtonResult& result, double level,
-                  const QuadratureSize& size, double quadrature_change) {
+                  const QuadraturePointCounts& size, double quadrature_change) {
     const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(result.a);
     root_.newton = result;
     root_.failure.clear();

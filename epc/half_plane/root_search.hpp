@@ -19,7 +19,7 @@ struct RootSearchResult {
   std::optional<ClosureDensity> previous;
   /// Value of ClosureFormulation::decay_ratio for the root.
   double decay_ratio = 0;
-  QuadratureSize quadrature{};
+  QuadraturePointCounts quadrature{};
   /// Standard deviation of the change of the exponent Q_n on more quadrature points.
   double quadrature_change = 0;
   /// Result of Newton's method at the requested order, or at the order that failed, with the number
@@ -36,7 +36,7 @@ enum class SearchStage {
   last    ///< requested order
 };
 
-struct QuadratureRefinement {
+struct QuadratureRefinementCriterion {
   /// Method to determine the change of the exponent Q_n on more quadrature points.
   enum class ChangeMeasure {
     solved,    ///< solve the equations again on more points, and use the new root
@@ -72,22 +72,22 @@ class ClosureFormulation {
 
   /// @param level_over_temperature confinement level divided by the temperature of the initial
   ///   guess
-  virtual QuadratureSize quadrature_size(int order, double level_over_temperature,
-                                         SearchStage stage) const = 0;
-  virtual QuadratureRefinement quadrature_refinement() const = 0;
-  virtual QuadraturePoints points_below_energy(double support,
-                                               const QuadratureSize& size) const = 0;
+  virtual QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
+                                                        SearchStage stage) const = 0;
+  virtual QuadratureRefinementCriterion quadrature_refinement() const = 0;
+  virtual QuadraturePoints quadrature_points_below_energy(
+      double support, const QuadraturePointCounts& size) const = 0;
   virtual ClosureEquations closure_equations(double support, const Confinement& confinement,
                                              Basis basis, QuadraturePoints points,
-                                             const QuadratureSize& size) const = 0;
+                                             const QuadraturePointCounts& size) const = 0;
 
   /// Exponent of the initial guess. The formulation may replace Q_n where the exponent Q_n of the
   /// initial guess rises again.
   virtual double exponent_of_guess(const ClosureDensity& guess, double s, double t) const {
     return guess.q(s, t);
   }
-  /// Largest coordinate s up to which a polynomial Q_n falls (ClosureDensity::decay_extent).
-  virtual double decay_extent(const Polynomial& /*q*/, double /*temperature*/) const {
+  /// Largest coordinate s up to which a polynomial Q_n falls (ClosureDensity::end_of_decay).
+  virtual double end_of_decay(const Polynomial& /*q*/, double /*temperature*/) const {
     return std::numeric_limits<double>::infinity();
   }
   /// Weight of each quadrature point in the fit of the exponent Q_n to the initial guess.

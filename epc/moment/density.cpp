@@ -22,7 +22,7 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Energy
           .y_min = domain.y_low()};
 }
 
-half_plane::Contour edge_contour(const EnergyDomain& domain) {
+half_plane::Contour domain_edge_contour(const EnergyDomain& domain) {
   constexpr int kPoints = 48;
   half_plane::Contour contour;
   for (const problem::HalfCycle& part : domain.y_intervals()) {
@@ -53,15 +53,16 @@ double largest_exponent_on_contour(const Polynomial& q, const problem::Problem& 
     largest = std::max({largest, q(part.right, at_high), q(part.right, -at_high),
                         q(part.left, at_low), q(part.left, -at_low)});
   }
-  for (const auto& point : edge_contour(domain)) largest = std::max(largest, q(point.y, point.v));
+  for (const auto& point : domain_edge_contour(domain))
+    largest = std::max(largest, q(point.y, point.v));
   return largest;
 }
 
-DecayScan scan_decay(const Polynomial& q, const problem::Problem& problem, double first_energy,
-                     double last_energy, double depth) {
+ExponentDecayScan scan_exponent_decay(const Polynomial& q, const problem::Problem& problem,
+                                      double first_energy, double last_energy, double depth) {
   constexpr int kContoursBefore = 40;
   constexpr double kGrowth = 1.05;
-  DecayScan fall{-std::numeric_limits<double>::infinity(), std::nullopt};
+  ExponentDecayScan fall{-std::numeric_limits<double>::infinity(), std::nullopt};
   for (int i = 1; i <= kContoursBefore; ++i) {
     fall.peak = std::max(
         fall.peak, largest_exponent_on_contour(q, problem, first_energy * i / kContoursBefore));
@@ -79,14 +80,14 @@ DecayScan scan_decay(const Polynomial& q, const problem::Problem& problem, doubl
   return fall;
 }
 
-double density_ratio_at_level(const half_plane::ClosureDensity& closure,
-                              const problem::Problem& problem) {
+double density_ratio_at_confinement_level(const half_plane::ClosureDensity& closure,
+                                          const problem::Problem& problem) {
   return std::exp(largest_exponent_on_contour(closure.q, problem, closure.level) - closure.peak);
 }
 
 double density_ratio_at_edge(const half_plane::ClosureDensity& closure,
                              const problem::Problem& problem, TailTreatment tail) {
-  const double confined = half_plane::confinement_of(closure.level, tail)(closure.support);
+  const double confined = half_plane::make_confinement(closure.level, tail)(closure.support);
   return std::exp(largest_exponent_on_contour(closure.q, problem, closure.support) - closure.peak +
                   confined);
 }

@@ -18,14 +18,14 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Energy
                                                const half_plane::Confinement& confinement,
                                                double log_constant);
 
-half_plane::Contour edge_contour(const EnergyDomain& domain);
+half_plane::Contour domain_edge_contour(const EnergyDomain& domain);
 
 /// Returns the largest exponent Q_n on the contour of an energy (EnergyDomain).
 double largest_exponent_on_contour(const Polynomial& q, const problem::Problem& problem,
                                    double energy);
 
 /// Decay of the largest exponent Q_n on an energy contour, with growing energy.
-struct DecayScan {
+struct ExponentDecayScan {
   double peak;  ///< largest exponent Q_n up to the first energy of the scan
   /// First energy at which the largest exponent Q_n on the contour lies `depth` below the peak
   std::optional<double> crossing;
@@ -33,8 +33,8 @@ struct DecayScan {
 
 /// Scans contours of growing energy until the largest exponent Q_n on a contour lies `depth` below
 /// the peak or rises again, or up to `last_energy`.
-DecayScan scan_decay(const Polynomial& q, const problem::Problem& problem, double first_energy,
-                     double last_energy, double depth);
+ExponentDecayScan scan_exponent_decay(const Polynomial& q, const problem::Problem& problem,
+                                      double first_energy, double last_energy, double depth);
 
 /// Depth below the peak of the exponent Q_n at which exp(Q_n) is negligible: e^-42 = 6e-19 of the
 /// peak. If the exponent Q_n falls to this depth without a rise, the energy at this depth is the
@@ -53,8 +53,8 @@ inline constexpr double kPreferredLevelDensity = 1e-3;
 inline constexpr double kLevelDensityLimit = 1e-2;
 
 /// Returns the largest exp(Q_n) on the contour of the confinement level, relative to the peak.
-double density_ratio_at_level(const half_plane::ClosureDensity& closure,
-                              const problem::Problem& problem);
+double density_ratio_at_confinement_level(const half_plane::ClosureDensity& closure,
+                                          const problem::Problem& problem);
 
 double density_ratio_at_edge(const half_plane::ClosureDensity& closure,
                              const problem::Problem& problem, TailTreatment tail);

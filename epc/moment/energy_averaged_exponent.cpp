@@ -46,7 +46,7 @@ const problem::EnergyAveraging::EnergyBand& EnergyAveragedExponent::nearest_band
   return bands_.back();
 }
 
-double EnergyAveragedExponent::slope_of_phi_above(const Band& band) const {
+double EnergyAveragedExponent::slope_of_exponent_above(const Band& band) const {
   const Band* lower = &band;
   const Band* upper = &bands_[band.above];
   if (upper == lower) {
@@ -61,14 +61,14 @@ double EnergyAveragedExponent::slope_of_phi_above(const Band& band) const {
 double EnergyAveragedExponent::operator()(double y, double v) const {
   const double energy = v * v / 2 + potential_(y);
   const Band& band = nearest_band(y, energy);
-  return -(band.potential + slope_of_phi_above(band) * (energy - band.energy));
+  return -(band.potential + slope_of_exponent_above(band) * (energy - band.energy));
 }
 
 double EnergyAveragedExponent::energy_at_depth(double depth) const {
   const auto within = std::find_if(bands_.rbegin(), bands_.rend(),
                                    [depth](const Band& band) { return band.potential <= depth; });
   const Band& band = within == bands_.rend() ? bands_.front() : *within;
-  const double slope = slope_of_phi_above(band);
+  const double slope = slope_of_exponent_above(band);
   const double beyond = slope > 0 ? (depth - band.potential) / slope : 0;
   return band.energy - bottom_ + beyond;
 }

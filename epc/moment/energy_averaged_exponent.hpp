@@ -31,7 +31,7 @@ class EnergyAveragedExponent {
   using Band = problem::EnergyAveraging::EnergyBand;
   explicit EnergyAveragedExponent(const problem::EnergyAveraging& averaging);
   const Band& nearest_band(double y, double energy) const;
-  double slope_of_phi_above(const Band& band) const;
+  double slope_of_exponent_above(const Band& band) const;
 
   numerics::Polynomial potential_;
   double bottom_;  // minimum of the potential

@@ -48,7 +48,7 @@ double EnergyDomain::v_max() const { return std::sqrt(2 * level_); }
 
 // Returns the turning point that the motion would have behind a wall, at a distance of at most the
 // width of this part of the domain.
-double EnergyDomain::continued_turning_point(double wall, double far) const {
+double EnergyDomain::turning_point_behind_wall(double wall, double far) const {
   constexpr int kSteps = 16;
   const double step = (wall - far) / kSteps;
   for (int k = 1; k <= kSteps; ++k) {
@@ -61,8 +61,8 @@ double EnergyDomain::continued_turning_point(double wall, double far) const {
 EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
   // v_half_width() has a further singularity at the turning point that the motion would have behind
   // a wall, which this change of variables also removes.
-  const double low = part.at_left ? continued_turning_point(part.left, part.right) : part.left;
-  const double high = part.at_right ? continued_turning_point(part.right, part.left) : part.right;
+  const double low = part.at_left ? turning_point_behind_wall(part.left, part.right) : part.left;
+  const double high = part.at_right ? turning_point_behind_wall(part.right, part.left) : part.right;
   const double centre = (low + high) / 2, half_length = (high - low) / 2;
   return {centre, half_length,
           part.at_left ? std::asin((part.left - centre) / half_length) : -kQuarterTurn,

@@ -64,7 +64,7 @@ class EnergyDomain {
     double first, last;  // limits of the angle phi
   };
   double turning_point(double from, double towards) const;
-  double continued_turning_point(double wall, double far) const;
+  double turning_point_behind_wall(double wall, double far) const;
   SineMap sine_map_of(const problem::HalfCycle& part) const;
 
   numerics::Polynomial potential_;  // potential V

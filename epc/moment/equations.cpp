@@ -9,7 +9,7 @@ namespace fpkcheck::epc::moment {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using half_plane::products_of_tables;
+using half_plane::products_of_columns;
 
 namespace {
 
@@ -69,19 +69,19 @@ half_plane::ClosureEquations closure_equations(
   const VectorXd force = total_force(system, y, v);
 
   const IncomingWallPoints wall = incoming_wall_points(system, domain, wall_points);
-  const MatrixXd wall_members = basis.basis_values(wall.y, wall.before);
+  const MatrixXd wall_basis_functions = basis.basis_values(wall.y, wall.before);
   half_plane::GalerkinTables tables{
       .weight = points.weight,
-      .members = products_of_tables(basis.members(), y_tables[0], v_tables[0]),
+      .basis_functions = products_of_columns(basis.basis_functions(), y_tables[0], v_tables[0]),
       .generator_terms =
-          products_of_tables(basis.members(), v.asDiagonal() * y_tables[1], v_tables[0]) +
-          products_of_tables(basis.members(), y_tables[0],
-                             impulses - force.asDiagonal() * v_tables[1]),
+          products_of_columns(basis.basis_functions(), v.asDiagonal() * y_tables[1], v_tables[0]) +
+          products_of_columns(basis.basis_functions(), y_tables[0],
+                              impulses - force.asDiagonal() * v_tables[1]),
       .confinement_terms = points.energy.unaryExpr(confinement),
       .wall_weight = wall.weight,
-      .wall_members = wall_members,
+      .wall_basis_functions = wall_basis_functions,
       .impact_terms = wall.before.cwiseAbs().asDiagonal() *
-                      (basis.basis_values(wall.y, wall.after) - wall_members),
+                      (basis.basis_values(wall.y, wall.after) - wall_basis_functions),
       .wall_confinement_terms = VectorXd::NullaryExpr(wall.y.size(), [&](Eigen::Index i) {
         return confinement(domain.energy(wall.y[i], wall.before[i]));
       })};

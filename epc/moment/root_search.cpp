@@ -12,7 +12,7 @@
 #include "epc/moment/equations.hpp"
 #include "epc/selection_policy.hpp"
 #include "epc/summary.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 namespace fpkcheck::epc::moment {
 namespace {
@@ -20,15 +20,15 @@ namespace {
 using half_plane::Basis;
 using half_plane::ClosureDensity;
 using half_plane::Confinement;
+using half_plane::QuadraturePointCounts;
 using half_plane::QuadraturePoints;
-using half_plane::QuadratureRefinement;
-using half_plane::QuadratureSize;
+using half_plane::QuadratureRefinementCriterion;
 using half_plane::SearchStage;
 
 // Products lambda E[Y^j], j = 0 .. n; 0 for terms that the equation lacks.
 std::vector<double> rate_moments(const problem::Problem& problem, const Options& options) {
   std::vector<double> moments(options.order + 1);
-  const int last = equation_of(options) == Equation::white ? 2 : options.order;
+  const int last = effective_equation(options) == DensityEquation::white ? 2 : options.order;
   for (int j = 1; j <= last; ++j) moments[j] = problem.impulses.rate_times_moment(j);
   return moments;
 }
@@ -63,17 +63,18 @@ class MomentFormulation : public half_plane::ClosureFormulation {
     return whole && *whole > kMinLevelRatio * closure.level ? whole : std::nullopt;
   }
 
-  QuadratureRefinement quadrature_refinement() const override {
-    return {QuadratureRefinement::ChangeMeasure::estimated, 1e-9};
+  QuadratureRefinementCriterion quadrature_refinement() const override {
+    return {QuadratureRefinementCriterion::ChangeMeasure::estimated, 1e-9};
   }
 
-  QuadraturePoints points_below_energy(double support, const QuadratureSize& size) const override {
+  QuadraturePoints quadrature_points_below_energy(
+      double support, const QuadraturePointCounts& size) const override {
     return EnergyDomain(problem_, support).quadrature_points(size.s, size.t);
   }
 
   half_plane::ClosureEquations closure_equations(double support, const Confinement& confinement,
                                                  Basis basis, QuadraturePoints points,
-                                                 const QuadratureSize& size) const override {
+                                                 const QuadraturePointCounts& size) const override {
     return moment::closure_equations(problem_, rate_moment_, EnergyDomain(problem_, support),
                                      confinement, std::move(basis), std::move(points), size.wall);
   }
@@ -81,7 +82,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   // Decay ratio at the confinement level for intermediate orders, and at the edge of the support
   // for the requested order.
   double decay_ratio(const ClosureDensity& closure, SearchStage stage) const override {
-    return stage == SearchStage::rough ? density_ratio_at_level(closure, problem_)
+    return stage == SearchStage::rough ? density_ratio_at_confinement_level(closure, problem_)
                                        : density_ratio_at_edge(closure, problem_, tail_);
   }
   double decay_ratio_limit(SearchStage stage) const override {
@@ -101,7 +102,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   std::optional<double> negligible_level(const ClosureDensity& closure, double from,
                                          const ClosureDensity& guess) const {
     const auto [begin, end] = scan_range(from, guess);
-    return scan_decay(closure.q, problem_, begin, end, kNegligibleDepth).crossing;
+    return scan_exponent_decay(closure.q, problem_, begin, end, kNegligibleDepth).crossing;
   }
 
   TailTreatment tail_;
@@ -123,8 +124,8 @@ class LinearisedFormulation final : public MomentFormulation {
             .temperature = s2 * s2};
   }
 
-  QuadratureSize quadrature_size(int order, double level_over_temperature,
-                                 SearchStage stage) const override {
+  QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
+                                                SearchStage stage) const override {
     if (stage == SearchStage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
     // The number of points grows more slowly than the width of the domain, since the density is
     // small in the added part of a wider domain.
@@ -177,8 +178,8 @@ class EnergyAveragedFormulation final : public MomentFormulation {
   int first_order(int order) const override { return std::min(order, 4); }
   bool can_start_at_any_order() const override { return true; }
 
-  QuadratureSize quadrature_size(int order, double level_over_temperature,
-                                 SearchStage stage) const override {
+  QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
+                                                SearchStage stage) const override {
     const double width = std::max(1.0, std::sqrt(2 * level_over_temperature) / kDeviations[0]);
     const int least = stage == SearchStage::rough ? 20 : 32;
     const auto widened = [&](int points) { return static_cast<int>(points * std::sqrt(width)); };
@@ -204,7 +205,7 @@ class EnergyAveragedFormulation final : public MomentFormulation {
   double decay_ratio(const ClosureDensity& closure, SearchStage stage) const override {
     const double ratio = MomentFormulation::decay_ratio(closure, stage);
     if (stage == SearchStage::rough) return ratio;
-    return std::max(ratio, density_ratio_at_level(closure, problem_) *
+    return std::max(ratio, density_ratio_at_confinement_level(closure, problem_) *
                                (kEdgeDensityLimit / kPreferredLevelDensity));
   }
 

@@ -5,7 +5,7 @@
 
 #include "epc/form/store_density.hpp"
 #include "epc/formulations.hpp"
-#include "epc/half_plane/result_from_root.hpp"
+#include "epc/half_plane/root_assessment.hpp"
 #include "epc/half_plane/root_search.hpp"
 #include "epc/moment/density.hpp"
 #include "epc/moment/root_search.hpp"
@@ -24,7 +24,7 @@ constexpr double kQuadratureTolerance = 1e-6;
 transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
                                                const ClosureDensity& closure, TailTreatment tail) {
   return density_from_exponent(closure.q, EnergyDomain(problem, closure.support),
-                               half_plane::confinement_of(closure.level, tail),
+                               half_plane::make_confinement(closure.level, tail),
                                -closure.log_normalisation);
 }
 
@@ -32,7 +32,7 @@ transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
 // support, or decays by the confinement alone.
 std::string inadmissible_reason(double edge_density, double density_at_level,
                                 const LeadingForm& form) {
-  const std::string behaviour = leading_form_text(form, "(y, v) / deviations");
+  const std::string behaviour = describe_leading_form(form, "(y, v) / deviations");
   if (!(edge_density < kEdgeDensityLimit)) {
     return fmt::format(
         "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}), {}",
@@ -49,18 +49,18 @@ std::string inadmissible_reason(double edge_density, double density_at_level,
 
 Result solve(const problem::Problem& problem, const Options& options) {
   const RootSearchResult root = find_root(problem, options);
-  Result result = half_plane::make_unassessed_result(root);
+  Result result = half_plane::initial_result_of_search(root);
   if (!root.failure.empty()) return result;
 
   auto& [solution, summary] = result;
   const ClosureDensity& closure = root.closure;
   const transform::SmoothDensity density = density_from_exponent(problem, closure, options.tail);
-  const auto marginals = store_density(problem, Impact::map, density, result);
+  const auto marginals = store_density(problem, ImpactCondition::map, density, result);
   if (root.previous) {
     auto before = density_from_exponent(problem, *root.previous, options.tail);
     before.y_min = density.y_min;  // both densities then have the same panels
     summary.distance_to_previous =
-        distance(marginals, transform::panel_marginals(before, density.y_max, density.v_max));
+        distance(marginals, transform::quadrature_marginals(before, density.y_max, density.v_max));
   }
   const StandardDeviations sigma = half_plane::root_mean_squares(marginals.moments);
   summary.leading_form = leading_form(
@@ -71,13 +71,14 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const double edge = density_ratio_at_edge(closure, problem, options.tail);
   half_plane::store_half_plane_summary(
       root, options.tail, density, sigma,
-      {.support = edge_contour(EnergyDomain(problem, closure.support)),
-       .level = edge_contour(EnergyDomain(problem, closure.level)),
+      {.support = domain_edge_contour(EnergyDomain(problem, closure.support)),
+       .level = domain_edge_contour(EnergyDomain(problem, closure.level)),
        .density = edge},
       result);
   half_plane::set_status(
       root, kQuadratureTolerance,
-      inadmissible_reason(edge, density_ratio_at_level(closure, problem), *summary.leading_form),
+      inadmissible_reason(edge, density_ratio_at_confinement_level(closure, problem),
+                          *summary.leading_form),
       result);
   return result;
 }

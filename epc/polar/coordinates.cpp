@@ -53,21 +53,21 @@ double Coordinates::displacement_bound(double w) const {
 double Coordinates::displacement(double w) const {
   if (w == 0) return 0;
   const auto excess = [&](double y) {
-    return std::pair{this->potential_speed(y) - w, potential_speed_slope(y)};
+    return std::pair{this->sqrt_twice_potential(y) - w, sqrt_twice_potential_slope(y)};
   };
   const double guess = displacement_bound(w);
   double beyond = 2 * guess;
-  while (this->potential_speed(beyond) < w) beyond *= 2;
+  while (this->sqrt_twice_potential(beyond) < w) beyond *= 2;
   constexpr int kDigits = std::numeric_limits<double>::digits - 2;
   std::uintmax_t iterations = 100;
   return boost::math::tools::newton_raphson_iterate(excess, guess, 0.0, beyond, kDigits,
                                                     iterations);
 }
 
-amplitude::FlowRates Coordinates::flow_rates(const problem::System& system, double y, double rho,
-                                             double theta) const {
+amplitude::CoordinateRates Coordinates::coordinate_rates(const problem::System& system, double y,
+                                                         double rho, double theta) const {
   const double sine = std::sin(theta), cosine = std::cos(theta), damping = system.damping();
-  const double slope = potential_speed_slope(y), force = force_over_potential_speed(y);
+  const double slope = sqrt_twice_potential_slope(y), force = force_over_sqrt_twice_potential(y);
   return {-damping * rho * sine * sine + rho * cosine * (slope - force) * sine,
           -slope * sine * sine - force * cosine * cosine - damping * sine * cosine};
 }

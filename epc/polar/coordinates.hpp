@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "epc/amplitude/coordinate_policy.hpp"
+#include "epc/amplitude/amplitude_equations.hpp"
 #include "epc/form/closed_form.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 #include "problem/problem.hpp"
@@ -30,15 +30,15 @@ class Coordinates {
   explicit Coordinates(const problem::Problem& problem);
 
   /// Returns the speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals V(y).
-  double potential_speed(double y) const { return y * potential_speed_over_y(y); }
-  double potential_speed_slope(double y) const {
-    return potential_slope_ratio_(y) / potential_speed_over_y(y);
+  double sqrt_twice_potential(double y) const { return y * sqrt_twice_potential_over_y(y); }
+  double sqrt_twice_potential_slope(double y) const {
+    return potential_slope_ratio_(y) / sqrt_twice_potential_over_y(y);
   }
   /// Returns the displacement y with w(y) = w.
   double displacement(double w) const;
-  double displacement_slope(double y) const { return 1 / potential_speed_slope(y); }
-  double amplitude_of(double y, double v) const { return std::hypot(potential_speed(y), v); }
-  double phase_of(double y, double v) const { return std::atan2(v, potential_speed(y)); }
+  double displacement_slope(double y) const { return 1 / sqrt_twice_potential_slope(y); }
+  double amplitude_of(double y, double v) const { return std::hypot(sqrt_twice_potential(y), v); }
+  double phase_of(double y, double v) const { return std::atan2(v, sqrt_twice_potential(y)); }
   std::pair<double, double> coordinates_of_state(double y, double v) const {
     return {amplitude_of(y, v), phase_of(y, v)};
   }
@@ -49,16 +49,16 @@ class Coordinates {
   static double second_coordinate(double, double theta) { return theta; }
   static double phase(double, double theta) { return theta; }
   /// Returns g(y) / w(y), which equals dw/dy if K = k.
-  double force_over_potential_speed(double y) const {
-    return force_ratio_(y) / potential_speed_over_y(y);
+  double force_over_sqrt_twice_potential(double y) const {
+    return force_ratio_(y) / sqrt_twice_potential_over_y(y);
   }
 
   /// Rates of change between impulses,
   ///
   ///     rho'   = -c rho sin^2 + (w w' - g) sin,
   ///     theta' = -w' sin^2 - (g/w) cos^2 - c sin cos,      sin, cos of theta.
-  amplitude::FlowRates flow_rates(const problem::System& system, double y, double rho,
-                                  double theta) const;
+  amplitude::CoordinateRates coordinate_rates(const problem::System& system, double y, double rho,
+                                              double theta) const;
   static double density_prefactor(double) { return 1; }
   static double atom_weight() { return 0; }
   /// Returns amplitudes below rho_max from which an impulse may stop the mass at the wall. At these
@@ -66,10 +66,10 @@ class Coordinates {
   /// impulse law give such amplitudes.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw& law, double rho_max);
   /// The coefficient of the highest power of rho does not depend on theta: one phase suffices.
-  static std::vector<double> leading_phases() { return {0}; }
+  static std::vector<double> leading_form_phases() { return {0}; }
 
  private:
-  double potential_speed_over_y(double y) const { return std::sqrt(potential_ratio_(y)); }
+  double sqrt_twice_potential_over_y(double y) const { return std::sqrt(potential_ratio_(y)); }
   double displacement_bound(double w) const;
 
   numerics::Polynomial potential_ratio_;        // 2 V(y) / y^2

@@ -4,10 +4,10 @@
 #include "epc/form/store_density.hpp"
 #include "epc/formulations.hpp"
 #include "epc/half_plane/newton.hpp"
-#include "epc/half_plane/result_from_root.hpp"
+#include "epc/half_plane/root_assessment.hpp"
 #include "epc/half_plane/root_search.hpp"
 #include "epc/polar/coordinates.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 #include "transform/marginal.hpp"
 
 namespace fpkcheck::epc::polar {
@@ -15,24 +15,26 @@ namespace {
 
 using half_plane::ClosureDensity;
 using half_plane::RootSearchResult;
-using transform::PanelSpacing;
+using transform::QuadraturePanelSpacing;
 
 // Selects the coarser panels if the error of their total probability is below kMissed.
-PanelSpacing panels_for(const transform::SmoothDensity& density) {
+QuadraturePanelSpacing panels_for(const transform::SmoothDensity& density) {
   constexpr double kMissed = 1e-6;
-  const double mass =
-      transform::panel_marginals(density, density.y_max, density.v_max, PanelSpacing::graded).mass;
-  return std::abs(mass - 1) < kMissed ? PanelSpacing::graded : PanelSpacing::geometric;
+  const double mass = transform::quadrature_marginals(density, density.y_max, density.v_max,
+                                                      QuadraturePanelSpacing::graded)
+                          .mass;
+  return std::abs(mass - 1) < kMissed ? QuadraturePanelSpacing::graded
+                                      : QuadraturePanelSpacing::geometric;
 }
 
 // Returns the marginal densities of order n-2, normalised on the box of the density of order n.
-transform::PanelMarginals previous_marginals(const Coordinates& coordinates,
-                                             const ClosureDensity& previous,
-                                             const transform::SmoothDensity& density,
-                                             PanelSpacing panels) {
+transform::QuadratureMarginals previous_marginals(const Coordinates& coordinates,
+                                                  const ClosureDensity& previous,
+                                                  const transform::SmoothDensity& density,
+                                                  QuadraturePanelSpacing panels) {
   const amplitude::PolarExponent q = amplitude::polar_exponent<Coordinates>(previous.q);
   const double near_peak = amplitude::exponent_with_gaussian_tail(q, previous, 0, 0);
-  transform::PanelMarginals before = transform::panel_marginals(
+  transform::QuadratureMarginals before = transform::quadrature_marginals(
       {.value =
            [&](double y, double v) {
              const double rho = coordinates.amplitude_of(y, v), theta = coordinates.phase_of(y, v);
@@ -55,22 +57,23 @@ Result solve(const problem::Problem& problem, const Options& options) {
   // The mean square velocity, plus the potential energy of the static deflection, which equivalent
   // linearisation does not include.
   const problem::MotionScales scales = problem::scales(problem);
-  const double centre = coordinates.potential_speed(scales.centre);
+  const double centre = coordinates.sqrt_twice_potential(scales.centre);
   const double temperature =
       scales.velocity_deviation * scales.velocity_deviation + centre * centre / 2;
   const RootSearchResult root = half_plane::find_root(
-      amplitude::FormulationIn(problem, coordinates, temperature,
-                               half_plane::rate_of_change_unit(problem, temperature), options.tail),
+      amplitude::CoordinateFormulation(problem, coordinates, temperature,
+                                       half_plane::rate_of_change_unit(problem, temperature),
+                                       options.tail),
       options);
-  Result result = half_plane::make_unassessed_result(root);
+  Result result = half_plane::initial_result_of_search(root);
   if (!root.failure.empty()) return result;
 
   const ClosureDensity& closure = root.closure;
   const transform::SmoothDensity density = amplitude::density_from_exponent(
       closure.q, coordinates, closure.support,
-      half_plane::confinement_of(closure.level, options.tail), -closure.log_normalisation);
-  const PanelSpacing panels = panels_for(density);
-  const auto marginals = store_density(problem, Impact::map, density, result, panels);
+      half_plane::make_confinement(closure.level, options.tail), -closure.log_normalisation);
+  const QuadraturePanelSpacing panels = panels_for(density);
+  const auto marginals = store_density(problem, ImpactCondition::map, density, result, panels);
   if (root.previous) {
     result.summary.distance_to_previous =
         distance(marginals, previous_marginals(coordinates, *root.previous, density, panels));

@@ -49,15 +49,16 @@ void append_stencil(Triplets& entries, const Axis& axis, int row, int first_cell
 
 // Returns the first cell of a stencil, moved left so that the stencil crosses no boundary.
 int clamp_at_right_boundary(const Axis& axis, int first, int stencil_size) {
-  return axis.right_end_condition() == EndCondition::boundary
+  return axis.right_end_condition() == AxisEndCondition::boundary
              ? std::min(first, axis.cell_count() - stencil_size)
              : first;
 }
 
 // Returns the first cell of a stencil, moved right so that the stencil crosses no boundary.
 int clamp_at_left_boundary(const Axis& axis, int first, int limit) {
-  return limit > 0 || axis.left_end_condition() == EndCondition::boundary ? std::max(first, limit)
-                                                                          : first;
+  return limit > 0 || axis.left_end_condition() == AxisEndCondition::boundary
+             ? std::max(first, limit)
+             : first;
 }
 
 // Returns the matrix of a functional, such as the value at xi = 0, on every inner face. The local

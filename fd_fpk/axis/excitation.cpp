@@ -37,12 +37,12 @@ Excitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses, const
                          Term{1, -4 * fourth + 2 * third}, Term{2, fourth - third}};
   result.exchange = Eigen::MatrixXd::Zero(axis.cell_count(), axis.cell_count());
   for (const auto& [shift, weight] : terms) {
-    result.exchange += weight * shift_matrix(axis, shift * regularisation_length);
+    result.exchange += weight * fixed_jump_matrix(axis, shift * regularisation_length);
   }
   return result;
 }
 
-double pade_length_squared(const problem::ImpulseTrain& impulses) {
+double pade_kernel_length_squared(const problem::ImpulseTrain& impulses) {
   const double d2 = impulses.rate_times_moment(2) / 2;
   const double a = impulses.rate_times_moment(3) / 6 / d2;
   return impulses.rate_times_moment(4) / 24 / d2 - a * a;
@@ -52,7 +52,7 @@ Excitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses, 
                                          int scheme_order) {
   const double d2 = impulses.rate_times_moment(2) / 2;
   const double a = impulses.rate_times_moment(3) / 6 / d2;
-  const double b = pade_length_squared(impulses);
+  const double b = pade_kernel_length_squared(impulses);
   const Eigen::MatrixXd slope =
       divergence_operator(axis) * face_value_operator(axis, scheme_order, UpstreamSide::left);
   const Eigen::MatrixXd curvature =
@@ -76,7 +76,8 @@ Excitation jump_excitation(const problem::ImpulseTrain& impulses, const Axis& ax
           .exchange_rate = impulses.arrival_rate()};
 }
 
-AxisOperator local_excitation(const Axis& axis, const Excitation& excitation, int scheme_order) {
+AxisOperator drift_diffusion_matrix(const Axis& axis, const Excitation& excitation,
+                                    int scheme_order) {
   const AxisOperator flux =
       excitation.diffusion * face_derivative_operator(axis, scheme_order) -
       excitation.drift * face_value_operator(axis, scheme_order, UpstreamSide::left);
@@ -88,7 +89,7 @@ namespace {
 FastestGrowingWave fastest_kramers_moyal_wave(const problem::ImpulseTrain& impulses,
                                               double cell_width, int stencil_size,
                                               double regularisation_length) {
-  const int reach = stencil_half_width_in_cells(regularisation_length, cell_width, stencil_size);
+  const int reach = excitation_half_bandwidth(regularisation_length, cell_width, stencil_size);
   const Axis axis = Axis::with_uniform_cells(0, cell_width, 2 * reach + 1);
   return fastest_growing_wave(axis, kramers_moyal_excitation(impulses, axis, regularisation_length),
                               stencil_size);
@@ -99,7 +100,7 @@ FastestGrowingWave fastest_kramers_moyal_wave(const problem::ImpulseTrain& impul
 FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& excitation,
                                         int stencil_size) {
   const int middle = axis.cell_count() / 2;
-  Eigen::RowVectorXd row = local_excitation(axis, excitation, stencil_size).row(middle);
+  Eigen::RowVectorXd row = drift_diffusion_matrix(axis, excitation, stencil_size).row(middle);
   if (excitation.exchange.size() > 0) row += excitation.exchange.row(middle);
 
   constexpr int kWaves = 2000;
@@ -120,7 +121,7 @@ FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& exci
   return {rate, phases(fastest) / axis.cell_width(middle)};
 }
 
-int stencil_half_width_in_cells(double regularisation_length, double cell_width, int stencil_size) {
+int excitation_half_bandwidth(double regularisation_length, double cell_width, int stencil_size) {
   return static_cast<int>(std::ceil(2 * regularisation_length / cell_width)) + 4 * stencil_size;
 }
 
@@ -135,8 +136,8 @@ double shortest_regularisation_length(const problem::ImpulseLaw& law) {
   return std::sqrt(4 * kLargestSine * (law.moment(4) / 24) / (law.moment(2) / 2));
 }
 
-std::vector<double> critical_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
-                                         double regularisation_length) {
+std::vector<double> possibly_unstable_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
+                                                  double regularisation_length) {
   constexpr double kSame = 1.05, kNarrow = 0.5;
   const bool narrow_ones_decay = regularisation_length >= default_regularisation_length(law);
   const Eigen::VectorXd all = axis.cell_widths();
@@ -175,8 +176,8 @@ double default_regularisation_length(const problem::ImpulseTrain& impulses, cons
                                      int stencil_size) {
   const double regularisation_length = default_regularisation_length(impulses.law());
   return shortest_regularisation_length(
-      impulses, critical_cell_widths(axis, impulses.law(), regularisation_length), stencil_size,
-      regularisation_length);
+      impulses, possibly_unstable_cell_widths(axis, impulses.law(), regularisation_length),
+      stencil_size, regularisation_length);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -57,14 +57,15 @@ Excitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses, 
                                          int scheme_order);
 
 /// Returns b = D4/D2 - a^2 of the Pade approximant, which is a bounded operator if b > 0.
-double pade_length_squared(const problem::ImpulseTrain& impulses);
+double pade_kernel_length_squared(const problem::ImpulseTrain& impulses);
 
 /// Returns the excitation by the jump integral lambda (E[p(x2 - Y)] - p).
 Excitation jump_excitation(const problem::ImpulseTrain& impulses, const Axis& axis);
 
 /// Returns the matrix of drift and diffusion on the cell averages of the velocity axis, shape
 /// (cells, cells). The differences have the given even order of accuracy.
-AxisOperator local_excitation(const Axis& axis, const Excitation& excitation, int scheme_order);
+AxisOperator drift_diffusion_matrix(const Axis& axis, const Excitation& excitation,
+                                    int scheme_order);
 
 class Axis;
 struct Excitation;
@@ -86,7 +87,7 @@ FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& exci
 
 /// Returns the largest number of cells on each side of the middle cell that contribute to the
 /// middle row of the excitation matrix.
-int stencil_half_width_in_cells(double regularisation_length, double cell_width, int stencil_size);
+int excitation_half_bandwidth(double regularisation_length, double cell_width, int stencil_size);
 
 /// Returns whether the growth rate of a wave exceeds zero by more than rounding errors.
 bool is_unstable(const FastestGrowingWave& growth, const problem::ImpulseTrain& impulses);
@@ -100,8 +101,8 @@ double shortest_regularisation_length(const problem::ImpulseLaw& law);
 /// width is omitted. If l is at least the default length of the law, only cells wider than l/2 can
 /// be unstable, since D4 / (D2 l^2) is at most 5/12. Up to the ratio 5/12 of the two-point law,
 /// differences of every order are stable on cells not wider than l/2.
-std::vector<double> critical_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
-                                         double regularisation_length);
+std::vector<double> possibly_unstable_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
+                                                  double regularisation_length);
 
 /// Returns the shortest regularisation length, at least `min_length`, for which
 /// kramers_moyal_excitation is stable on cells of all given widths. On cells as wide as the length,

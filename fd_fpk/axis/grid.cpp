@@ -7,10 +7,10 @@
 
 namespace fpkcheck::fd_fpk {
 
-Axis::Axis(std::vector<double> faces, EndCondition left, EndCondition right)
+Axis::Axis(std::vector<double> faces, AxisEndCondition left, AxisEndCondition right)
     : faces_(std::move(faces)), left_(left), right_(right) {}
 
-Axis Axis::with_uniform_cells(double origin, double step, int cells, EndCondition left) {
+Axis Axis::with_uniform_cells(double origin, double step, int cells, AxisEndCondition left) {
   std::vector<double> faces(cells + 1);
   for (int f = 0; f <= cells; ++f) faces[f] = origin + f * step;
   return Axis(std::move(faces), left);
@@ -31,7 +31,7 @@ Eigen::VectorXd Axis::cell_widths() const {
   return widths;
 }
 
-Axis Axis::part_from_face(int first_face) const {
+Axis Axis::subaxis_above_face(int first_face) const {
   return Axis(std::vector<double>(faces_.begin() + first_face, faces_.end()));
 }
 
@@ -86,8 +86,8 @@ std::vector<double> faces_graded_to_points(double from, double to, double step,
   return faces;
 }
 
-std::vector<double> faces_with_local_width(std::span<const double> anchors,
-                                           const std::function<double(double)>& width) {
+std::vector<double> faces_from_width_function(std::span<const double> anchors,
+                                              const std::function<double(double)>& width) {
   constexpr double kStepFraction =
       0.05;  // a cell width is nearly constant over this fraction of a cell
   std::vector<double> faces{anchors.front()};
@@ -125,7 +125,7 @@ Eigen::VectorXd Grid::cell_areas() const {
 }
 
 Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
-                    EndCondition left, EndCondition right) {
+                    AxisEndCondition left, AxisEndCondition right) {
   std::vector<double> x2;  // x2 contains the face 0 once, as +0
   for (auto f = positive_x2.rbegin(); f + 1 != positive_x2.rend(); ++f) x2.push_back(-*f);
   x2.insert(x2.end(), positive_x2.begin(), positive_x2.end());
@@ -142,11 +142,12 @@ transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& ave
   return {grid.x1.faces(), grid.x2.faces(), {averages.begin(), averages.end()}};
 }
 
-WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference) {
-  WallDensity wall{0, 0};
+BoxEdgeDensity box_edge_density(const Grid& grid, const Eigen::VectorXd& averages,
+                                double peak_density) {
+  BoxEdgeDensity wall{0, 0};
   const Eigen::Index nx = grid.nx(), nv = grid.nv();
-  const bool open_left = grid.x1.left_end_condition() == EndCondition::vacuum;
-  const bool open_right = grid.x1.right_end_condition() == EndCondition::vacuum;
+  const bool open_left = grid.x1.left_end_condition() == AxisEndCondition::vacuum;
+  const bool open_right = grid.x1.right_end_condition() == AxisEndCondition::vacuum;
   for (Eigen::Index j = 0; j < nv; ++j) {
     if (open_right) wall.x1 = std::max(wall.x1, std::abs(averages((nx - 1) * nv + j)));
     if (open_left) wall.x1_low = std::max(wall.x1_low, std::abs(averages(j)));
@@ -154,7 +155,7 @@ WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, doub
   for (Eigen::Index i = 0; i < nx; ++i) {
     wall.x2 = std::max({wall.x2, std::abs(averages(i * nv)), std::abs(averages((i + 1) * nv - 1))});
   }
-  return {wall.x1 / reference, wall.x2 / reference, wall.x1_low / reference};
+  return {wall.x1 / peak_density, wall.x2 / peak_density, wall.x1_low / peak_density};
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -13,15 +13,15 @@ enum class AxisEnd { left, right };
 
 /// Condition at an end of an axis. The density is zero beyond `vacuum`, an edge of the box.
 /// Stencils are shifted inwards at `boundary`, an impact wall.
-enum class EndCondition { vacuum, boundary };
+enum class AxisEndCondition { vacuum, boundary };
 
 class Axis {
  public:
-  explicit Axis(std::vector<double> faces, EndCondition left = EndCondition::vacuum,
-                EndCondition right = EndCondition::vacuum);
+  explicit Axis(std::vector<double> faces, AxisEndCondition left = AxisEndCondition::vacuum,
+                AxisEndCondition right = AxisEndCondition::vacuum);
   /// Returns an axis with `cells` cells of the width `step`; the first cell begins at `origin`.
   static Axis with_uniform_cells(double origin, double step, int cells,
-                                 EndCondition left = EndCondition::vacuum);
+                                 AxisEndCondition left = AxisEndCondition::vacuum);
 
   int cell_count() const { return static_cast<int>(faces_.size()) - 1; }
   /// Returns the position of face f. Indices beyond the end faces refer to vacuum cells outside the
@@ -31,16 +31,16 @@ class Axis {
   double cell_width(int i) const { return face_position(i + 1) - face_position(i); }
   double smallest_cell_width() const;
 
-  EndCondition left_end_condition() const { return left_; }
-  EndCondition right_end_condition() const { return right_; }
+  AxisEndCondition left_end_condition() const { return left_; }
+  AxisEndCondition right_end_condition() const { return right_; }
   const std::vector<double>& faces() const { return faces_; }
   Eigen::VectorXd cell_widths() const;
   /// Returns the part of the axis above an inner face, with the condition `vacuum` at both ends.
-  Axis part_from_face(int first_face) const;
+  Axis subaxis_above_face(int first_face) const;
 
  private:
   std::vector<double> faces_;
-  EndCondition left_, right_;
+  AxisEndCondition left_, right_;
 };
 
 /// Parameters of cells whose width decreases towards x = 0. The number of cells between 0 and x is
@@ -79,8 +79,8 @@ double graded_cell_count(double length, double step, const Grading& grading);
 /// @param anchors positions in increasing order, at least two
 /// @param width function that returns the cell width at a position, > 0. The relative change of the
 /// prescribed width over one cell must be small.
-std::vector<double> faces_with_local_width(std::span<const double> anchors,
-                                           const std::function<double(double)>& width);
+std::vector<double> faces_from_width_function(std::span<const double> anchors,
+                                              const std::function<double(double)>& width);
 
 /// Grid of rectangular cells on x1 in [x1_min, x1_max] and x2 in [-x2_max, x2_max]. If the problem
 /// has a wall, x1_min is 0. For the paper's oscillator the grid covers half of the (z, z') plane;
@@ -99,14 +99,14 @@ struct Grid {
   double x2_max() const { return x2.faces().back(); }
   Eigen::VectorXd cell_areas() const;
   /// Returns the axis of speeds, the half x2 >= 0 of the velocity axis.
-  Axis speed_axis() const { return x2.part_from_face(nv() / 2); }
+  Axis speed_axis() const { return x2.subaxis_above_face(nv() / 2); }
 };
 
 /// @param positive_x2_faces faces of x2 >= 0, increasing from 0; the grid adds the mirror images
 /// @param left,right conditions at the ends of x1
 Grid symmetric_grid(std::vector<double> x1_faces, const std::vector<double>& positive_x2_faces,
-                    EndCondition left = EndCondition::boundary,
-                    EndCondition right = EndCondition::vacuum);
+                    AxisEndCondition left = AxisEndCondition::boundary,
+                    AxisEndCondition right = AxisEndCondition::vacuum);
 
 /// @param nx,nv numbers of cells in x1 and x2; nv even
 Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading = {},
@@ -115,13 +115,14 @@ Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_g
 transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages);
 
 /// Largest density in the cells along each edge of the box, relative to a peak; 0 at a wall.
-struct WallDensity {
+struct BoxEdgeDensity {
   double x1;
   double x2;
   double x1_low = 0;  ///< density along the left end of x1; 0 at an impact wall
 };
 
-/// @param reference peak density, to which the returned densities are relative
-WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference);
+/// @param peak_density peak density, to which the returned densities are relative
+BoxEdgeDensity box_edge_density(const Grid& grid, const Eigen::VectorXd& averages,
+                                double peak_density);
 
 }  // namespace fpkcheck::fd_fpk

@@ -6,14 +6,15 @@
 
 namespace fpkcheck::fd_fpk {
 
-CumulativeInterpolation::CumulativeInterpolation(const Axis& axis, int points,
-                                                 EndCondition left_end)
-    : axis_(axis), points_(std::min({points, axis.cell_count() + 1, kMostPoints})) {
+CumulativeDistributionInterpolation::CumulativeDistributionInterpolation(const Axis& axis,
+                                                                         int face_count,
+                                                                         AxisEndCondition left_end)
+    : axis_(axis), points_(std::min({face_count, axis.cell_count() + 1, kMostPoints})) {
   stencils_.reserve(axis.cell_count());
   for (int cell = 0; cell < axis.cell_count(); ++cell) {
     Stencil stencil{};
     stencil.first = cell - (points_ - 1) / 2;
-    if (left_end == EndCondition::boundary) {
+    if (left_end == AxisEndCondition::boundary) {
       stencil.first = std::clamp(stencil.first, 0, axis.cell_count() + 1 - points_);
     }
     for (int a = 0; a < points_; ++a) stencil.faces[a] = axis.face_position(stencil.first + a);
@@ -28,8 +29,8 @@ CumulativeInterpolation::CumulativeInterpolation(const Axis& axis, int points,
   }
 }
 
-void CumulativeInterpolation::add_weights_at(double x, double factor,
-                                             Eigen::Ref<Eigen::VectorXd> face_weights) const {
+void CumulativeDistributionInterpolation::add_interpolation_weights(
+    double x, double factor, Eigen::Ref<Eigen::VectorXd> face_weights) const {
   const auto& faces = axis_.faces();
   const int last = axis_.cell_count();
   if (x <= faces.front()) return;
@@ -56,7 +57,7 @@ void CumulativeInterpolation::add_weights_at(double x, double factor,
   }
 }
 
-Eigen::VectorXd CumulativeInterpolation::to_average_weights(
+Eigen::VectorXd CumulativeDistributionInterpolation::to_average_weights(
     const Eigen::Ref<const Eigen::VectorXd>& face_weights) const {
   Eigen::VectorXd weights(axis_.cell_count());
   double sum = 0;
@@ -69,18 +70,20 @@ Eigen::VectorXd CumulativeInterpolation::to_average_weights(
 
 namespace {
 
-AxisOperator exact_impact_map(const Axis& speeds, double restitution, int scheme_order) {
-  const CumulativeInterpolation cumulative(speeds, scheme_order + 1, EndCondition::boundary);
-  const int cells = speeds.cell_count();
+AxisOperator exact_impact_map(const Axis& speed_axis, double restitution, int scheme_order) {
+  const CumulativeDistributionInterpolation cumulative(speed_axis, scheme_order + 1,
+                                                       AxisEndCondition::boundary);
+  const int cells = speed_axis.cell_count();
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd below = Eigen::VectorXd::Zero(cells + 1);
   for (int a = 0; a < cells; ++a) {
     Eigen::VectorXd above = Eigen::VectorXd::Zero(cells + 1);
     // The last cell receives the flux of every higher speed, for conservation of the total flux.
-    const double face =
-        a + 1 == cells ? speeds.face_position(cells) : speeds.face_position(a + 1) / restitution;
-    cumulative.add_weights_at(face, 1.0, above);
-    const Eigen::VectorXd row = cumulative.to_average_weights(above - below) / speeds.cell_width(a);
+    const double face = a + 1 == cells ? speed_axis.face_position(cells)
+                                       : speed_axis.face_position(a + 1) / restitution;
+    cumulative.add_interpolation_weights(face, 1.0, above);
+    const Eigen::VectorXd row =
+        cumulative.to_average_weights(above - below) / speed_axis.cell_width(a);
     for (int b = 0; b < cells; ++b) {
       if (std::abs(row(b)) > 1e-15) entries.emplace_back(a, b, row(b));
     }
@@ -91,14 +94,14 @@ AxisOperator exact_impact_map(const Axis& speeds, double restitution, int scheme
   return matrix;
 }
 
-AxisOperator first_order_impact_map(const Axis& speeds, double restitution, int scheme_order) {
-  const Axis outgoing(speeds.faces(), EndCondition::boundary);
+AxisOperator first_order_impact_map(const Axis& speed_axis, double restitution, int scheme_order) {
+  const Axis outgoing(speed_axis.faces(), AxisEndCondition::boundary);
   const AxisOperator flux =
       face_value_operator(outgoing, centred_stencil_size(scheme_order), UpstreamSide::left);
-  AxisOperator speed(speeds.cell_count() + 1, speeds.cell_count() + 1);
-  for (int f = 0; f <= speeds.cell_count(); ++f)
-    speed.insert(f, f) = (1 - restitution) * speeds.face_position(f);
-  AxisOperator matrix(speeds.cell_count(), speeds.cell_count());
+  AxisOperator speed(speed_axis.cell_count() + 1, speed_axis.cell_count() + 1);
+  for (int f = 0; f <= speed_axis.cell_count(); ++f)
+    speed.insert(f, f) = (1 - restitution) * speed_axis.face_position(f);
+  AxisOperator matrix(speed_axis.cell_count(), speed_axis.cell_count());
   matrix.setIdentity();
   const AxisOperator change = divergence_operator(outgoing) * AxisOperator(speed * flux);
   return matrix + change;
@@ -106,11 +109,11 @@ AxisOperator first_order_impact_map(const Axis& speeds, double restitution, int 
 
 }  // namespace
 
-AxisOperator impact_map(const Axis& speeds, double restitution, problem::Impact impact,
+AxisOperator impact_map(const Axis& speed_axis, double restitution, problem::ImpactCondition impact,
                         int scheme_order) {
-  return impact == problem::Impact::delta
-             ? first_order_impact_map(speeds, restitution, scheme_order)
-             : exact_impact_map(speeds, restitution, scheme_order);
+  return impact == problem::ImpactCondition::delta
+             ? first_order_impact_map(speed_axis, restitution, scheme_order)
+             : exact_impact_map(speed_axis, restitution, scheme_order);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -13,18 +13,19 @@ namespace fpkcheck::fd_fpk {
 /// Interpolation of the cumulative distribution C(x) = int_{first face}^x p between the faces of an
 /// axis. The cell averages of p determine C exactly at the faces. A scheme that computes cell
 /// averages from differences of functions of C conserves mass.
-class CumulativeInterpolation {
+class CumulativeDistributionInterpolation {
  public:
   static constexpr int kMostPoints = 10;
 
-  /// @param points number of faces in each stencil, at most kMostPoints; the interpolation is exact
+  /// @param face_count number of faces in each stencil, at most kMostPoints; the interpolation is exact
   /// for a polynomial density of degree points - 2
   /// @param left_end condition at the left end of the axis. With `boundary`, stencils remain on the
   /// axis; with `vacuum`, C = 0 left of the axis. The distribution C is constant right of the axis.
-  CumulativeInterpolation(const Axis& axis, int points, EndCondition left_end);
+  CumulativeDistributionInterpolation(const Axis& axis, int face_count, AxisEndCondition left_end);
 
   /// Adds `factor` times the interpolation weights of C(x) to the weights of C_0 .. C_cells.
-  void add_weights_at(double x, double factor, Eigen::Ref<Eigen::VectorXd> face_weights) const;
+  void add_interpolation_weights(double x, double factor,
+                                 Eigen::Ref<Eigen::VectorXd> face_weights) const;
 
   /// Converts weights of face values of C to weights of cell averages. The face value C_f is the
   /// sum of cell width times cell average over all cells left of face f.
@@ -53,10 +54,10 @@ class CumulativeInterpolation {
 /// Differences of the cumulative flux between faces give both impact conditions and conserve mass.
 /// Stencils never cross u = 0, where the density is discontinuous.
 ///
-/// @param speeds axis of the speed u, with faces increasing from 0
+/// @param speed_axis axis of the speed u, with faces increasing from 0
 /// @param restitution restitution coefficient r, 0 < r <= 1
 /// @param impact map or delta
-AxisOperator impact_map(const Axis& speeds, double restitution, problem::Impact impact,
+AxisOperator impact_map(const Axis& speed_axis, double restitution, problem::ImpactCondition impact,
                         int scheme_order);
 
 }  // namespace fpkcheck::fd_fpk

@@ -23,7 +23,8 @@ std::vector<numerics::QuadraturePoint> gauss_points(double a, double b, double l
 }
 
 // Column f of `change` contains the weights of C_0 .. C_cells in the change of C at face f.
-Eigen::MatrixXd generator_matrix(const Axis& axis, const CumulativeInterpolation& cumulative,
+Eigen::MatrixXd generator_matrix(const Axis& axis,
+                                 const CumulativeDistributionInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {
   const int cells = axis.cell_count();
   // Entry (i, j) is the rate at which mass moves to cell i from cell j, whose average is 1.
@@ -76,8 +77,8 @@ void add_moment_expansion(const Axis& axis, int face, const problem::ImpulseLaw&
 }
 
 // Adds the weights of E[C(face - Y); Y in [from, to]] for the continuous part of a law.
-void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumulative, double face,
-                          const problem::ImpulseLaw& law, double from, double to,
+void add_continuous_piece(const Axis& axis, const CumulativeDistributionInterpolation& cumulative,
+                          double face, const problem::ImpulseLaw& law, double from, double to,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   const double longest = law.deviation();
   // As a function of u = face - y, the interpolating polynomial changes at the faces of the axis.
@@ -88,7 +89,7 @@ void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumul
   for (double u = left; u < right; ++next) {
     const double end = std::min(*next, right);
     for (const auto& [at, weight] : gauss_points(u, end, longest)) {
-      cumulative.add_weights_at(at, weight * law.density(face - at), weights);
+      cumulative.add_interpolation_weights(at, weight * law.density(face - at), weights);
     }
     u = end;
   }
@@ -102,18 +103,18 @@ void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumul
 
 }  // namespace
 
-Eigen::MatrixXd shift_matrix(const Axis& axis, double amplitude) {
-  const CumulativeInterpolation cumulative(axis, kFaces, EndCondition::vacuum);
+Eigen::MatrixXd fixed_jump_matrix(const Axis& axis, double amplitude) {
+  const CumulativeDistributionInterpolation cumulative(axis, kFaces, AxisEndCondition::vacuum);
   Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cell_count() + 1, axis.cell_count() + 1);
   for (int f = 0; f <= axis.cell_count(); ++f) {
-    cumulative.add_weights_at(axis.face_position(f) - amplitude, 1, change.col(f));
+    cumulative.add_interpolation_weights(axis.face_position(f) - amplitude, 1, change.col(f));
     change(f, f) -= 1;
   }
   return generator_matrix(axis, cumulative, change);
 }
 
 Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
-  const CumulativeInterpolation cumulative(axis, kFaces, EndCondition::vacuum);
+  const CumulativeDistributionInterpolation cumulative(axis, kFaces, AxisEndCondition::vacuum);
   const auto pieces = law.density_breakpoints();
   Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cell_count() + 1, axis.cell_count() + 1);
   const double length = std::pow(law.moment(kMoments), 1.0 / kMoments);
@@ -127,7 +128,8 @@ Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
                            pieces[piece + 1], change.col(f));
     }
     for (const auto& [amplitude, probability] : law.atoms()) {
-      cumulative.add_weights_at(axis.face_position(f) - amplitude, probability, change.col(f));
+      cumulative.add_interpolation_weights(axis.face_position(f) - amplitude, probability,
+                                           change.col(f));
     }
     change(f, f) -= 1;
   }

@@ -114,10 +114,10 @@ Grid linearised_grid(const problem::Problem& problem, const Options& options, co
   const double deviation = speed_deviation(problem), v = typical_speed(problem, deviation);
   const double y = typical_height(problem, flow, v);
   const double width = kCellWidth / options.refinement;
-  const double core = relative_core_width(deviation, v);
+  const double core = relative_uniform_cell_radius(deviation, v);
   // An impulse displaces the spike of mass at rest without widening the spike.
   const Singularities singular =
-      is_unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
+      is_density_unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
   return symmetric_grid(
       faces_graded_to_points(0, box.x1_max, width * y, refinement_points(y, core, singular.y)),
       faces_graded_to_points(0, box.x2_max, width * v, refinement_points(v, core, singular.v)));
@@ -145,17 +145,17 @@ constexpr double kContactCore = 0.02;
 // Limits of the distance to an equilibrium, in typical amplitudes, below which cells have a
 // constant width: for rare impulses, and for frequent impulses. Around an equilibrium between walls
 // the errors of the cells on both sides cancel in the mean. Towards an equilibrium at a wall the
-// cell widths decrease further, to relative_core_width().
+// cell widths decrease further, to relative_uniform_cell_radius().
 constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
 
 // Returns the typical distance to an equilibrium to which the motion decays between two impulses.
 double equilibrium_core_distance(const problem::Problem& problem,
                                  const problem::MotionScales& scales, bool is_at_wall) {
   const double impulses = problem::impulses_per_decay_time(problem, scales);
-  const double least = is_at_wall
-                           ? relative_core_width(scales.velocity_deviation,
-                                                 typical_speed(problem, scales.velocity_deviation))
-                           : kLeastCore;
+  const double least =
+      is_at_wall ? relative_uniform_cell_radius(scales.velocity_deviation,
+                                                typical_speed(problem, scales.velocity_deviation))
+                 : kLeastCore;
   return std::clamp(std::exp(-kNothingLeft / impulses), least, kMostCore);
 }
 
@@ -230,10 +230,10 @@ Grid contact_grid(const problem::Problem& problem, const problem::MotionScales& 
     return part / (1 / scale.speed + 1 / (scale.core_v * scale.speed + v));
   };
   const auto beyond = [&](WallSide side) {
-    return flow.wall(side) ? EndCondition::boundary : EndCondition::vacuum;
+    return flow.wall(side) ? AxisEndCondition::boundary : AxisEndCondition::vacuum;
   };
-  return symmetric_grid(faces_with_local_width(anchors, width_in_y),
-                        faces_with_local_width(speeds, width_in_v), beyond(WallSide::left),
+  return symmetric_grid(faces_from_width_function(anchors, width_in_y),
+                        faces_from_width_function(speeds, width_in_v), beyond(WallSide::left),
                         beyond(WallSide::right));
 }
 

@@ -28,13 +28,13 @@ int cell_of(const Axis& axis, double x) {
 
 class HermiteCubic {
  public:
-  HermiteCubic(const Flow& flow, const State& from, const State& to, double time)
+  HermiteCubic(const Flow& flow, const PhaseState& from, const PhaseState& to, double time)
       : from_(from),
         to_(to),
         a_{time * from.v, time * flow.acceleration(from)},
         b_{time * to.v, time * flow.acceleration(to)} {}
 
-  State operator()(double s) const {
+  PhaseState operator()(double s) const {
     const double t = 1 - s;
     const double p = t * t * (1 + 2 * s), q = s * s * (1 + 2 * t), m = s * t * t, n = -s * s * t;
     return {p * from_.y + q * to_.y + m * a_.y + n * b_.y,
@@ -42,20 +42,21 @@ class HermiteCubic {
   }
 
  private:
-  State from_, to_, a_, b_;
+  PhaseState from_, to_, a_, b_;
 };
 
 }  // namespace
 
 struct Characteristics::Position {
-  State state;
+  PhaseState state;
   int i, j;
   double flux;
   std::size_t first;  // index of the first visit of the track
 };
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid,
-                                 double impulse_rate, int per_cell, const Deadline& deadline)
+                                 double impulse_rate, int characteristics_per_cell,
+                                 const Deadline& deadline)
     : grid_(grid),
       deadline_(deadline),
       flow_(system),
@@ -66,37 +67,38 @@ Characteristics::Characteristics(const problem::System& system, const Grid& grid
     if (rest_[n].contact) contacts_.push_back(static_cast<int>(n));
     for (const auto& [cell, share] : rest_[n].cells) at_rest_[cell] = true;
   }
-  trace_from_box(per_cell);
+  trace_from_box_sides(characteristics_per_cell);
   for (const WallSide side : {WallSide::left, WallSide::right}) {
-    if (flow_.wall(side)) trace_from_wall(side, per_cell);
+    if (flow_.wall(side)) trace_from_wall(side, characteristics_per_cell);
   }
-  sort_from_walls();
-  trace_through_gaps();
-  normalise_areas();
-  find_track_ends(from_outside_);
-  find_track_ends(from_walls_);
+  sort_wall_characteristics();
+  trace_through_uncrossed_cells();
+  normalise_visit_areas();
+  find_continuations_at_walls(from_outside_);
+  find_continuations_at_walls(from_walls_);
 }
 
 std::string Characteristics::failure_reason() const {
   if (out_of_time_) return "characteristics: max_seconds expired during their construction";
-  if (!must_stop()) return "";
+  if (!must_stop_tracing()) return "";
   return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMaxVisits);
 }
 
 // Traces characteristics from those parts of the sides of the box where the flow enters the box.
 // Motion that does not enter through the sides starts at a wall or near an unstable equilibrium.
-void Characteristics::trace_from_box(int per_cell) {
+void Characteristics::trace_from_box_sides(int characteristics_per_cell) {
   constexpr double kInside = 1e-12;
   const double length = grid_.x1_max() - grid_.x1_min();
   const double y_min = grid_.x1_min() + kInside * length;
   const double y_max = grid_.x1_max() - kInside * length, v_max = (1 - kInside) * grid_.x2_max();
-  const auto lay = [&](const State& from, double flux) {
-    if (flux > 0) from_outside_.push_back(trace_track(from, flux));
+  const auto lay = [&](const PhaseState& from, double flux) {
+    if (flux > 0) from_outside_.push_back(trace_characteristic(from, flux));
   };
   const auto at_each = [&](const Axis& axis, int first, int last, const auto& start) {
     for (int i = first; i < last; ++i) {
-      const double width = axis.cell_width(i) / per_cell;
-      for (int k = 0; k < per_cell; ++k) start(axis.face_position(i) + (k + 0.5) * width, width);
+      const double width = axis.cell_width(i) / characteristics_per_cell;
+      for (int k = 0; k < characteristics_per_cell; ++k)
+        start(axis.face_position(i) + (k + 0.5) * width, width);
     }
   };
   at_each(grid_.x1, 0, grid_.nx(), [&](double y, double width) {
@@ -118,44 +120,44 @@ void Characteristics::trace_from_box(int per_cell) {
 // At a wall with a rest point no characteristic starts in the innermost cell. Motion from the
 // innermost cell of a contact is a cascade of impacts. Mass in the innermost cell of an equilibrium
 // at a wall counts as at rest.
-void Characteristics::trace_from_wall(WallSide side, int per_cell) {
+void Characteristics::trace_from_wall(WallSide side, int characteristics_per_cell) {
   const int middle = grid_.nv() / 2;
   const double y = flow_.wall(side)->position;
   const bool rests =
       std::ranges::any_of(rest_, [&](const RestPoint& place) { return place.y == y; });
-  WallTracks& wall_tracks = this->wall_tracks(side);
+  WallCharacteristics& wall_characteristics = this->wall_characteristics(side);
   for (int j = grid_.nv() - 1; j >= (rests ? middle + 1 : middle); --j) {
-    const double width = grid_.x2.cell_width(j) / per_cell;
-    for (int k = per_cell - 1; k >= 0; --k) {
+    const double width = grid_.x2.cell_width(j) / characteristics_per_cell;
+    for (int k = characteristics_per_cell - 1; k >= 0; --k) {
       const double speed = grid_.x2.face_position(j) + (k + 0.5) * width;
-      wall_tracks.speeds.push_back(speed);
-      wall_tracks.below.push_back(speed - width / 2);
-      wall_tracks.tracks.push_back(static_cast<int>(from_walls_.size()));
-      from_walls_.push_back(trace_track({y, inward_sign(side) * speed}, speed * width));
+      wall_characteristics.speeds.push_back(speed);
+      wall_characteristics.below.push_back(speed - width / 2);
+      wall_characteristics.tracks.push_back(static_cast<int>(from_walls_.size()));
+      from_walls_.push_back(trace_characteristic({y, inward_sign(side) * speed}, speed * width));
     }
   }
 }
 
-void Characteristics::sort_from_walls() {
+void Characteristics::sort_wall_characteristics() {
   if (from_left_.speeds.empty() || from_right_.speeds.empty()) return;
   std::vector<int> order(from_walls_.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, std::greater<>(), [&](int n) { return from_walls_[n].energy; });
-  std::vector<Track> sorted;
+  std::vector<Characteristic> sorted;
   std::vector<int> place(order.size());
   for (const int n : order) {
     place[n] = static_cast<int>(sorted.size());
     sorted.push_back(from_walls_[n]);
   }
   from_walls_ = std::move(sorted);
-  for (WallTracks* wall_tracks : {&from_left_, &from_right_}) {
-    for (int& track : wall_tracks->tracks) track = place[track];
+  for (WallCharacteristics* wall_characteristics : {&from_left_, &from_right_}) {
+    for (int& track : wall_characteristics->tracks) track = place[track];
   }
 }
 
 // Traces a characteristic from each cell that no other characteristic crosses, where the flow
 // converges strongly. The narrow strip of the characteristic has a negligible area in other cells.
-void Characteristics::trace_through_gaps() {
+void Characteristics::trace_through_uncrossed_cells() {
   constexpr double kNarrow = 1e-9;
   std::vector<bool> crossed = at_rest_;
   const auto mark = [&](std::size_t first) {
@@ -167,15 +169,15 @@ void Characteristics::trace_through_gaps() {
       if (crossed[i * grid_.nv() + j]) continue;
       const std::size_t first = visits_.size();
       from_outside_.push_back(
-          trace_track({grid_.x1.cell_centre(i), grid_.x2.cell_centre(j)},
-                      kNarrow * grid_.x1.cell_width(i) * grid_.x2.cell_width(j)));
+          trace_characteristic({grid_.x1.cell_centre(i), grid_.x2.cell_centre(j)},
+                               kNarrow * grid_.x1.cell_width(i) * grid_.x2.cell_width(j)));
       mark(first);
     }
   }
 }
 
 // Returns the index of the equilibrium whose innermost cells contain the motion from the state.
-std::optional<int> Characteristics::equilibrium_containing(const State& at) const {
+std::optional<int> Characteristics::equilibrium_containing(const PhaseState& at) const {
   const int cell = cell_of(grid_.x1, at.y) * grid_.nv() + cell_of(grid_.x2, at.v);
   if (!at_rest_[cell]) return std::nullopt;
   for (std::size_t n = 0; n < rest_.size(); ++n) {
@@ -188,7 +190,7 @@ std::optional<int> Characteristics::equilibrium_containing(const State& at) cons
   return std::nullopt;
 }
 
-Track Characteristics::trace_track(const State& from, double flux) {
+Characteristic Characteristics::trace_characteristic(const PhaseState& from, double flux) {
   Position at{.state = from,
               .i = cell_of(grid_.x1, from.y),
               .j = cell_of(grid_.x2, from.v),
@@ -199,33 +201,33 @@ Track Characteristics::trace_track(const State& from, double flux) {
       // ratio of the current and the earlier energy above which the earlier accessible interval is
       // reused
       0.7;
-  Track track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
+  Characteristic track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
   AccessibleInterval accessible_interval = flow_.accessible_interval(from);
   double energy = track.energy - accessible_interval.least_potential, time = 0;
   for (long step = 0;; ++step) {
-    if ((track.track_end.rest = equilibrium_containing(at.state))) break;
-    if (must_stop() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
+    if ((track.characteristic_end.rest = equilibrium_containing(at.state))) break;
+    if (must_stop_tracing() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
     if (flow_.energy(at.state) - accessible_interval.least_potential < kReuseRatio * energy) {
       accessible_interval = flow_.accessible_interval(at.state);
       energy = flow_.energy(at.state) - accessible_interval.least_potential;
     }
-    double span = flow_.max_step(at.state, accessible_interval);
-    State end = flow_.advance(at.state, span);
-    const auto hit = flow_.wall_passed_at(end.y);
+    double span = flow_.max_time_step(at.state, accessible_interval);
+    PhaseState end = flow_.advance_state(at.state, span);
+    const auto hit = flow_.passed_wall(end.y);
     if (hit) {
       span = flow_.impact_time(at.state, span, *hit);
-      end = {flow_.wall(*hit)->position, flow_.advance(at.state, span).v};
+      end = {flow_.wall(*hit)->position, flow_.advance_state(at.state, span).v};
       // Rounding errors may cause a wrong sign of the impact velocity.
       end.v = *hit == WallSide::left ? std::min(0.0, end.v) : std::max(0.0, end.v);
     }
     const HermiteCubic path(flow_, at.state, end, span);
     for (int chord = 1; chord < kChords; ++chord) {
-      record_chord_visits(at, path(static_cast<double>(chord) / kChords), span / kChords);
+      record_cell_visits(at, path(static_cast<double>(chord) / kChords), span / kChords);
     }
-    record_chord_visits(at, end, span / kChords);
+    record_cell_visits(at, end, span / kChords);
     time += span;
     if (hit) {
-      set_end_at_wall(*hit, std::abs(end.v), track.track_end);
+      set_end_at_wall(*hit, std::abs(end.v), track.characteristic_end);
       break;
     }
   }
@@ -234,24 +236,25 @@ Track Characteristics::trace_track(const State& from, double flux) {
 }
 
 // Motion that leaves a wall with a rest point within the innermost cells ends at the rest point.
-void Characteristics::set_end_at_wall(WallSide side, double speed, TrackEnd& track_end) const {
-  track_end.wall = side;
-  track_end.speed = speed;
+void Characteristics::set_end_at_wall(WallSide side, double speed,
+                                      CharacteristicEnd& characteristic_end) const {
+  characteristic_end.wall = side;
+  characteristic_end.speed = speed;
   const problem::Wall& wall = *flow_.wall(side);
   const double slow = grid_.x2.face_position(grid_.nv() / 2 + 1), left = wall.restitution * speed;
   if (left > slow) return;
   for (std::size_t n = 0; n < rest_.size(); ++n) {
     if (rest_[n].y != wall.position) continue;
-    track_end.rest = static_cast<int>(n);
+    characteristic_end.rest = static_cast<int>(n);
     if (!rest_[n].contact) continue;
-    track_end.cascade =
+    characteristic_end.cascade =
         impact_cascade(left, std::abs(flow_.force(wall.position)), wall.restitution, rate_);
   }
 }
 
 // Records the cell visits of a straight chord of the path.
-void Characteristics::record_chord_visits(Position& at, const State& to, double time) {
-  const State from = at.state;
+void Characteristics::record_cell_visits(Position& at, const PhaseState& to, double time) {
+  const PhaseState from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
   // The flow contracts areas over the chord by exp(-x), on average by (1 - exp(-x)) / x
   // (Liouville).
@@ -301,7 +304,7 @@ void Characteristics::record_chord_visits(Position& at, const State& to, double 
 
 // Converts areas of visits to fractions of the cell area. Positions relative to the cell centre
 // become relative to the mean of all visits.
-void Characteristics::normalise_areas() {
+void Characteristics::normalise_visit_areas() {
   struct Cover {
     double area = 0, y = 0, v = 0;
   };
@@ -328,31 +331,35 @@ void Characteristics::normalise_areas() {
   durations_ = {};
 }
 
-void Characteristics::find_track_ends(std::vector<Track>& tracks) const {
-  for (Track& track : tracks) {
-    TrackEnd& track_end = track.track_end;
-    if (!track_end.wall || track_end.rest) continue;
-    const WallTracks& wall_tracks = this->wall_tracks(*track_end.wall);
-    const auto count = static_cast<int>(wall_tracks.speeds.size());
-    const double speed = flow_.wall(*track_end.wall)->restitution * track_end.speed;
-    const auto next = std::lower_bound(wall_tracks.speeds.begin(), wall_tracks.speeds.end(), speed,
-                                       std::greater<>());
-    const int slower = std::min(static_cast<int>(next - wall_tracks.speeds.begin()), count - 1);
+void Characteristics::find_continuations_at_walls(std::vector<Characteristic>& tracks) const {
+  for (Characteristic& track : tracks) {
+    CharacteristicEnd& characteristic_end = track.characteristic_end;
+    if (!characteristic_end.wall || characteristic_end.rest) continue;
+    const WallCharacteristics& wall_characteristics =
+        this->wall_characteristics(*characteristic_end.wall);
+    const auto count = static_cast<int>(wall_characteristics.speeds.size());
+    const double speed =
+        flow_.wall(*characteristic_end.wall)->restitution * characteristic_end.speed;
+    const auto next = std::lower_bound(wall_characteristics.speeds.begin(),
+                                       wall_characteristics.speeds.end(), speed, std::greater<>());
+    const int slower =
+        std::min(static_cast<int>(next - wall_characteristics.speeds.begin()), count - 1);
     const int faster = std::max(0, slower - 1);
-    const double slow = wall_tracks.speeds[slower], fast = wall_tracks.speeds[faster];
-    track_end.slower = wall_tracks.tracks[slower];
-    track_end.faster = wall_tracks.tracks[faster];
-    track_end.faster_fraction =
+    const double slow = wall_characteristics.speeds[slower],
+                 fast = wall_characteristics.speeds[faster];
+    characteristic_end.slower = wall_characteristics.tracks[slower];
+    characteristic_end.faster = wall_characteristics.tracks[faster];
+    characteristic_end.faster_fraction =
         fast > slow
             ? std::clamp((speed * speed - slow * slow) / (fast * fast - slow * slow), 0.0, 1.0)
             : 0;
   }
 }
 
-std::vector<ContactDepartures> Characteristics::departures_from_contacts(
+std::vector<ContactImpulseDistribution> Characteristics::contact_impulse_distributions(
     const problem::ImpulseLaw& law) const {
   using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
-  std::vector<ContactDepartures> all;
+  std::vector<ContactImpulseDistribution> all;
   for (const int contact : contacts_) {
     const WallSide side = *rest_[contact].contact;
     const double r = flow_.wall(side)->restitution;
@@ -370,14 +377,15 @@ std::vector<ContactDepartures> Characteristics::departures_from_contacts(
     const auto slower = [&](double u) {
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };
-    const WallTracks& wall_tracks = this->wall_tracks(side);
-    ContactDepartures departures{.shares = std::vector<double>(from_walls_.size(), 0.0)};
-    for (std::size_t k = 0; k < wall_tracks.speeds.size(); ++k) {
+    const WallCharacteristics& wall_characteristics = this->wall_characteristics(side);
+    ContactImpulseDistribution departures{.shares = std::vector<double>(from_walls_.size(), 0.0)};
+    for (std::size_t k = 0; k < wall_characteristics.speeds.size(); ++k) {
       const double above =
-          k == 0 ? std::numeric_limits<double>::infinity() : wall_tracks.below[k - 1];
-      departures.shares[wall_tracks.tracks[k]] = slower(above) - slower(wall_tracks.below[k]);
+          k == 0 ? std::numeric_limits<double>::infinity() : wall_characteristics.below[k - 1];
+      departures.shares[wall_characteristics.tracks[k]] =
+          slower(above) - slower(wall_characteristics.below[k]);
     }
-    departures.rest_fraction = slower(wall_tracks.below.back());
+    departures.rest_fraction = slower(wall_characteristics.below.back());
     // The means E[Y^-] and E[(Y^-)^2], with Y^- = max(-Y, 0), are integrated by parts between the
     // breakpoints of the law, and summed over atoms.
     const double into = side == WallSide::left ? -1 : 1;

@@ -28,7 +28,7 @@ struct CellVisit {
 inline constexpr std::size_t kMaxVisits = 16000000;
 
 /// End of a characteristic at a wall, at a rest point, or where an impulse is almost certain.
-struct TrackEnd {
+struct CharacteristicEnd {
   std::optional<WallSide> wall = {};
   double speed = 0;
   /// Indices of the two characteristics from the impact wall on which the mass continues after the
@@ -40,18 +40,18 @@ struct TrackEnd {
 };
 
 /// Characteristic from a wall or an edge of the box to the next impact or to a rest point.
-struct Track {
+struct Characteristic {
   std::size_t first, last;  ///< indices [first, last) of the cell visits of the track
-  TrackEnd track_end = {};
+  CharacteristicEnd characteristic_end = {};
   double energy = 0;
 };
 
 /// Fractions in which an impulse distributes the mass at rest in contact over the characteristics
 /// that start at the wall. An impulse of amplitude Y away from the wall starts the motion at speed
 /// Y. An impulse towards the wall causes an impact at once.
-struct ContactDepartures {
+struct ContactImpulseDistribution {
   std::vector<double>
-      shares;  ///< fraction of the mass on each characteristic of tracks_from_walls()
+      shares;  ///< fraction of the mass on each characteristic of characteristics_from_walls()
   /// Fraction of the mass that an impulse moves more slowly than every characteristic
   double rest_fraction = 0;
   /// Momentum and energy that impacts after impulses into the wall transfer, per impulse
@@ -65,56 +65,57 @@ struct ContactDepartures {
 class Characteristics {
  public:
   /// @param impulse_rate arrival rate of impulses, per unit time
-  /// @param per_cell number of characteristics that start in each cell at the boundary
+  /// @param characteristics_per_cell number of characteristics that start in each cell at the boundary
   /// @param deadline time at which the construction stops with a failure_reason()
   Characteristics(const problem::System& system, const Grid& grid, double impulse_rate,
-                  int per_cell, const Deadline& deadline = Deadline::unlimited());
+                  int characteristics_per_cell, const Deadline& deadline = Deadline::unlimited());
 
   /// Returns the characteristics that start at the boundary of the box, or in a cell that no other
   /// characteristic crosses. After an impact the mass of a characteristic from outside continues on
   /// characteristics that start at walls.
-  const std::vector<Track>& tracks_from_outside() const { return from_outside_; }
+  const std::vector<Characteristic>& characteristics_from_boundary() const { return from_outside_; }
   /// Returns the characteristics that start at a wall, by decreasing energy. After an impact the
   /// mass of a characteristic continues on two characteristics: the slower characteristic is later
   /// in the list, the faster may be earlier.
-  const std::vector<Track>& tracks_from_walls() const { return from_walls_; }
+  const std::vector<Characteristic>& characteristics_from_walls() const { return from_walls_; }
   const std::vector<CellVisit>& visits() const { return visits_; }
   /// Returns the reason why the characteristics do not cover the plane; empty for a covered plane.
   std::string failure_reason() const;
   const std::vector<RestPoint>& rest_points() const { return rest_; }
   /// Returns the indices in rest_points() of the rest points in contact.
-  const std::vector<int>& contact_indices() const { return contacts_; }
+  const std::vector<int>& contact_rest_point_indices() const { return contacts_; }
   const std::optional<problem::Wall>& wall(WallSide side) const { return flow_.wall(side); }
 
-  /// Returns the distribution of mass after an impulse, for each rest point of contact_indices().
-  std::vector<ContactDepartures> departures_from_contacts(const problem::ImpulseLaw& law) const;
+  /// Returns the distribution of mass after an impulse, for each rest point of contact_rest_point_indices().
+  std::vector<ContactImpulseDistribution> contact_impulse_distributions(
+      const problem::ImpulseLaw& law) const;
 
  private:
   struct Position;  // current state of the tracing of a characteristic
   // Characteristics that start at one wall, by decreasing start speed. The array `below` contains
   // the lowest speed of the strip of each characteristic, at which the next strip begins.
-  struct WallTracks {
+  struct WallCharacteristics {
     std::vector<double> speeds, below;
     std::vector<int> tracks;
   };
 
-  WallTracks& wall_tracks(WallSide side) {
+  WallCharacteristics& wall_characteristics(WallSide side) {
     return side == WallSide::left ? from_left_ : from_right_;
   }
-  const WallTracks& wall_tracks(WallSide side) const {
+  const WallCharacteristics& wall_characteristics(WallSide side) const {
     return side == WallSide::left ? from_left_ : from_right_;
   }
-  void trace_from_box(int per_cell);
-  void trace_from_wall(WallSide side, int per_cell);
-  void sort_from_walls();
-  void trace_through_gaps();
-  Track trace_track(const State& from, double flux);
-  bool must_stop() const { return out_of_time_ || visits_.size() > kMaxVisits; }
-  std::optional<int> equilibrium_containing(const State& at) const;
-  void record_chord_visits(Position& at, const State& to, double time);
-  void set_end_at_wall(WallSide side, double speed, TrackEnd& track_end) const;
-  void normalise_areas();
-  void find_track_ends(std::vector<Track>& tracks) const;
+  void trace_from_box_sides(int characteristics_per_cell);
+  void trace_from_wall(WallSide side, int characteristics_per_cell);
+  void sort_wall_characteristics();
+  void trace_through_uncrossed_cells();
+  Characteristic trace_characteristic(const PhaseState& from, double flux);
+  bool must_stop_tracing() const { return out_of_time_ || visits_.size() > kMaxVisits; }
+  std::optional<int> equilibrium_containing(const PhaseState& at) const;
+  void record_cell_visits(Position& at, const PhaseState& to, double time);
+  void set_end_at_wall(WallSide side, double speed, CharacteristicEnd& characteristic_end) const;
+  void normalise_visit_areas();
+  void find_continuations_at_walls(std::vector<Characteristic>& tracks) const;
 
   const Grid& grid_;
   Deadline deadline_;
@@ -126,8 +127,8 @@ class Characteristics {
   std::vector<bool> at_rest_;  // whether each cell belongs to a rest point
   std::vector<CellVisit> visits_;
   std::vector<double> durations_;  // durations of the cell visits; used only during construction
-  std::vector<Track> from_outside_, from_walls_;
-  WallTracks from_left_, from_right_;
+  std::vector<Characteristic> from_outside_, from_walls_;
+  WallCharacteristics from_left_, from_right_;
 };
 
 }  // namespace fpkcheck::fd_fpk

@@ -43,14 +43,14 @@ std::vector<int> block_indices(const Axis& axis, const Axis& blocks) {
 
 }  // namespace
 
-Aggregation::Aggregation(const Grid& grid, int atom_count, int max_blocks)
+ChainAggregation::ChainAggregation(const Grid& grid, int atom_count, int max_blocks)
     : grid_(grid), atoms_(atom_count), blocks_(coarsen(grid, block_stride(grid, max_blocks))) {
   block_of_y_ = block_indices(grid.x1, blocks_.x1);
   block_of_v_ = block_indices(grid.x2, blocks_.x2);
   set_disaggregation_weights(Eigen::VectorXd::Zero(grid.size() + atom_count));
 }
 
-void Aggregation::set_block_chain(
+void ChainAggregation::set_block_chain(
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step) {
   const int count = blocks_.size() + atoms_;
   Eigen::MatrixXd system(count, count);
@@ -67,7 +67,7 @@ void Aggregation::set_block_chain(
   factors_.compute(system);
 }
 
-void Aggregation::set_disaggregation_weights(const Eigen::VectorXd& masses) {
+void ChainAggregation::set_disaggregation_weights(const Eigen::VectorXd& masses) {
   constexpr double kEven = 1e-6;  // fraction of the total mass that is distributed evenly
   const Eigen::VectorXd areas = grid_.cell_areas();
   weights_ = masses.cwiseMax(0);
@@ -80,7 +80,7 @@ void Aggregation::set_disaggregation_weights(const Eigen::VectorXd& masses) {
   }
 }
 
-Eigen::VectorXd Aggregation::aggregate(const Eigen::Ref<const Eigen::VectorXd>& masses) const {
+Eigen::VectorXd ChainAggregation::aggregate(const Eigen::Ref<const Eigen::VectorXd>& masses) const {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(blocks_.size() + atoms_);
   sums.tail(atoms_) = masses.tail(atoms_);
   for (int i = 0; i < grid_.nx(); ++i) {
@@ -91,7 +91,7 @@ Eigen::VectorXd Aggregation::aggregate(const Eigen::Ref<const Eigen::VectorXd>& 
   return sums;
 }
 
-void Aggregation::apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masses) const {
+void ChainAggregation::apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masses) const {
   const Eigen::VectorXd sums = aggregate(masses);
   const Eigen::VectorXd missing = factors_.solve(sums) - sums;
   for (int i = 0; i < grid_.nx(); ++i) {
@@ -129,7 +129,7 @@ class Chain {
     Eigen::VectorXd after = before;
     columns(after).noalias() = jumps_.uniform * columns(before);
     if (has_slopes_) {
-      const Eigen::VectorXd slopes = slopes_before_.v_slopes(before);
+      const Eigen::VectorXd slopes = slopes_before_.velocity_slopes(before);
       columns(after).noalias() += jumps_.slope * columns(slopes);
     }
     return after;
@@ -137,8 +137,8 @@ class Chain {
 
   void enable_slopes(const Eigen::VectorXd& after) {
     has_slopes_ = true;
-    slopes_after_.set_limiter(after);
-    slopes_before_.set_limiter(apply_flow_without_slopes(after));
+    slopes_after_.set_slope_limiter(after);
+    slopes_before_.set_slope_limiter(apply_flow_without_slopes(after));
   }
 
  private:
@@ -169,7 +169,7 @@ class Chain {
 constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
 // Adds to q, of mass 1, the solution d, of mass 0, of (1 - J T) d + q (1, d) = J T q - q.
-void correct_by_gmres(const Chain& chain, const Aggregation& aggregation, double tolerance,
+void correct_by_gmres(const Chain& chain, const ChainAggregation& aggregation, double tolerance,
                       const Deadline& deadline, Eigen::VectorXd& after, StationaryMasses& result) {
   const Eigen::VectorXd defect = chain.apply_jump(chain.apply_flow(after)) - after;
   const double norm = defect.cwiseAbs().sum();
@@ -211,8 +211,8 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
             .failure = why,
             .visits = static_cast<long>(characteristics.visits().size())};
   }
-  const auto atoms = static_cast<int>(characteristics.contact_indices().size());
-  Aggregation aggregation(grid, atoms, block_count(problem, scales));
+  const auto atoms = static_cast<int>(characteristics.contact_rest_point_indices().size());
+  ChainAggregation aggregation(grid, atoms, block_count(problem, scales));
   {
     const Chain block_chain(problem, aggregation.block_grid(), characteristics_per_cell, deadline);
     if (const std::string why = block_chain.characteristics().failure_reason(); !why.empty()) {
@@ -250,7 +250,7 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
     result.at_rest.push_back(mass);
   }
   for (int k = 0; k < atoms; ++k) {
-    result.at_rest[characteristics.contact_indices()[k]] = masses(grid.size() + k);
+    result.at_rest[characteristics.contact_rest_point_indices()[k]] = masses(grid.size() + k);
   }
   return result;
 }

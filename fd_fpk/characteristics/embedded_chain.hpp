@@ -10,8 +10,8 @@
 #include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/characteristics/transport_operator.hpp"
 #include "fd_fpk/stopwatch.hpp"
+#include "problem/motion_scales.hpp"
 #include "problem/problem.hpp"
-#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -20,11 +20,11 @@ namespace fpkcheck::fd_fpk {
 /// (aggregation and disaggregation of Markov chains: Koury, McAllister, Stewart, SIAM J. Alg. Disc.
 /// Meth. 5, 164 (1984)). Each atom at a rest point in contact is a separate block. In all vectors
 /// of masses the masses of the atoms follow the masses of the cells.
-class Aggregation {
+class ChainAggregation {
  public:
   /// Divides the grid into at most `max_blocks` blocks; the line v = 0 is a boundary between
   /// blocks.
-  Aggregation(const Grid& grid, int atom_count, int max_blocks);
+  ChainAggregation(const Grid& grid, int atom_count, int max_blocks);
 
   const Grid& block_grid() const { return blocks_; }
 

@@ -31,8 +31,8 @@ Flow::Flow(const problem::System& system)
       damping_(system.damping_polynomial()),
       damping_slope_(system.damping_polynomial().derivative()),
       rayleigh_(system.rayleigh_coefficient()),
-      potential_extrema_(problem::sign_changes_between_walls(force_, system)),
-      stiffness_extrema_(problem::sign_changes_between_walls(tangent_.derivative(), system)) {
+      potential_extrema_(problem::sign_change_points_between_walls(force_, system)),
+      stiffness_extrema_(problem::sign_change_points_between_walls(tangent_.derivative(), system)) {
   assert(damping_.coefficient(0) >= 0 && damping_.coefficient(2) >= 0 && rayleigh_ >= 0);
 }
 
@@ -41,31 +41,31 @@ double Flow::distance(double y, WallSide side) const {
   return inward_sign(side) * (y - wall(side)->position);
 }
 
-std::optional<WallSide> Flow::wall_passed_at(double y) const {
+std::optional<WallSide> Flow::passed_wall(double y) const {
   if (system_.left_wall() && y < system_.left_wall()->position) return WallSide::left;
   if (system_.right_wall() && y > system_.right_wall()->position) return WallSide::right;
   return std::nullopt;
 }
 
-double Flow::acceleration(const State& at) const {
+double Flow::acceleration(const PhaseState& at) const {
   return -(at.v * (damping_(at.y) + rayleigh_ * at.v * at.v) + force_(at.y));
 }
 
-double Flow::contraction_rate(const State& at) const {
+double Flow::contraction_rate(const PhaseState& at) const {
   return damping_(at.y) + 3 * rayleigh_ * at.v * at.v;
 }
 
 // Returns the exact solution after a time step for forces linearised about the state. The solution
 // consists of exponentials of the roots s of s^2 + f_v s + (f_y + g') = 0. The roots are real
 // whenever a step exceeds the stability limit of explicit methods.
-State Flow::advance_overdamped(const State& from, double time) const {
+PhaseState Flow::advance_overdamped(const PhaseState& from, double time) const {
   const auto [slow, fast, v_slow, v_fast] = overdamped_modes(from);
   return {from.y + v_slow * integrated_exponential(slow, time) +
               v_fast * integrated_exponential(fast, time),
           v_slow * std::exp(slow * time) + v_fast * std::exp(fast * time)};
 }
 
-Flow::OverdampedModes Flow::overdamped_modes(const State& at) const {
+Flow::OverdampedModes Flow::overdamped_modes(const PhaseState& at) const {
   const double damping = contraction_rate(at);
   const double stiffness = tangent_(at.y) + at.v * damping_slope_(at.y);
   const double root = std::sqrt(std::max(0.0, damping * damping - 4 * stiffness));
@@ -74,25 +74,26 @@ Flow::OverdampedModes Flow::overdamped_modes(const State& at) const {
   return {.slow = slow, .fast = fast, .v_slow = at.v - v_fast, .v_fast = v_fast};
 }
 
-State Flow::advance(const State& from, double time) const {
+PhaseState Flow::advance_state(const PhaseState& from, double time) const {
   if (contraction_rate(from) * time > kStability) {
-    const State full = advance_overdamped(from, time);
-    const State halves = advance_overdamped(advance_overdamped(from, time / 2), time / 2);
+    const PhaseState full = advance_overdamped(from, time);
+    const PhaseState halves = advance_overdamped(advance_overdamped(from, time / 2), time / 2);
     return {(4 * halves.y - full.y) / 3, (4 * halves.v - full.v) / 3};
   }
   const double half = time / 2;
-  const State a{from.v, acceleration(from)};
-  const State at_b{from.y + half * a.y, from.v + half * a.v};
-  const State b{at_b.v, acceleration(at_b)};
-  const State at_c{from.y + half * b.y, from.v + half * b.v};
-  const State c{at_c.v, acceleration(at_c)};
-  const State at_d{from.y + time * c.y, from.v + time * c.v};
-  const State d{at_d.v, acceleration(at_d)};
+  const PhaseState a{from.v, acceleration(from)};
+  const PhaseState at_b{from.y + half * a.y, from.v + half * a.v};
+  const PhaseState b{at_b.v, acceleration(at_b)};
+  const PhaseState at_c{from.y + half * b.y, from.v + half * b.v};
+  const PhaseState c{at_c.v, acceleration(at_c)};
+  const PhaseState at_d{from.y + time * c.y, from.v + time * c.v};
+  const PhaseState d{at_d.v, acceleration(at_d)};
   return {from.y + time / 6 * (a.y + 2 * b.y + 2 * c.y + d.y),
           from.v + time / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
 }
 
-double Flow::max_step(const State& from, const AccessibleInterval& accessible_interval) const {
+double Flow::max_time_step(const PhaseState& from,
+                           const AccessibleInterval& accessible_interval) const {
   // Largest relative change of the state in a step, in the energy norm
   constexpr double kChange = 0.1;
   // Near a saddle, and without a force, the rate of change of the state is small but increases
@@ -150,7 +151,7 @@ double Flow::end_of_accessible_interval(double y, double energy, WallSide side) 
   return between(reached, reached + sign * step);
 }
 
-AccessibleInterval Flow::accessible_interval(const State& at) const {
+AccessibleInterval Flow::accessible_interval(const PhaseState& at) const {
   const double level = energy(at);
   AccessibleInterval accessible_interval{
       .low = end_of_accessible_interval(at.y, level, WallSide::left),
@@ -179,22 +180,22 @@ AccessibleInterval Flow::accessible_interval(const State& at) const {
 HalfCycle Flow::half_cycle(double speed) const {
   constexpr double kCreeping = 1e-6;
   const double wall = system_.left_wall()->position;
-  State state{wall, speed};
+  PhaseState state{wall, speed};
   HalfCycle half_cycle{.height = 0, .duration = kInfinity};
   double time = 0;
   const AccessibleInterval accessible_interval = this->accessible_interval(state);
   while (energy(state) - accessible_interval.least_potential > kCreeping * speed * speed) {
-    const double span = max_step(state, accessible_interval);
-    const State end = advance(state, span);
+    const double span = max_time_step(state, accessible_interval);
+    const PhaseState end = advance_state(state, span);
     if (state.v > 0 && end.v <= 0) {
       // The turning point is the apex of the parabola.
       const double until = span * state.v / (state.v - end.v);
-      half_cycle.height = std::max(half_cycle.height, advance(state, until).y - wall);
+      half_cycle.height = std::max(half_cycle.height, advance_state(state, until).y - wall);
     }
-    const auto hit = wall_passed_at(end.y);
+    const auto hit = passed_wall(end.y);
     if (hit == WallSide::left) {
       const double until = impact_time(state, span, WallSide::left);
-      half_cycle.impact_speed = -advance(state, until).v;
+      half_cycle.impact_speed = -advance_state(state, until).v;
       half_cycle.duration = time + until;
       break;
     }
@@ -208,17 +209,17 @@ HalfCycle Flow::half_cycle(double speed) const {
   return half_cycle;
 }
 
-double Flow::impact_time(const State& from, double time, WallSide side) const {
-  assert(distance(advance(from, time).y, side) <= 0);
+double Flow::impact_time(const PhaseState& from, double time, WallSide side) const {
+  assert(distance(advance_state(from, time).y, side) <= 0);
   double before = 0, until = time;
   const double distance_now = distance(from.y, side);
   // The initial guess is the time at which the chord of the path meets the wall. For a flight that
   // starts at the wall the guess is half of the time step.
-  double guess = distance_now > 0
-                     ? time * distance_now / (distance_now - distance(advance(from, time).y, side))
-                     : time / 2;
+  double guess = distance_now > 0 ? time * distance_now /
+                                        (distance_now - distance(advance_state(from, time).y, side))
+                                  : time / 2;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    const State at = advance(from, guess);
+    const PhaseState at = advance_state(from, guess);
     const double left = distance(at.y, side);
     (left < 0 ? until : before) = guess;
     double next = guess - left / (inward_sign(side) * at.v);

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-struct State {
+struct PhaseState {
   double y;
   double v;
 };
@@ -46,14 +46,14 @@ class Flow {
   /// @pre the wall exists
   double distance(double y, WallSide side) const;
   /// Returns the wall behind which the displacement y is; empty if y is between the walls.
-  std::optional<WallSide> wall_passed_at(double y) const;
+  std::optional<WallSide> passed_wall(double y) const;
 
-  double acceleration(const State& at) const;
+  double acceleration(const PhaseState& at) const;
   /// Returns the relative rate df/dv at which the flow contracts areas of the phase plane
   /// (Liouville), with the damping force f.
-  double contraction_rate(const State& at) const;
+  double contraction_rate(const PhaseState& at) const;
   double force(double y) const { return force_(y); }
-  double energy(const State& at) const { return at.v * at.v / 2 + potential_(at.y); }
+  double energy(const PhaseState& at) const { return at.v * at.v / 2 + potential_(at.y); }
   double potential(double y) const { return potential_(y); }
   /// Returns the positions of the extrema of the potential between the walls, in increasing order.
   const std::vector<double>& potential_extrema() const { return potential_extrema_; }
@@ -61,21 +61,21 @@ class Flow {
   /// Returns the state after one time step of the classical Runge-Kutta method. Where strong
   /// damping makes the Runge-Kutta method unstable, an exponential (Rosenbrock-Euler) method with
   /// the tangents of f and g computes the state.
-  State advance(const State& from, double time) const;
+  PhaseState advance_state(const PhaseState& from, double time) const;
 
-  /// Returns the largest time step with which advance() is accurate. The relative error of the
+  /// Returns the largest time step with which advance_state() is accurate. The relative error of the
   /// state is about 1e-7 after one step and 1e-6 to 1e-5 after a half-cycle. For overdamped motion
   /// towards a rest point the relative error is 1e-4.
   /// @param accessible_interval interval of the state `from` or of an earlier state of the motion
-  double max_step(const State& from, const AccessibleInterval& accessible_interval) const;
-  AccessibleInterval accessible_interval(const State& at) const;
+  double max_time_step(const PhaseState& from, const AccessibleInterval& accessible_interval) const;
+  AccessibleInterval accessible_interval(const PhaseState& at) const;
 
   /// Returns the half-cycle that starts at the left wall with the given speed > 0.
   HalfCycle half_cycle(double speed) const;
 
   /// Returns the time after which a flight from the state `from` meets the wall.
   /// @pre the state is behind the wall at the end of `time`
-  double impact_time(const State& from, double time, WallSide side) const;
+  double impact_time(const PhaseState& from, double time, WallSide side) const;
 
  private:
   /// Two modes of overdamped motion, v = v_slow exp(slow t) + v_fast exp(fast t), with forces
@@ -83,8 +83,8 @@ class Flow {
   struct OverdampedModes {
     double slow, fast, v_slow, v_fast;
   };
-  OverdampedModes overdamped_modes(const State& at) const;
-  State advance_overdamped(const State& from, double time) const;
+  OverdampedModes overdamped_modes(const PhaseState& at) const;
+  PhaseState advance_overdamped(const PhaseState& from, double time) const;
   double end_of_accessible_interval(double y, double energy, WallSide side) const;
 
   problem::System system_;

@@ -26,18 +26,18 @@ SmallHalfCycle small_half_cycle(const Flow& flow, WallSide side, double speed,
   const double wall = flow.wall(side)->position;
   const SmallHalfCycle creeping{.fraction_below = side == WallSide::left ? 1.0 : 0.0,
                                 .impact_rate = 0};
-  State state{wall, inward_sign(side) * speed};
+  PhaseState state{wall, inward_sign(side) * speed};
   const double least = flow.potential(wall);
   double below = 0, time = 0;
   for (long step = 0; step < kMostSteps; ++step) {
     const double left = flow.energy(state) - least;
     if (left < kAtRest * kAtRest * speed * speed / 2) return creeping;
-    double span = flow.max_step(state, flow.accessible_interval(state)) / kFiner;
-    State end = flow.advance(state, span);
-    const bool impact = flow.wall_passed_at(end.y) == side;
+    double span = flow.max_time_step(state, flow.accessible_interval(state)) / kFiner;
+    PhaseState end = flow.advance_state(state, span);
+    const bool impact = flow.passed_wall(end.y) == side;
     if (impact) {
       span = flow.impact_time(state, span, side);
-      end = {wall, flow.advance(state, span).v};
+      end = {wall, flow.advance_state(state, span).v};
     }
     if (state.v + end.v < 0) {
       below += std::exp(-impulse_rate * time) * -std::expm1(-impulse_rate * span);
@@ -135,7 +135,7 @@ std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double im
   return points;
 }
 
-double relative_core_width(double deviation, double typical_amplitude) {
+double relative_uniform_cell_radius(double deviation, double typical_amplitude) {
   constexpr double kCore = 1e-3;
   const double ratio = std::min(1.0, deviation / typical_amplitude);
   return kCore * ratio * ratio;

@@ -43,7 +43,7 @@ std::vector<RestPoint> rest_points(const Flow& flow);
 /// and the mean displacement divided by A is proportional to (s / A)^2, with the standard deviation
 /// s. The cells of constant width are a thousandth of the mean displacement wide. The narrowest
 /// bins next to 0 are wider, with the width 8e-4 s (compare/comparison_axes.cpp).
-double relative_core_width(double deviation, double typical_amplitude);
+double relative_uniform_cell_radius(double deviation, double typical_amplitude);
 
 /// Cascade of impacts by which motion that starts at a wall comes to rest in contact. During the
 /// cascade the acceleration a towards the wall is nearly constant. For an initial speed u the

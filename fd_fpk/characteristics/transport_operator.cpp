@@ -22,11 +22,11 @@ std::vector<SlopeReconstruction::Weights> SlopeReconstruction::weights(const Axi
       const double above = before / (after * (before + after));
       weights[i] = {h * below / axis.cell_width(i - 1), -(below + above),
                     h * above / axis.cell_width(i + 1)};
-    } else if (i == 0 && axis.left_end_condition() == EndCondition::boundary &&
+    } else if (i == 0 && axis.left_end_condition() == AxisEndCondition::boundary &&
                axis.cell_count() > 1) {
       const double slope = 1 / (axis.cell_centre(1) - axis.cell_centre(0));
       weights[i] = {0, -slope, h * slope / axis.cell_width(1)};
-    } else if (i > 0 && axis.right_end_condition() == EndCondition::boundary) {
+    } else if (i > 0 && axis.right_end_condition() == AxisEndCondition::boundary) {
       const double slope = 1 / (axis.cell_centre(i) - axis.cell_centre(i - 1));
       weights[i] = {-h * slope / axis.cell_width(i - 1), slope, 0};
     }
@@ -46,7 +46,7 @@ SlopeReconstruction::SlopeReconstruction(const Grid& grid, const std::vector<Res
   }
 }
 
-Eigen::VectorXd SlopeReconstruction::v_slopes(const Eigen::VectorXd& masses) const {
+Eigen::VectorXd SlopeReconstruction::velocity_slopes(const Eigen::VectorXd& masses) const {
   const int nv = grid_.nv();
   Eigen::VectorXd slopes(grid_.size());
   for (int i = 0; i < grid_.nx(); ++i) {
@@ -64,7 +64,7 @@ Eigen::VectorXd SlopeReconstruction::v_slopes(const Eigen::VectorXd& masses) con
 
 CellSlopes SlopeReconstruction::operator()(const Eigen::VectorXd& masses) const {
   const int nx = grid_.nx(), nv = grid_.nv();
-  CellSlopes slopes{.y = Eigen::VectorXd(grid_.size()), .v = v_slopes(masses)};
+  CellSlopes slopes{.y = Eigen::VectorXd(grid_.size()), .v = velocity_slopes(masses)};
   for (int i = 0; i < nx; ++i) {
     const auto& [below, centre, above] = of_y_[i];
     for (int j = 0; j < nv; ++j) {
@@ -78,7 +78,7 @@ CellSlopes SlopeReconstruction::operator()(const Eigen::VectorXd& masses) const 
   return slopes;
 }
 
-void SlopeReconstruction::set_limiter(const Eigen::VectorXd& masses) {
+void SlopeReconstruction::set_slope_limiter(const Eigen::VectorXd& masses) {
   limits_y_.setOnes();
   limits_v_.setOnes();
   const auto [y, v] = (*this)(masses);
@@ -109,9 +109,9 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
                                               const CellSlopes& slopes,
                                               WallImpacts* impacts) const {
   const auto& visits = characteristics_.visits();
-  const auto& from_walls = characteristics_.tracks_from_walls();
+  const auto& from_walls = characteristics_.characteristics_from_walls();
   const auto& rest = characteristics_.rest_points();
-  const auto& contacts = characteristics_.contact_indices();
+  const auto& contacts = characteristics_.contact_rest_point_indices();
   const auto atoms = static_cast<Eigen::Index>(contacts.size());
   const Eigen::Index count = masses.size() - atoms;
   std::vector<CellMass> cells;
@@ -131,7 +131,8 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
     sums.energy += energy;
   };
   for (Eigen::Index k = 0; k < atoms; ++k) {
-    const ContactDepartures& departures = departures_from_contacts_[static_cast<std::size_t>(k)];
+    const ContactImpulseDistribution& departures =
+        contact_impulse_distributions_[static_cast<std::size_t>(k)];
     const int point = contacts[static_cast<std::size_t>(k)];
     const double mass = masses(count + k);
     for (std::size_t n = 0; n < entering.size(); ++n) entering[n] += departures.shares[n] * mass;
@@ -146,7 +147,7 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
   constexpr std::true_type kIncludeSources;
   // tag of later passes: the masses that start in the cells were added in an earlier pass
   constexpr std::false_type kExcludeSources;
-  const auto mass_at_track_end = [&](const Track& track, double mass, auto with_sources) {
+  const auto mass_at_track_end = [&](const Characteristic& track, double mass, auto with_sources) {
     for (std::size_t n = track.first; n < track.last; ++n) {
       const CellVisit& visit = visits[n];
       const double begins = with_sources ? source(visit) : 0;
@@ -156,49 +157,52 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
     }
     return mass;
   };
-  const auto come_to_rest = [&](const TrackEnd& track_end, double mass) {
-    const int point = *track_end.rest;
-    if (!track_end.cascade) {
+  const auto come_to_rest = [&](const CharacteristicEnd& characteristic_end, double mass) {
+    const int point = *characteristic_end.rest;
+    if (!characteristic_end.cascade) {
       at_rest[point] += mass;
       return;
     }
     // Mass that receives an impulse during the cascade is distributed on both sides of v = 0.
-    const ImpactCascade& cascade = *track_end.cascade;
+    const ImpactCascade& cascade = *characteristic_end.cascade;
     at_rest[point] += cascade.rest_probability * mass;
     for (const auto& [cell, share] : rest[point].cells) {
       cells[cell].ended += (1 - cascade.rest_probability) * share * mass;
     }
-    hit(*track_end.wall, mass, (track_end.speed + cascade.momentum) * mass,
-        (track_end.speed * track_end.speed + cascade.energy) * mass);
+    hit(*characteristic_end.wall, mass, (characteristic_end.speed + cascade.momentum) * mass,
+        (characteristic_end.speed * characteristic_end.speed + cascade.energy) * mass);
   };
-  const auto distribute_at_end = [&](const Track& track, double mass) {
-    const TrackEnd& track_end = track.track_end;
-    if (track_end.rest) {
-      come_to_rest(track_end, mass);
-    } else if (track_end.wall) {
-      entering[track_end.faster] += track_end.faster_fraction * mass;
-      entering[track_end.slower] += (1 - track_end.faster_fraction) * mass;
-      hit(*track_end.wall, mass, track_end.speed * mass, track_end.speed * track_end.speed * mass);
+  const auto distribute_at_end = [&](const Characteristic& track, double mass) {
+    const CharacteristicEnd& characteristic_end = track.characteristic_end;
+    if (characteristic_end.rest) {
+      come_to_rest(characteristic_end, mass);
+    } else if (characteristic_end.wall) {
+      entering[characteristic_end.faster] += characteristic_end.faster_fraction * mass;
+      entering[characteristic_end.slower] += (1 - characteristic_end.faster_fraction) * mass;
+      hit(*characteristic_end.wall, mass, characteristic_end.speed * mass,
+          characteristic_end.speed * characteristic_end.speed * mass);
     } else if (track.last > track.first) {
       cells[visits[track.last - 1].cell].ended += mass;
     }
   };
 
-  for (const Track& track : characteristics_.tracks_from_outside()) {
+  for (const Characteristic& track : characteristics_.characteristics_from_boundary()) {
     distribute_at_end(track, mass_at_track_end(track, 0, kIncludeSources));
   }
   const auto leave_walls = [&](auto with_sources) {
     for (std::size_t n = 0; n < from_walls.size(); ++n) {
-      const Track& track = from_walls[n];
-      const TrackEnd& track_end = track.track_end;
+      const Characteristic& track = from_walls[n];
+      const CharacteristicEnd& characteristic_end = track.characteristic_end;
       double mass = std::exchange(entering[n], 0.0);
       if (!with_sources && mass == 0) continue;
       // The masses of all returns to the same characteristic after an impact form a geometric
       // series.
       double again = 0;
-      if (track_end.wall && !track_end.rest) {
-        if (track_end.faster == static_cast<int>(n)) again += track_end.faster_fraction;
-        if (track_end.slower == static_cast<int>(n)) again += 1 - track_end.faster_fraction;
+      if (characteristic_end.wall && !characteristic_end.rest) {
+        if (characteristic_end.faster == static_cast<int>(n))
+          again += characteristic_end.faster_fraction;
+        if (characteristic_end.slower == static_cast<int>(n))
+          again += 1 - characteristic_end.faster_fraction;
       }
       if (again > 0) {
         double lost = 0, left = 0;

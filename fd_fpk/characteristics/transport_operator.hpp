@@ -26,12 +26,12 @@ class SlopeReconstruction {
   SlopeReconstruction(const Grid& grid, const std::vector<RestPoint>& points);
 
   CellSlopes operator()(const Eigen::VectorXd& masses) const;
-  Eigen::VectorXd v_slopes(const Eigen::VectorXd& masses) const;
+  Eigen::VectorXd velocity_slopes(const Eigen::VectorXd& masses) const;
 
   /// Sets a limiting factor for the slopes of each cell, such that the density reconstructed from
   /// the given masses is nonnegative. All later reconstructions use the same limiting factors, so
   /// that the reconstruction remains linear.
-  void set_limiter(const Eigen::VectorXd& masses);
+  void set_slope_limiter(const Eigen::VectorXd& masses);
 
  private:
   // Weights of the masses of the lower neighbour, the cell and the upper neighbour in a slope.
@@ -76,7 +76,7 @@ class TransportOperator {
   /// @param characteristics,law must outlive the operator
   TransportOperator(const Characteristics& characteristics, const problem::ImpulseLaw& law)
       : characteristics_(characteristics),
-        departures_from_contacts_(characteristics.departures_from_contacts(law)) {}
+        contact_impulse_distributions_(characteristics.contact_impulse_distributions(law)) {}
 
   /// @param masses masses of the density q
   /// @param slopes slopes of the density q
@@ -85,7 +85,7 @@ class TransportOperator {
 
  private:
   const Characteristics& characteristics_;
-  std::vector<ContactDepartures> departures_from_contacts_;
+  std::vector<ContactImpulseDistribution> contact_impulse_distributions_;
 };
 
 }  // namespace fpkcheck::fd_fpk

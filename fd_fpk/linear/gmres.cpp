@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fd_fpk/linear/sundials.hpp"
+#include "fd_fpk/linear/sundials_handles.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -14,14 +14,14 @@ struct GmresCallbackData {
   const ApproximateSolve& approximate_solve;
   const Deadline& deadline;
   bool deadline_exceeded = false;
-  CallbackException thrown = {};
+  CallbackExceptionStore thrown = {};
 };
 
 int times(void* data, N_Vector v, N_Vector z) {
   auto& callbacks = *static_cast<GmresCallbackData*>(data);
   return callbacks.thrown.invoke([&] {
     callbacks.deadline_exceeded = callbacks.deadline.has_passed();
-    if (callbacks.deadline_exceeded) return CallbackException::kUnrecoverable;
+    if (callbacks.deadline_exceeded) return CallbackExceptionStore::kUnrecoverable;
     vector_view(z) = callbacks.a(vector_view(v));
     return 0;
   });
@@ -45,9 +45,9 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
   constexpr int kRestarts = 4;
   QuietContext context;
   GmresCallbackData callbacks{a, approximate_solve, deadline};
-  const auto x = make_vector(Eigen::VectorXd::Zero(b.size()), context);
-  const auto right = make_vector(b, context);
-  const auto scale = make_vector(weights, context);
+  const auto x = make_sundials_vector(Eigen::VectorXd::Zero(b.size()), context);
+  const auto right = make_sundials_vector(b, context);
+  const auto scale = make_sundials_vector(weights, context);
   const auto solver =
       make_owned(SUNLinSol_SPGMR(x.get(), SUN_PREC_RIGHT, kBasis, context), "a GMRES solver");
   require_success(SUNLinSol_SPGMRSetMaxRestarts(solver.get(), kRestarts),

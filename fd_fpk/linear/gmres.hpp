@@ -14,7 +14,7 @@ namespace fpkcheck::fd_fpk {
 /// Stores an exception that a callback of SUNDIALS throws. Exceptions must not propagate through
 /// the C stack frames of SUNDIALS. The callback returns a flag instead, and the caller of SUNDIALS
 /// rethrows the exception.
-class CallbackException {
+class CallbackExceptionStore {
  public:
   /// Negative flag of a callback, which SUNDIALS treats as an unrecoverable error
   static constexpr int kUnrecoverable = -1;

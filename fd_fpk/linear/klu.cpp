@@ -143,7 +143,7 @@ KluFactorisation::KluFactorisation(KluFactorisation&&) noexcept = default;
 KluFactorisation& KluFactorisation::operator=(KluFactorisation&&) noexcept = default;
 
 bool KluFactorisation::factorise(const SparseColumnMatrix& matrix) {
-  if (refactor(matrix)) return true;
+  if (factorise_with_old_pivots(matrix)) return true;
   const MatrixArrays arrays(matrix);
   auto& [common, symbolic, numeric] = *handles_;
   klu_l_free_numeric(&numeric, &common);
@@ -161,7 +161,7 @@ bool KluFactorisation::factorise(const SparseColumnMatrix& matrix) {
 
 // Factors the matrix with the pivots of the last factorisation. Returns false without an earlier
 // factorisation, or if the pivot growth makes the factors inaccurate.
-bool KluFactorisation::refactor(const SparseColumnMatrix& matrix) {
+bool KluFactorisation::factorise_with_old_pivots(const SparseColumnMatrix& matrix) {
   constexpr double kLeastReciprocalGrowth = 1e-8;
   auto& [common, symbolic, numeric] = *handles_;
   if (numeric == nullptr) return false;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -38,7 +38,7 @@ class KluFactorisation {
 
  private:
   struct Handles;
-  bool refactor(const SparseColumnMatrix& matrix);
+  bool factorise_with_old_pivots(const SparseColumnMatrix& matrix);
   std::unique_ptr<Handles> handles_;
 };
 

@@ -3,14 +3,14 @@
 #include <cmath>
 
 #include "fd_fpk/linear/gmres.hpp"
-#include "fd_fpk/linear/sundials.hpp"
+#include "fd_fpk/linear/sundials_handles.hpp"
 
 namespace fpkcheck::fd_fpk {
 
 struct CvodeCallbackData {
   LinearOdeSystem system;
   std::string message = {};
-  CallbackException thrown = {};
+  CallbackExceptionStore thrown = {};
 };
 
 namespace {
@@ -39,7 +39,7 @@ int factor(sunrealtype, N_Vector, N_Vector, sunbooleantype, sunbooleantype* curr
   auto& callbacks = callbacks_in(data);
   *current = SUNTRUE;
   return callbacks.thrown.invoke(
-      [&] { return callbacks.system.factor(gamma) ? 0 : CallbackException::kUnrecoverable; });
+      [&] { return callbacks.system.factor(gamma) ? 0 : CallbackExceptionStore::kUnrecoverable; });
 }
 
 int precondition(sunrealtype, N_Vector, N_Vector, N_Vector r, N_Vector z, sunrealtype, sunrealtype,
@@ -69,7 +69,7 @@ LinearOdeSystem linear_ode_system(const FokkerPlanckOperator& op, Preconditioner
                        Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }};
 }
 
-LinearOdeSystem with_deadline(const Deadline& deadline, LinearOdeSystem system) {
+LinearOdeSystem with_deadline_check(const Deadline& deadline, LinearOdeSystem system) {
   system.times = [&deadline, times = std::move(system.times)](const Eigen::VectorXd& p) {
     if (deadline.has_passed()) throw DeadlineExceeded();
     return times(p);
@@ -77,16 +77,16 @@ LinearOdeSystem with_deadline(const Deadline& deadline, LinearOdeSystem system) 
   return system;
 }
 
-struct LinearCvode::Handles {
+struct LinearCvodeIntegrator::Handles {
   QuietContext context;
   CvodeCallbackData callbacks;
-  Owned<N_Vector> averages;
-  Owned<SUNLinearSolver> gmres;
-  Owned<void*> cvode;
+  OwnedHandle<N_Vector> averages;
+  OwnedHandle<SUNLinearSolver> gmres;
+  OwnedHandle<void*> cvode;
 
   Handles(LinearOdeSystem system, const Eigen::VectorXd& start)
       : callbacks{std::move(system)},
-        averages(make_vector(start, context)),
+        averages(make_sundials_vector(start, context)),
         gmres(make_owned(SUNLinSol_SPGMR(averages.get(), SUN_PREC_RIGHT, 100, context),
                          "a GMRES solver")),
         cvode(make_owned(CVodeCreate(CV_BDF, context), "CVODE")) {}
@@ -99,8 +99,8 @@ struct LinearCvode::Handles {
   }
 };
 
-LinearCvode::LinearCvode(LinearOdeSystem system, const Eigen::VectorXd& start,
-                         const BdfControl& control)
+LinearCvodeIntegrator::LinearCvodeIntegrator(LinearOdeSystem system, const Eigen::VectorXd& start,
+                                             const BdfSettings& control)
     : handles_(std::make_unique<Handles>(std::move(system), start)) {
   void* const cvode = handles_->cvode.get();
   void* const data = &handles_->callbacks;
@@ -108,8 +108,8 @@ LinearCvode::LinearCvode(LinearOdeSystem system, const Eigen::VectorXd& start,
   set_error_handler<store_message>(cvode, handles_->context, data);
   require_success(CVodeSetUserData(cvode, data), "CVodeSetUserData");
   if (const auto& of_cells = control.absolute_tolerances) {
-    const Owned<N_Vector> tolerances =
-        make_vector(*of_cells, handles_->context);  // CVODE copies the tolerances
+    const OwnedHandle<N_Vector> tolerances =
+        make_sundials_vector(*of_cells, handles_->context);  // CVODE copies the tolerances
     require_success(CVodeSVtolerances(cvode, control.relative_tolerance, tolerances.get()),
                     "CVodeSVtolerances");
   } else {
@@ -142,39 +142,45 @@ LinearCvode::LinearCvode(LinearOdeSystem system, const Eigen::VectorXd& start,
   }
 }
 
-LinearCvode::~LinearCvode() = default;
+LinearCvodeIntegrator::~LinearCvodeIntegrator() = default;
 
-LinearCvode::StepResult LinearCvode::run(double time, int task) {
+LinearCvodeIntegrator::StepResult LinearCvodeIntegrator::run(double time, int task) {
   StepResult reached{.flag = 0, .time = 0};
   reached.flag = CVode(handles_->cvode.get(), time, handles_->averages.get(), &reached.time, task);
   handles_->callbacks.thrown.rethrow();
   return reached;
 }
 
-void LinearCvode::set_linear_tolerance(double tolerance) {
+void LinearCvodeIntegrator::set_linear_tolerance(double tolerance) {
   require_success(CVodeSetEpsLin(handles_->cvode.get(), tolerance), "CVodeSetEpsLin");
 }
 
-LinearCvode::StepResult LinearCvode::take_step() { return run(HUGE_VAL, CV_ONE_STEP); }
-LinearCvode::StepResult LinearCvode::advance(double time) { return run(time, CV_NORMAL); }
+LinearCvodeIntegrator::StepResult LinearCvodeIntegrator::take_step() {
+  return run(HUGE_VAL, CV_ONE_STEP);
+}
+LinearCvodeIntegrator::StepResult LinearCvodeIntegrator::advance(double time) {
+  return run(time, CV_NORMAL);
+}
 
-Eigen::Map<const Eigen::VectorXd> LinearCvode::averages() const {
+Eigen::Map<const Eigen::VectorXd> LinearCvodeIntegrator::averages() const {
   const auto all = vector_view(handles_->averages.get());
   return {all.data(), all.size()};
 }
 
-const std::string& LinearCvode::error_message() const { return handles_->callbacks.message; }
+const std::string& LinearCvodeIntegrator::error_message() const {
+  return handles_->callbacks.message;
+}
 
-long LinearCvode::step_count() const {
+long LinearCvodeIntegrator::step_count() const {
   return handles_->count(CVodeGetNumSteps, "CVodeGetNumSteps");
 }
-long LinearCvode::factorisation_count() const {
+long LinearCvodeIntegrator::factorisation_count() const {
   return handles_->count(CVodeGetNumPrecEvals, "CVodeGetNumPrecEvals");
 }
-long LinearCvode::rhs_evaluation_count() const {
+long LinearCvodeIntegrator::rhs_evaluation_count() const {
   return handles_->count(CVodeGetNumRhsEvals, "CVodeGetNumRhsEvals");
 }
-long LinearCvode::krylov_iteration_count() const {
+long LinearCvodeIntegrator::krylov_iteration_count() const {
   return handles_->count(CVodeGetNumLinIters, "CVodeGetNumLinIters");
 }
 

@@ -6,7 +6,7 @@
 
 #include "fd_fpk/linear/gmres.hpp"
 #include "fd_fpk/linear/preconditioner.hpp"
-#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -27,10 +27,10 @@ struct DeadlineExceeded {};
 
 /// Returns the given system with products L P that throw DeadlineExceeded after the deadline.
 /// @param deadline must outlive the returned system
-LinearOdeSystem with_deadline(const Deadline& deadline, LinearOdeSystem system);
+LinearOdeSystem with_deadline_check(const Deadline& deadline, LinearOdeSystem system);
 
 /// Settings of the step control of CVODE; absent settings have the default values of CVODE.
-struct BdfControl {
+struct BdfSettings {
   /// Highest order of BDF, 1 .. 5
   int max_order;
   /// Relative tolerance of the local error of the cell averages, in the root mean square over cells
@@ -50,13 +50,14 @@ struct BdfControl {
 
 /// Integrator of dP/dt = L P by CVODE with BDF. GMRES solves the linear systems with the exact
 /// operator L, preconditioned by a factored approximation of I - gamma L.
-class LinearCvode {
+class LinearCvodeIntegrator {
  public:
   /// @throws std::runtime_error when SUNDIALS cannot be set up
-  LinearCvode(LinearOdeSystem system, const Eigen::VectorXd& start, const BdfControl& control);
-  ~LinearCvode();
-  LinearCvode(const LinearCvode&) = delete;
-  LinearCvode& operator=(const LinearCvode&) = delete;
+  LinearCvodeIntegrator(LinearOdeSystem system, const Eigen::VectorXd& start,
+                        const BdfSettings& control);
+  ~LinearCvodeIntegrator();
+  LinearCvodeIntegrator(const LinearCvodeIntegrator&) = delete;
+  LinearCvodeIntegrator& operator=(const LinearCvodeIntegrator&) = delete;
 
   struct StepResult {
     int flag;  ///< return flag of CVODE; negative if CVODE stopped, see error_message()

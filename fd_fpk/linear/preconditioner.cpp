@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "fd_fpk/stopwatch.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -38,12 +38,12 @@ Excitation drift_diffusion_approximation(const Excitation& excitation, const Axi
 }  // namespace
 
 Preconditioner::Preconditioner(const problem::Problem& problem, const Excitation& excitation,
-                               problem::Impact impact, const Grid& grid, int order)
+                               problem::ImpactCondition impact, const Grid& grid, int order)
     : Preconditioner(problem.system, problem::scales(problem).slowest_decay_rate, excitation,
                      impact, grid, order) {}
 
 Preconditioner::Preconditioner(const problem::System& system, double loss,
-                               const Excitation& excitation, problem::Impact impact,
+                               const Excitation& excitation, problem::ImpactCondition impact,
                                const Grid& grid, int order)
     : loss_(loss) {
   const bool centred = order % 2 == 0;
@@ -76,7 +76,7 @@ bool Preconditioner::factorise(double gamma) {
   return factor_with_klu(factored_);
 }
 
-bool Preconditioner::factor_stationary() { return factor_with_klu(approximation_); }
+bool Preconditioner::factorise_stationary() { return factor_with_klu(approximation_); }
 
 void Preconditioner::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   klu_.solve_in_place(b);

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "fd_fpk/linear/klu.hpp"
-#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
 
 namespace fpkcheck::problem {
 struct Problem;
@@ -22,18 +22,18 @@ class Preconditioner {
   /// even orders M has the order of L: centred differences have no upwind dissipation, and GMRES
   /// would not converge with a dissipative preconditioner.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
-                 problem::Impact impact, const Grid& grid, int order = 3);
+                 problem::ImpactCondition impact, const Grid& grid, int order = 3);
   /// @param loss rate of the mass loss that makes M regular, such as
   /// problem::MotionScales::slowest_decay_rate
   Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
-                 problem::Impact impact, const Grid& grid, int order);
+                 problem::ImpactCondition impact, const Grid& grid, int order);
 
   /// Factors I - gamma M and returns false on failure; see failure_reason(). If gamma is much
   /// longer than the slowest decay time, I - gamma M is nearly -gamma M. For so long a gamma,
-  /// directly after factor_stationary(), the factors of M are reused.
+  /// directly after factorise_stationary(), the factors of M are reused.
   bool factorise(double gamma);
   /// Factors M and returns false on failure; see failure_reason().
-  bool factor_stationary();
+  bool factorise_stationary();
   std::string failure_reason() const { return klu_.failure_reason(); }
 
   long factorisation_count() const { return factorisations_; }

@@ -10,7 +10,7 @@
 #include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "numerics/roots/bracketed_root.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -28,14 +28,14 @@ Excitation impulse_excitation(const problem::ImpulseTrain& impulses, const Optio
                               const Axis& axis, double regularisation_length) {
   if (!impulses.is_present()) return {};  // without impulses all equations coincide
   switch (options.equation) {
-    case Equation::white:
+    case DensityEquation::white:
       return white_noise_excitation(impulses);
-    case Equation::km4:
+    case DensityEquation::km4:
       return kramers_moyal_excitation(impulses, axis, regularisation_length);
-    case Equation::km4_pade:
+    case DensityEquation::km4_pade:
       return kramers_moyal_pade_excitation(impulses, axis,
                                            centred_stencil_size(transport_order(options)));
-    case Equation::kf:
+    case DensityEquation::kf:
       return jump_excitation(impulses, axis);
   }
   return {};
@@ -53,7 +53,7 @@ Excitation excitation(const problem::Problem& problem, const Options& options, c
 // the literal scheme.
 double regularisation_length(const problem::Problem& problem, const Options& options,
                              const Axis& axis) {
-  if (options.equation != Equation::km4 || !problem.impulses.is_present()) return 0;
+  if (options.equation != DensityEquation::km4 || !problem.impulses.is_present()) return 0;
   if (!options.regularisation_length) {
     return default_regularisation_length(problem.impulses, axis,
                                          centred_stencil_size(transport_order(options)));
@@ -101,7 +101,7 @@ Discretisation failed_discretisation(const Box& box, std::string failure, double
 // Returns the reason why there is no usable grid; empty if the grid is usable.
 std::string grid_failure_reason(const problem::Problem& problem, const Options& options,
                                 const Box& box, double nx, double nv) {
-  if (options.impact == Impact::map) {
+  if (options.impact == ImpactCondition::map) {
     std::string collapse = problem::inelastic_collapse_reason(problem, options.equation);
     if (!collapse.empty()) return collapse;
   }
@@ -112,13 +112,14 @@ std::string grid_failure_reason(const problem::Problem& problem, const Options& 
         nx, nv, kMaxCells);
   }
   if (!problem.impulses.is_present()) return "";
-  if (options.equation == Equation::km4_pade && pade_length_squared(problem.impulses) <= 0) {
+  if (options.equation == DensityEquation::km4_pade &&
+      pade_kernel_length_squared(problem.impulses) <= 0) {
     return "the Pade approximant of the truncated series does not exist: the law is too skew, "
            "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2; use km4 or kf";
   }
   if (const double length = options.regularisation_length.value_or(
           default_regularisation_length(problem.impulses.law()));
-      options.equation == Equation::km4 && length > box.x2_max / 2) {
+      options.equation == DensityEquation::km4 && length > box.x2_max / 2) {
     return fmt::format(
         "the fourth difference of km4 has step {:.3g} in a box |y'| <= {:.3g}: the step must be at "
         "most half of the box; use a shorter regularisation length or a larger box",
@@ -213,9 +214,9 @@ Box initial_box(const problem::Problem& problem, const problem::MotionScales& sc
   return box;
 }
 
-BoxExtension extend_box(const problem::Problem& problem, const Options& options, const Grid& grid,
+EnlargedBox enlarge_box(const problem::Problem& problem, const Options& options, const Grid& grid,
                         double factor_x1, double factor_x2) {
-  const Gradings graded = gradings(problem, options, standard_deviations(problem));
+  const GridGradings graded = automatic_gradings(problem, options, standard_deviations(problem));
   const Grading &of_x1 = graded.x1, &of_x2 = graded.x2;
   const int nx = grid.nx(), half = grid.nv() / 2;
   const int more_x1 = additional_cells(nx, grid.x1_max(), factor_x1, of_x1);
@@ -229,8 +230,8 @@ BoxExtension extend_box(const problem::Problem& problem, const Options& options,
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
   const problem::System& system = problem.system;
   const LengthScales lengths = box.lengths.x1 > 0 ? box.lengths : standard_deviations(problem);
-  const Gradings graded = gradings(problem, options, lengths);
-  const LengthScales widths = cell_widths(problem, options, lengths);
+  const GridGradings graded = automatic_gradings(problem, options, lengths);
+  const LengthScales widths = automatic_cell_widths(problem, options, lengths);
   const double length = box.x1_max - box.x1_min;
   std::vector<RefinementPoint> points;
   if (graded.at_left_wall) points.push_back({box.x1_min, graded.x1});
@@ -245,10 +246,11 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
                  : 2 * cell_count(graded_cell_count(box.x2_max, 1, graded.x2), widths.x2, least);
   std::string failure = grid_failure_reason(problem, options, box, nx, nv);
   if (!failure.empty()) return failed_discretisation(box, std::move(failure), nx * nv);
-  Grid grid = symmetric_grid(x1_faces(box, static_cast<int>(nx), points),
-                             graded_faces(box.x2_max, static_cast<int>(nv) / 2, graded.x2),
-                             system.left_wall() ? EndCondition::boundary : EndCondition::vacuum,
-                             system.right_wall() ? EndCondition::boundary : EndCondition::vacuum);
+  Grid grid =
+      symmetric_grid(x1_faces(box, static_cast<int>(nx), points),
+                     graded_faces(box.x2_max, static_cast<int>(nv) / 2, graded.x2),
+                     system.left_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum,
+                     system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum);
   const double l = regularisation_length(problem, options, grid.x2);
   Excitation terms = excitation(problem, options, grid.x2, l);
   const double cells = grid.size();
@@ -265,16 +267,16 @@ FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, con
                                 transport_order(options));
 }
 
-ExcitationWithoutWalls excitation_without_walls(const problem::Problem& problem,
-                                                const Options& options, double cell_width) {
+UnboundedAxisExcitation unbounded_axis_excitation(const problem::Problem& problem,
+                                                  const Options& options, double cell_width) {
   const int points = centred_stencil_size(transport_order(options));
   const double length =
       regularisation_length(problem, options, Axis::with_uniform_cells(0, cell_width, 1));
-  int reach = stencil_half_width_in_cells(length, cell_width, points);
-  if (options.equation == Equation::km4_pade) {
+  int reach = excitation_half_bandwidth(length, cell_width, points);
+  if (options.equation == DensityEquation::km4_pade) {
     // The kernel of the inverse in the Pade approximant decays as exp(-|x2| / sqrt(b)).
-    reach += static_cast<int>(
-        std::ceil(kPadeReach * std::sqrt(pade_length_squared(problem.impulses)) / cell_width));
+    reach += static_cast<int>(std::ceil(
+        kPadeReach * std::sqrt(pade_kernel_length_squared(problem.impulses)) / cell_width));
   }
   Axis axis = Axis::with_uniform_cells(0, cell_width, 2 * reach + 1);
   Excitation terms = excitation(problem, options, axis, length);

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/selection_policy.hpp"
+#include "problem/motion_scales.hpp"
 #include "problem/problem.hpp"
-#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -38,14 +38,14 @@ struct Discretisation {
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
 /// Box, and the numbers of cells of the grid in the box.
-struct BoxExtension {
+struct EnlargedBox {
   Box box;
   int nx;
   int nv;
 };
 /// Returns the box of the grid enlarged by about the given factors, without changing the cells
 /// inside the given grid.
-BoxExtension extend_box(const problem::Problem& problem, const Options& options, const Grid& grid,
+EnlargedBox enlarge_box(const problem::Problem& problem, const Options& options, const Grid& grid,
                         double factor_x1, double factor_x2);
 
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
@@ -53,12 +53,12 @@ FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, con
 
 /// Excitation on a uniform velocity axis, the input of fastest_growing_wave. The axis is so long
 /// that the middle row of the excitation matrix equals the row for an unbounded axis.
-struct ExcitationWithoutWalls {
+struct UnboundedAxisExcitation {
   Axis axis;
   Excitation excitation;
 };
-ExcitationWithoutWalls excitation_without_walls(const problem::Problem& problem,
-                                                const Options& options, double cell_width);
+UnboundedAxisExcitation unbounded_axis_excitation(const problem::Problem& problem,
+                                                  const Options& options, double cell_width);
 
 /// Returns the box before the solver moves ends outwards; ends that the options set are kept. In x1
 /// the box extends over 6 standard deviations of equivalent linearisation from the static

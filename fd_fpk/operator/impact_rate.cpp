@@ -34,7 +34,7 @@ struct WallCoordinates {
 class TestFunctionBalance {
  public:
   TestFunctionBalance(const problem::System& system, const Excitation& excitation,
-                      problem::Impact impact, const Grid& grid, int scheme_order)
+                      problem::ImpactCondition impact, const Grid& grid, int scheme_order)
       : system_(system),
         excitation_(excitation),
         impact_(impact),
@@ -62,8 +62,8 @@ class TestFunctionBalance {
       balance -=
           mean_gain_at_wall(*other, left ? AxisEnd::right : AxisEnd::left, from, h, averages);
     }
-    const double log_of_loss =
-        impact_ == problem::Impact::map ? std::log(wall.restitution) : wall.restitution - 1;
+    const double log_of_loss = impact_ == problem::ImpactCondition::map ? std::log(wall.restitution)
+                                                                        : wall.restitution - 1;
     return balance / (WallTestFunction::kStepAtWall + log_of_loss);
   }
 
@@ -118,7 +118,7 @@ class TestFunctionBalance {
     // evaluated by parts.
     const auto raise = [&](double u) {
       const double before = h(distance, u);
-      return impact_ == problem::Impact::map
+      return impact_ == problem::ImpactCondition::map
                  ? h(distance, -r * u) - before
                  : h(distance, -u) + (1 - r) * u * h.velocity_derivative(distance, -u) - before;
     };
@@ -136,7 +136,7 @@ class TestFunctionBalance {
 
   const problem::System& system_;
   const Excitation& excitation_;
-  problem::Impact impact_;
+  problem::ImpactCondition impact_;
   const Grid& grid_;
   int order_;
   AxisOperator of_x1_, of_x2_;
@@ -145,13 +145,14 @@ class TestFunctionBalance {
 }  // namespace
 
 double impact_rate(const problem::System& system, const Excitation& excitation,
-                   problem::Impact impact, const Grid& grid, const Eigen::VectorXd& averages,
-                   const Eigen::VectorXd& change, int scheme_order) {
+                   problem::ImpactCondition impact, const Grid& grid,
+                   const Eigen::VectorXd& averages, const Eigen::VectorXd& change,
+                   int scheme_order) {
   std::optional<TestFunctionBalance> balance;
   const auto of = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
     if (excitation.diffusion == 0 || !has_dissipative_impacts(*wall))
-      return impact_flux(grid, averages, scheme_order, 1, end);
+      return wall_speed_moment(grid, averages, scheme_order, 1, end);
     if (!balance) balance.emplace(system, excitation, impact, grid, scheme_order);
     return balance->rate(end, averages, change);
   };
@@ -160,8 +161,9 @@ double impact_rate(const problem::System& system, const Excitation& excitation,
 
 double flux_into_walls(const problem::System& system, const Grid& grid,
                        const Eigen::VectorXd& averages, int scheme_order) {
-  return (system.left_wall() ? impact_flux(grid, averages, scheme_order, 1) : 0) +
-         (system.right_wall() ? impact_flux(grid, averages, scheme_order, 1, AxisEnd::right) : 0);
+  return (system.left_wall() ? wall_speed_moment(grid, averages, scheme_order, 1) : 0) +
+         (system.right_wall() ? wall_speed_moment(grid, averages, scheme_order, 1, AxisEnd::right)
+                              : 0);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -30,8 +30,9 @@ namespace fpkcheck::fd_fpk {
 /// @param excitation excitation on the x2 axis of the grid, as in the operator of this density
 /// @param rate_of_change rate of change of the averages; 0 for a stationary density
 double impact_rate(const problem::System& system, const Excitation& excitation,
-                   problem::Impact impact, const Grid& grid, const Eigen::VectorXd& averages,
-                   const Eigen::VectorXd& rate_of_change, int scheme_order);
+                   problem::ImpactCondition impact, const Grid& grid,
+                   const Eigen::VectorXd& averages, const Eigen::VectorXd& rate_of_change,
+                   int scheme_order);
 
 /// Returns the flux of probability into the walls, extrapolated from cell averages by the stencils
 /// of the Fokker-Planck operator. The density must be bounded at the walls.

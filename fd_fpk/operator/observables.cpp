@@ -68,7 +68,7 @@ transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, in
   return {.y1 = of_y(1), .y2 = of_y(2), .y4 = of_y(4), .v1 = of_v(1), .v2 = of_v(2), .v4 = of_v(4)};
 }
 
-transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
+transform::Moments physical_moments(const problem::WallFrame& frame, const Grid& grid,
                                     const Eigen::VectorXd& averages, int scheme_order) {
   transform::Moments result = moments(grid, averages, scheme_order);
   if (frame.is_identity()) return result;
@@ -150,7 +150,7 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
   }
   for (const bool last : {false, true}) {
     if ((last ? grid.x1.right_end_condition() : grid.x1.left_end_condition()) ==
-        EndCondition::boundary)
+        AxisEndCondition::boundary)
       continue;
     const double end = problem.frame.physical_y(last ? grid.x1_max() : grid.x1_min());
     const auto of_y = missing_marginal_moments(grid.x1, y, last, end, false);
@@ -164,7 +164,7 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
   return beyond;
 }
 
-double physical_mixed_moment(const problem::Frame& frame, const Grid& grid,
+double physical_mixed_moment(const problem::WallFrame& frame, const Grid& grid,
                              const Eigen::VectorXd& averages, int scheme_order) {
   const numerics::Polynomial y =
       numerics::Polynomial({0, 1}).compose_affine(frame.origin, frame.sign());
@@ -178,8 +178,8 @@ double mean_energy(const problem::System& system, const Grid& grid, const Eigen:
          integrate_marginal(grid.x1, y, scheme_order, system.potential());
 }
 
-double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
-                   int speed_exponent, AxisEnd end) {
+double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                         int speed_exponent, AxisEnd end) {
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
   const bool left = end == AxisEnd::left;
   const int half = grid.nv() / 2;
@@ -200,20 +200,21 @@ double mean_damping_power(const problem::System& system, const transform::Moment
          system.rayleigh_coefficient() * moments.v4;
 }
 
-problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
-                                  const Grid& grid, const Eigen::VectorXd& averages,
-                                  int scheme_order) {
-  problem::EnergyTerms terms{
+problem::PowerBalanceTerms energy_terms(const problem::System& system,
+                                        const transform::Moments& moments, const Grid& grid,
+                                        const Eigen::VectorXd& averages, int scheme_order) {
+  problem::PowerBalanceTerms terms{
       .mean_velocity = moments.v1, .mean_square_velocity = moments.v2, .impact_energy_flux = 0};
-  if (system.left_wall()) terms.impact_energy_flux = impact_flux(grid, averages, scheme_order, 3);
+  if (system.left_wall())
+    terms.impact_energy_flux = wall_speed_moment(grid, averages, scheme_order, 3);
   if (system.right_wall())
-    terms.right_energy_flux = impact_flux(grid, averages, scheme_order, 3, AxisEnd::right);
+    terms.right_energy_flux = wall_speed_moment(grid, averages, scheme_order, 3, AxisEnd::right);
   terms.mean_damping_power = mean_damping_power(system, moments, grid, averages, scheme_order);
   return terms;
 }
 
-double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
-                       const Eigen::VectorXd& averages, int scheme_order) {
+double energy_residual(const problem::Problem& problem, problem::ImpactCondition impact,
+                       const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
   return problem::energy_residual(
       problem, impact,
       energy_terms(problem.system, moments(grid, averages, scheme_order), grid, averages,
@@ -226,12 +227,12 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
   const auto [y, v] = marginals(grid, averages);
   const auto& force = problem.system.restoring_force();
   const problem::System& system = problem.system;
-  problem::VirialTerms for_virial{
+  problem::VirialBalanceTerms for_virial{
       .mean_displacement =
           integrate_marginal(grid.x1, y, scheme_order, monomial(1)) + walls.displacement_at_rest,
       .mean_square_velocity = integrate_marginal(grid.x2, v, scheme_order, monomial(2)),
       .mean_virial = integrate_marginal(grid.x1, y, scheme_order, force.multiplied_by_argument())};
-  problem::MomentumTerms for_momentum{
+  problem::MomentumBalanceTerms for_momentum{
       .mean_force = integrate_marginal(grid.x1, y, scheme_order, force),
       .impact_momentum = walls.left_momentum};
   for_virial.right_momentum = for_momentum.right_momentum = walls.right_momentum;
@@ -255,18 +256,18 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
 WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const Grid& grid,
                                             const Eigen::VectorXd& averages, int scheme_order) {
   WallMomentumTransfer walls;
-  if (system.left_wall()) walls.left_momentum = impact_flux(grid, averages, scheme_order, 2);
+  if (system.left_wall()) walls.left_momentum = wall_speed_moment(grid, averages, scheme_order, 2);
   if (system.right_wall())
-    walls.right_momentum = impact_flux(grid, averages, scheme_order, 2, AxisEnd::right);
+    walls.right_momentum = wall_speed_moment(grid, averages, scheme_order, 2, AxisEnd::right);
   return walls;
 }
 
-WallDensity relative_wall_density(const problem::MotionScales& scales, const Grid& grid,
-                                  const Eigen::VectorXd& averages) {
+BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales, const Grid& grid,
+                                         const Eigen::VectorXd& averages) {
   // The peak of a Gaussian density folded to the half-plane is 2 / (2 pi sigma_1 sigma_2).
   const double gaussian_peak =
       1 / (std::numbers::pi * scales.displacement_deviation * scales.velocity_deviation);
-  return wall_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));
+  return box_edge_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));
 }
 
 Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid) {

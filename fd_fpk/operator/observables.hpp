@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 
 #include "fd_fpk/axis/grid.hpp"
-#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "problem/balances.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 #include "transform/density.hpp"
 #include "transform/metric.hpp"
 
@@ -23,7 +23,7 @@ Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages);
 transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order);
 
 /// Returns the moments E[y^n] and E[y'^n] in physical coordinates.
-transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
+transform::Moments physical_moments(const problem::WallFrame& frame, const Grid& grid,
                                     const Eigen::VectorXd& averages, int scheme_order);
 
 /// Estimates the magnitude of the moments that the finite box omits. The estimate contains the
@@ -34,7 +34,7 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
                                        const transform::Moments& moments_in_box);
 
 /// Returns the mixed moment E[y y'] in physical coordinates; 0 for a stationary density.
-double physical_mixed_moment(const problem::Frame& frame, const Grid& grid,
+double physical_mixed_moment(const problem::WallFrame& frame, const Grid& grid,
                              const Eigen::VectorXd& averages, int scheme_order);
 
 /// Returns the mean energy E[v^2]/2 + E[U(y)], with the potential U of the spring. The mean energy
@@ -46,8 +46,8 @@ double mean_energy(const problem::System& system, const Grid& grid, const Eigen:
 /// Returns the speed moment of the density at a wall, int_{v<0} |v|^n p(0, v) dv, or int_{v>0} v^n
 /// p(b, v) dv at the end b. The exponent n >= 1 is the argument `speed_exponent`. The speed moment
 /// with n = 1 is the impact rate; the energy balance contains the speed moment with n = 3.
-double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
-                   int speed_exponent, AxisEnd end = AxisEnd::left);
+double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                         int speed_exponent, AxisEnd end = AxisEnd::left);
 
 /// Returns the mean power E[v f] of the damping force f.
 /// @param moments moments of the density in the coordinates of the grid
@@ -56,12 +56,12 @@ double mean_damping_power(const problem::System& system, const transform::Moment
 
 /// Returns the terms of the power balance of a density given by cell averages.
 /// @param moments moments of the density in the coordinates of the grid
-problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
-                                  const Grid& grid, const Eigen::VectorXd& averages,
-                                  int scheme_order);
+problem::PowerBalanceTerms energy_terms(const problem::System& system,
+                                        const transform::Moments& moments, const Grid& grid,
+                                        const Eigen::VectorXd& averages, int scheme_order);
 
-double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
-                       const Eigen::VectorXd& averages, int scheme_order);
+double energy_residual(const problem::Problem& problem, problem::ImpactCondition impact,
+                       const Grid& grid, const Eigen::VectorXd& averages, int scheme_order);
 
 /// Momentum that impacts and contact transfer to the walls per unit time.
 struct WallMomentumTransfer {
@@ -87,8 +87,8 @@ WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const
 /// Returns the density on the edges of the box, relative to the peak of the density or of
 /// equivalent linearisation, whichever is smaller. Relative to a spike of the density at the rest
 /// point, a significant density on the edges would appear negligible.
-WallDensity relative_wall_density(const problem::MotionScales& scales, const Grid& grid,
-                                  const Eigen::VectorXd& averages);
+BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales, const Grid& grid,
+                                         const Eigen::VectorXd& averages);
 
 /// Gaussian density of independent x and x'
 struct Gaussian {

@@ -22,9 +22,9 @@ FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const O
   Options as_used = options;
   std::vector<double> widths;
   // Only the excitation of km4 may be unstable; the Pade approximant is always stable.
-  if (options.equation == Equation::km4) {
+  if (options.equation == DensityEquation::km4) {
     as_used.regularisation_length = on.regularisation_length;
-    widths = critical_cell_widths(x2, problem.impulses.law(), on.regularisation_length);
+    widths = possibly_unstable_cell_widths(x2, problem.impulses.law(), on.regularisation_length);
   }
   FastestGrowingWave largest = fastest_growing_wave(problem, as_used, x2.smallest_cell_width());
   for (const double width : widths) {
@@ -41,7 +41,7 @@ std::string regularisation_advice(const problem::ImpulseTrain& impulses, const A
   const double by_default = default_regularisation_length(impulses, axis, points);
   const double of_law = shortest_regularisation_length(law);
   const double shortest = shortest_regularisation_length(
-      impulses, critical_cell_widths(axis, law, of_law), points, of_law);
+      impulses, possibly_unstable_cell_widths(axis, law, of_law), points, of_law);
   if (shortest > kNearly * by_default) {
     return fmt::format(
         "leave out the regularisation length: the default on these cells is {:.3g}, and a much "
@@ -57,17 +57,18 @@ std::string regularisation_advice(const problem::ImpulseTrain& impulses, const A
 
 FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,
                                         double cell_width) {
-  const auto [axis, excitation] = excitation_without_walls(problem, options, cell_width);
+  const auto [axis, excitation] = unbounded_axis_excitation(problem, options, cell_width);
   return fastest_growing_wave(axis, excitation, centred_stencil_size(transport_order(options)));
 }
 
-WellPosedness check_well_posedness(const problem::Problem& problem, const Options& options,
-                                   const Discretisation& discretisation) {
-  if (options.equation != Equation::km4 && options.equation != Equation::km4_pade) return {};
+WellPosednessCheck check_well_posedness(const problem::Problem& problem, const Options& options,
+                                        const Discretisation& discretisation) {
+  if (options.equation != DensityEquation::km4 && options.equation != DensityEquation::km4_pade)
+    return {};
   const auto& impulses = problem.impulses;
   if (!impulses.is_present()) return {};
-  WellPosedness result{.growth = fastest_growing_wave(problem, options, discretisation),
-                       .ill_posed_reason = {}};
+  WellPosednessCheck result{.growth = fastest_growing_wave(problem, options, discretisation),
+                            .ill_posed_reason = {}};
   if (!is_unstable(result.growth, impulses)) return result;
   result.ill_posed_reason = fmt::format(
       "the series truncated after the fourth derivative is ill-posed: with a fourth difference of "

@@ -8,14 +8,14 @@
 namespace fpkcheck::fd_fpk {
 
 /// Result of the stability check of the discretised excitation.
-struct WellPosedness {
+struct WellPosednessCheck {
   /// Fastest growing wave; zero for equations that are well-posed with any cell width
   FastestGrowingWave growth{0, 0};
   /// Reason why the scheme is ill-posed, and what to do; empty for a well-posed scheme
   std::string ill_posed_reason;
 };
-WellPosedness check_well_posedness(const problem::Problem& problem, const Options& options,
-                                   const Discretisation& discretisation);
+WellPosednessCheck check_well_posedness(const problem::Problem& problem, const Options& options,
+                                        const Discretisation& discretisation);
 
 /// Returns the fastest growing wave of the excitation on velocity cells of the given width.
 FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fd_fpk/linear/eigenvectors.hpp"
+#include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
@@ -55,13 +55,13 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   constexpr double kFall = 1.5;
   // Approximate ratio of the computing times in the wider and the narrower box
   constexpr double kTimeRatio = 1.5;
-  WallDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  BoxEdgeDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
     const Stopwatch stopwatch;
     DirectSolution direct = solve_on_grid(problem, scales, options, box, deadline);
     if (!direct.averages || !direct.converged) return direct;
-    const WallDensity wall =
-        relative_wall_density(scales, direct.discretisation.grid, *direct.averages);
+    const BoxEdgeDensity wall =
+        relative_box_edge_density(scales, direct.discretisation.grid, *direct.averages);
     // A density that does not decrease when the end moves outwards is a discretisation error.
     const bool widen_x1 =
         !options.x1_max && wall.x1 > options.wall_density && wall.x1 < last.x1 / kFall;
@@ -70,8 +70,8 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     const bool widen_x1_low =
         !options.x1_max && wall.x1_low > options.wall_density && wall.x1_low < last.x1_low / kFall;
     if (!widen_x1 && !widen_x2 && !widen_x1_low) return direct;
-    const bool is_acceptable =
-        wall.x1 <= kMaxWallDensity && wall.x2 <= kMaxWallDensity && wall.x1_low <= kMaxWallDensity;
+    const bool is_acceptable = wall.x1 <= kMaxBoxEdgeDensity && wall.x2 <= kMaxBoxEdgeDensity &&
+                               wall.x1_low <= kMaxBoxEdgeDensity;
     if (is_acceptable && !deadline.has_time_for(kTimeRatio * stopwatch.seconds())) return direct;
     if (problem.system.left_wall()) {
       if (widen_x1) box.x1_max *= kWidening;
@@ -161,7 +161,7 @@ DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBo
       return direct;
     }
     // The first refinement refines only the cells at a spike at the origin, if there is a spike.
-    if (is_unbounded_at_origin(problem) && direct.origin_refinement < kOriginRefinement) {
+    if (is_density_unbounded_at_origin(problem) && direct.origin_refinement < kOriginRefinement) {
       on_grid.origin_refinement = kOriginRefinement;
     } else {
       on_grid.refinement *= kRefinement;

@@ -6,7 +6,7 @@
 
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
-#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/problem.hpp"
@@ -45,7 +45,7 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
 /// resolves the density. The solver adapts box and grid as far as the options leave box and grid
 /// free. An end of the box with a density above options.wall_density times the peak moves outwards
 /// by 15 %, as long as each move decreases the density at the end. After the deadline an end moves
-/// only if the density at the end exceeds kMaxWallDensity, because the solution would otherwise be
+/// only if the density at the end exceeds kMaxBoxEdgeDensity, because the solution would otherwise be
 /// rejected. An automatic grid is refined, first at a spike at the origin, while the density
 /// violates kAutomaticGridLimits and the deadline has not passed.
 DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,

@@ -42,7 +42,7 @@ std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double w
 // Returns the differences of moments and marginal densities between two solutions, on the cells of
 // the finer grid. Cells narrower than kNarrowest are merged, because the densities of two grids
 // never agree in the narrow cells of a spike.
-transform::LevelDifference level_difference(const Result& coarser, const Result& finer) {
+transform::GridLevelDifference grid_level_difference(const Result& coarser, const Result& finer) {
   constexpr double kNarrowest = 0.02;  // smallest bin width, in units of the root mean square
   const auto& [y_edges, v_edges, averages] = grid_density_of(finer.solution);
   const auto& moments = finer.solution.moments;
@@ -55,7 +55,7 @@ transform::LevelDifference level_difference(const Result& coarser, const Result&
     level.impact_rate = result.summary.impact_rate;
     return level;
   };
-  return transform::level_difference(of(coarser), of(finer));
+  return transform::grid_level_difference(of(coarser), of(finer));
 }
 
 // Returns the options for a grid with cells narrower by `factor`, without automatic refinement.
@@ -214,7 +214,7 @@ bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, con
 
 }  // namespace
 
-bool is_better(const Result& first, const Result& second) {
+bool is_preferable_result(const Result& first, const Result& second) {
   const auto rank = [](const Result& result) {
     return result.solution.is_ok() ? 3 : result.summary.error ? 2 : result.solution.density ? 1 : 0;
   };
@@ -226,8 +226,8 @@ bool is_better(const Result& first, const Result& second) {
 ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
                              int order) {
   assert(coarse.solution.density && middle.solution.density && fine.solution.density);
-  const transform::LevelDifference last = level_difference(middle, fine);
-  const auto known = transform::richardson_estimate(level_difference(coarse, middle), last,
+  const transform::GridLevelDifference last = grid_level_difference(middle, fine);
+  const auto known = transform::richardson_estimate(grid_level_difference(coarse, middle), last,
                                                     kRefinementRatio, order);
   return {.y_l1 = known.error.y_l1,
           .ydot_l1 = known.error.ydot_l1,
@@ -256,7 +256,7 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
                  estimate_with_box_truncation(options, coarse, middle, fine,
                                               box_truncation_error(solve, coarsest, coarse)));
   }
-  check_error(options, fine);
+  check_error_estimate(options, fine);
   return fine;
 }
 
@@ -295,9 +295,9 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
     add_estimate(fine, middle.solution,
                  estimate_with_box_truncation(options, *coarse, middle, fine,
                                               best.summary.error->box_truncation));
-    check_error(options, fine);
+    check_error_estimate(options, fine);
     coarse = std::exchange(middle, fine);
-    if (is_better(fine, best)) best = std::move(fine);
+    if (is_preferable_result(fine, best)) best = std::move(fine);
   }
   return best;
 }
@@ -356,14 +356,14 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       add_estimate(*last[2], last[1]->solution, error);
       if (largest_error(error, last[2]->solution.moments) <= *options.tolerance) {
         if (options.stepper == StationarySolver::direct) {
-          check_error(options, *last[2]);
+          check_error_estimate(options, *last[2]);
           return *last[2];
         }
         level.stepper = options.stepper;
         Result stepped = solve(level);
         if (!stepped.solution.density && deadline.has_passed()) stepped = *last[2];
         if (stepped.solution.density) add_estimate(stepped, last[1]->solution, error);
-        check_error(options, stepped);
+        check_error_estimate(options, stepped);
         return stepped;
       }
       if (options.transport != TransportScheme::characteristics &&

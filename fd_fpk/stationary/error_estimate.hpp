@@ -43,7 +43,7 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
 /// Returns whether the first result is preferable to the second result. The first differing
 /// criterion decides, in this order: status `ok`, existence of an error estimate, existence of a
 /// density, smaller error estimate.
-bool is_better(const Result& first, const Result& second);
+bool is_preferable_result(const Result& first, const Result& second);
 
 /// Returns the solution on the first grid of a sequence whose error estimate is below
 /// options.tolerance. If the observed order is well below the order of the scheme, the cells are

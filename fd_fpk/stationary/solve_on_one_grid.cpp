@@ -17,10 +17,10 @@
 
 namespace fpkcheck::fd_fpk {
 
-PseudoTransientResult march_to_stationarity(const FokkerPlanckOperator& op,
-                                            Preconditioner& preconditioner,
-                                            const Eigen::VectorXd& start, double tolerance,
-                                            double decay_time, const Deadline& deadline) {
+PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
+                                                Preconditioner& preconditioner,
+                                                const Eigen::VectorXd& start, double tolerance,
+                                                double decay_time, const Deadline& deadline) {
   constexpr long kMaxSteps = 200;
   // Limits of the time step, in decay times. The upper limit is necessary because rounding errors
   // in (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
@@ -51,15 +51,16 @@ PseudoTransientResult march_to_stationarity(const FokkerPlanckOperator& op,
   const double factored_before = preconditioner.factor_seconds();
   PseudoTransientResult march;
   march.residual = op.stationarity_residual(start);
-  LinearCvode cvode(with_deadline(deadline, linear_ode_system(op, preconditioner)), start,
-                    {.max_order = 1,
-                     .relative_tolerance = kRelativeTolerance,
-                     .absolute_tolerance = absolute_tolerance,
-                     .linear_tolerance = linear_tolerance(march.residual),
-                     .absolute_tolerances = absolute_tolerances,
-                     .first_step = kFirstStep * decay_time,
-                     .max_step = kLongestStep * decay_time,
-                     .step_growth = kStepGrowth});
+  LinearCvodeIntegrator cvode(with_deadline_check(deadline, linear_ode_system(op, preconditioner)),
+                              start,
+                              {.max_order = 1,
+                               .relative_tolerance = kRelativeTolerance,
+                               .absolute_tolerance = absolute_tolerance,
+                               .linear_tolerance = linear_tolerance(march.residual),
+                               .absolute_tolerances = absolute_tolerances,
+                               .first_step = kFirstStep * decay_time,
+                               .max_step = kLongestStep * decay_time,
+                               .step_growth = kStepGrowth});
   while (march.residual > tolerance && march.steps < kMaxSteps) {
     const Stopwatch of_step;
     cvode.set_linear_tolerance(linear_tolerance(march.residual));
@@ -110,10 +111,10 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct, const 
   std::optional<PseudoTransientResult> march;
   if (options.stepper == StationarySolver::cvode && direct.converged &&
       deadline.has_time_for(kStepsInFull * direct.krylov_seconds)) {
-    march = march_to_stationarity(direct.op, *direct.preconditioner,
-                                  initial_gaussian(direct.discretisation.grid, direct.scales),
-                                  options.residual_tolerance * frequency,
-                                  1 / direct.scales.slowest_decay_rate, deadline);
+    march = integrate_to_stationarity(direct.op, *direct.preconditioner,
+                                      initial_gaussian(direct.discretisation.grid, direct.scales),
+                                      options.residual_tolerance * frequency,
+                                      1 / direct.scales.slowest_decay_rate, deadline);
   }
   std::optional<Eigen::VectorXd> averages;
   if (!march || march->out_of_time) {
@@ -156,7 +157,7 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
   solution.moments = physical_moments(problem.frame, grid, averages, order);
   solution.mass = grid.cell_areas().dot(averages);
   solution.min_density = averages.minCoeff() / averages.maxCoeff();
-  summary.wall = relative_wall_density(scales, grid, averages);
+  summary.wall = relative_box_edge_density(scales, grid, averages);
   summary.impact_rate = impact_rate(problem.system, excitation, options.impact, grid, averages,
                                     direct.op * averages, order);
   solution.energy_residual = energy_residual(problem, options.impact, grid, averages, order);
@@ -168,14 +169,14 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
 // Returns a box that is longer by half in each direction with a significant density at the end;
 // empty if both densities are negligible. For rare impulses, with 1e-6 of the peak at an end 8
 // standard deviations away, the mass beyond the end contributes 4e-4 of E[y^4].
-std::optional<BoxExtension> make_enlarged_box(const problem::Problem& problem,
-                                              const Options& options, const Grid& grid,
-                                              const WallDensity& wall) {
+std::optional<EnlargedBox> make_enlarged_box(const problem::Problem& problem,
+                                             const Options& options, const Grid& grid,
+                                             const BoxEdgeDensity& wall) {
   constexpr double kMinLevelRatio = 1.5, kNegligible = 1e-9;
   const double in_x1 = wall.x1 > kNegligible ? kMinLevelRatio : 1;
   const double in_x2 = wall.x2 > kNegligible ? kMinLevelRatio : 1;
   if (in_x1 == 1 && in_x2 == 1) return std::nullopt;
-  return extend_box(problem, options, grid, in_x1, in_x2);
+  return enlarge_box(problem, options, grid, in_x1, in_x2);
 }
 
 void set_grid_data(const Discretisation& discretisation, Summary& summary) {
@@ -230,7 +231,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
     } else {
       summary.moments_outside_box = moments_outside_box(problem, grid, *density, solution.moments);
     }
-    check_box(problem.frame, grid, result);
+    check_box_size(problem.frame, grid, result);
     check_resolution(options, result);
     if (must_satisfy_balances(problem)) check_balances(result);
   }

@@ -4,13 +4,13 @@
 #include <string>
 
 #include "fd_fpk/linear/preconditioner.hpp"
-#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "fd_fpk/summary.hpp"
+#include "problem/motion_scales.hpp"
 #include "problem/problem.hpp"
-#include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -37,10 +37,10 @@ struct PseudoTransientResult {
 /// @param tolerance tolerance of the residual, per unit time
 /// @param decay_time longest decay time of the problem
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)
-PseudoTransientResult march_to_stationarity(const FokkerPlanckOperator& op,
-                                            Preconditioner& preconditioner,
-                                            const Eigen::VectorXd& start, double tolerance,
-                                            double decay_time, const Deadline& deadline);
+PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
+                                                Preconditioner& preconditioner,
+                                                const Eigen::VectorXd& start, double tolerance,
+                                                double decay_time, const Deadline& deadline);
 
 /// Computes the stationary density on the grid and in the box of the options, with the status as in
 /// solve(). The function ignores Options::error_estimate and tolerance, which concern solutions on

@@ -11,9 +11,9 @@ namespace {
 
 // Returns the text of the ends of y that are not impact walls, such as "-2 <= y <= 3, " or "y <= 3,
 // "; empty if both ends are impact walls.
-std::string box_ends_text(const problem::Frame& frame, const Axis& x1) {
-  bool low = x1.left_end_condition() == EndCondition::vacuum,
-       high = x1.right_end_condition() == EndCondition::vacuum;
+std::string box_ends_text(const problem::WallFrame& frame, const Axis& x1) {
+  bool low = x1.left_end_condition() == AxisEndCondition::vacuum,
+       high = x1.right_end_condition() == AxisEndCondition::vacuum;
   double from = frame.physical_y(x1.faces().front()), to = frame.physical_y(x1.faces().back());
   if (frame.mirrored) {
     std::swap(low, high);
@@ -26,9 +26,10 @@ std::string box_ends_text(const problem::Frame& frame, const Axis& x1) {
 
 }  // namespace
 
-std::string box_failure_reason(const problem::Frame& frame, const Grid& grid,
-                               const WallDensity& wall, const std::string& when) {
-  if (wall.x1 <= kMaxWallDensity && wall.x2 <= kMaxWallDensity && wall.x1_low <= kMaxWallDensity)
+std::string box_failure_reason(const problem::WallFrame& frame, const Grid& grid,
+                               const BoxEdgeDensity& wall, const std::string& when) {
+  if (wall.x1 <= kMaxBoxEdgeDensity && wall.x2 <= kMaxBoxEdgeDensity &&
+      wall.x1_low <= kMaxBoxEdgeDensity)
     return "";
   return fmt::format(
       "the box {}|y'| <= {:.3g} is too small: {}the density on its wall is {:.1e} of the peak; "
@@ -39,7 +40,7 @@ std::string box_failure_reason(const problem::Frame& frame, const Grid& grid,
 
 using transform::Status;
 
-void check_box(const problem::Frame& frame, const Grid& grid, Result& result) {
+void check_box_size(const problem::WallFrame& frame, const Grid& grid, Result& result) {
   auto& [solution, summary] = result;
   if (solution.status != Status::ok) return;
   solution.reason = box_failure_reason(frame, grid, summary.wall);
@@ -50,7 +51,7 @@ void check_resolution(const Options& options, Result& result) {
   auto& solution = result.solution;
   if (solution.status != Status::ok) return;
   if (!kStationaryLimits.is_density_accepted(solution.min_density)) {
-    const bool first_order_impact = options.impact == Impact::delta;
+    const bool first_order_impact = options.impact == ImpactCondition::delta;
     solution.reason = fmt::format(
         "the density is negative, {:.1g} of its peak: {}", solution.min_density,
         first_order_impact ? "the grid is too coarse, or the first-order impact has no nonnegative "
@@ -84,7 +85,7 @@ void check_balances(Result& result) {
   }
 }
 
-void check_error(const Options& options, Result& result) {
+void check_error_estimate(const Options& options, Result& result) {
   auto& [solution, summary] = result;
   if (solution.status != Status::ok) return;
   if (!summary.error) {

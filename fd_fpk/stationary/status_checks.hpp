@@ -21,19 +21,19 @@ inline constexpr ResolutionLimits kTransientLimits{.min_density = -1e-3, .power 
 
 /// Largest accepted density on an edge of the box, relative to the peak. A box with a larger
 /// density is rejected, because probability that has left the box is missing.
-inline constexpr double kMaxWallDensity = 1e-3;
+inline constexpr double kMaxBoxEdgeDensity = 1e-3;
 
 /// Returns the reason why a box with the given densities on its edges is too small; empty for a box
 /// that is large enough.
 /// @param frame map from the wall coordinates of the grid to the physical coordinates of the
 /// message
 /// @param when words in the message before the density, such as "at t = 1 "; may be empty
-std::string box_failure_reason(const problem::Frame& frame, const Grid& grid,
-                               const WallDensity& wall, const std::string& when = "");
+std::string box_failure_reason(const problem::WallFrame& frame, const Grid& grid,
+                               const BoxEdgeDensity& wall, const std::string& when = "");
 
 /// Changes the status `ok` to `failed`, with a reason, if the density on the edges of the box is
 /// not negligible.
-void check_box(const problem::Frame& frame, const Grid& grid, Result& result);
+void check_box_size(const problem::WallFrame& frame, const Grid& grid, Result& result);
 
 /// Changes the status `ok` to `inadmissible` if the density is too negative or the residual of the
 /// power balance is too large. The limit of the residual is the larger of kStationaryLimits.power
@@ -47,6 +47,6 @@ inline constexpr double kMaxBalanceResidual = 1e-4;
 
 /// Changes the status `ok` to `inaccurate` if the estimated L1 error exceeds the requested accuracy
 /// or is unknown.
-void check_error(const Options& options, Result& result);
+void check_error_estimate(const Options& options, Result& result);
 
 }  // namespace fpkcheck::fd_fpk

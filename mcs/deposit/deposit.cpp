@@ -12,7 +12,7 @@ namespace fpkcheck::mcs {
 namespace {
 
 constexpr int kDegree = DepositGrid::kDegree;
-constexpr int kEight = SplinePieces::kWidth;
+constexpr int kEight = SplinePolynomials::kWidth;
 constexpr double kMostCells = 1e5;
 
 void require(bool holds, const std::string& message) {
@@ -148,7 +148,7 @@ void require_valid_deposit_grid(const DepositGrid& grid) {
   require_bins("v", grid.v_bins);
 }
 
-SplinePieces::SplinePieces(const std::vector<double>& knots)
+SplinePolynomials::SplinePolynomials(const std::vector<double>& knots)
     : begin_(knots.front()), end_(knots.back()) {
   for (std::size_t k = kDegree; k + kDegree + 1 < knots.size(); ++k) {
     if (knots[k] == knots[k + 1]) continue;

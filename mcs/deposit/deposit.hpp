@@ -43,11 +43,11 @@ void require_valid_deposit_grid(const DepositGrid& grid);
 
 /// B-splines of degree 5 as polynomials on each knot span. Each row of eight coefficients belongs
 /// to the six nonzero splines of a span and two zeros.
-class SplinePieces {
+class SplinePolynomials {
  public:
   static constexpr int kWidth = 8;
 
-  explicit SplinePieces(const std::vector<double>& knots);
+  explicit SplinePolynomials(const std::vector<double>& knots);
 
   double begin() const { return begin_; }
   double end() const { return end_; }
@@ -77,7 +77,7 @@ class SplinePieces {
 
 struct DepositPlan {
   DepositGrid grid;
-  SplinePieces y, v;
+  SplinePolynomials y, v;
   double rate;  ///< impulse rate lambda
   double sampling_interval;
   /// Coefficients of t^7, .., 1 of the Lagrange polynomials with the nodes -3 .. 4, shape (8, 8)
@@ -127,7 +127,7 @@ struct DepositedSums {
 
  private:
   // padding, since sums are updated eight at a time
-  static constexpr int kPadding = SplinePieces::kWidth;
+  static constexpr int kPadding = SplinePolynomials::kWidth;
 };
 
 template <class Sums, class Visit>

@@ -32,7 +32,7 @@ struct SplineValues {
   int first;
 };
 
-FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePieces& pieces, double x) {
+FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePolynomials& pieces, double x) {
   // A coordinate NaN is replaced by the first point of the knots.
   const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
   const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());

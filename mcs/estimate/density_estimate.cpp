@@ -15,12 +15,12 @@ namespace fpkcheck::mcs {
 namespace {
 
 std::vector<std::vector<double>> bin_sums(const Simulation& simulation,
-                                          transform::Variable variable) {
+                                          transform::StateVariable variable) {
   std::vector<std::vector<double>> sums;  // shape (streams, n + 2) with two outer bins
   for (const Stream& stream : simulation.streams()) {
     const Histogram& histogram = stream.record.histogram;
-    sums.push_back(variable == transform::Variable::y ? histogram.row_sums()
-                                                      : histogram.column_sums());
+    sums.push_back(variable == transform::StateVariable::y ? histogram.row_sums()
+                                                           : histogram.column_sums());
   }
   return sums;
 }
@@ -43,11 +43,11 @@ Interval score_interval(double mean, double error, double t) {
 /// Returns the probabilities that the variable is below each bin edge, estimated from each stream,
 /// shape (streams, edges).
 std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simulation,
-                                                          transform::Variable variable) {
+                                                          transform::StateVariable variable) {
   auto sums = bin_sums(simulation, variable);
   for (auto& stream : sums) {
     double below = 0;
-    for (double& sum : stream) sum = below += sum / simulation.stream_samples();
+    for (double& sum : stream) sum = below += sum / simulation.expected_samples_per_stream();
     stream.pop_back();
   }
   return sums;
@@ -101,11 +101,12 @@ class DistributionFunction {
 };
 
 /// Maps quantiles to physical coordinates. A mirrored axis exchanges lower and upper tail.
-std::vector<Quantile> to_physical_coordinates(const problem::Frame& frame,
-                                              transform::Variable variable,
+std::vector<Quantile> to_physical_coordinates(const problem::WallFrame& frame,
+                                              transform::StateVariable variable,
                                               std::vector<Quantile> quantiles) {
   const auto to_physical = [&](double x) {
-    return variable == transform::Variable::y ? frame.physical_y(x) : frame.physical_velocity(x);
+    return variable == transform::StateVariable::y ? frame.physical_y(x)
+                                                   : frame.physical_velocity(x);
   };
   for (Quantile& q : quantiles) {
     q = {q.probability, to_physical(q.value), to_physical(q.lower), to_physical(q.upper)};
@@ -154,7 +155,7 @@ L1SamplingError l1_sampling_error(const BinErrors& errors) {
 }
 
 MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
-                                   transform::Variable variable, double effective_samples) {
+                                   transform::StateVariable variable, double effective_samples) {
   const auto& edges = simulation.plan().bin_finder(variable).edges();
   const auto sums = bin_sums(simulation, variable);
   MarginalEstimate result;
@@ -163,7 +164,7 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
   std::vector<double> densities(sums.size());
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
     const double width = marginal.width(b);
-    const double unit = 1 / (simulation.stream_samples() * width);
+    const double unit = 1 / (simulation.expected_samples_per_stream() * width);
     std::ranges::transform(sums, densities.begin(),
                            [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
     const auto [mean, error] = weights.estimate(densities);
@@ -171,9 +172,9 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
     const double density = std::max(mean, 0.0);
     // If no sample of n independent samples is in the bin, the probability of the bin is below 3/n
     // at 95 % confidence ("rule of three").
-    const Interval interval = density > 0
-                                  ? score_interval(density, error, weights.interval_factor())
-                                  : Interval{0, 3 / (effective_samples * width)};
+    const Interval interval =
+        density > 0 ? score_interval(density, error, weights.confidence_interval_factor())
+                    : Interval{0, 3 / (effective_samples * width)};
     marginal.density.push_back(density);
     marginal.lower.push_back(interval.lower);
     marginal.upper.push_back(interval.upper);
@@ -192,7 +193,7 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
     const double dy = density.y_edges[i + 1] - density.y_edges[i];
     for (std::size_t j = 0; j < density.nv(); ++j) {
       const double dv = density.v_edges[j + 1] - density.v_edges[j];
-      const double unit = 1 / (simulation.stream_samples() * dy * dv);
+      const double unit = 1 / (simulation.expected_samples_per_stream() * dy * dv);
       std::ranges::transform(simulation.streams(), values.begin(), [&](const Stream& stream) {
         return stream.record.histogram(i + 1, j + 1) * unit;
       });
@@ -207,7 +208,7 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
 }
 
 std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
-                                         transform::Variable variable) {
+                                         transform::StateVariable variable) {
   const auto& edges = simulation.plan().bin_finder(variable).edges();
   const auto streams = cumulative_probabilities(simulation, variable);
   std::vector<double> mean, error, values(streams.size());
@@ -226,11 +227,12 @@ std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const Str
         std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges, value) - edges.begin(), 1,
                                    static_cast<std::ptrdiff_t>(edges.size()) - 1);
     const double share = (value - edges[k - 1]) / (edges[k] - edges[k - 1]);
-    const double half = weights.interval_factor() * ((1 - share) * error[k - 1] + share * error[k]);
+    const double half =
+        weights.confidence_interval_factor() * ((1 - share) * error[k - 1] + share * error[k]);
     if (!distribution.is_in_range(p - half) || !distribution.is_in_range(p + half)) continue;
     quantiles.push_back({p, value, distribution.inverse(p - half), distribution.inverse(p + half)});
   }
-  const problem::Frame& frame = simulation.plan().frame;
+  const problem::WallFrame& frame = simulation.plan().frame;
   return frame.is_identity() ? quantiles
                              : to_physical_coordinates(frame, variable, std::move(quantiles));
 }

@@ -32,7 +32,7 @@ struct MarginalEstimate {
 /// intervals.
 /// @param effective_samples determines the upper confidence limit in a bin without samples
 MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
-                                   transform::Variable variable, double effective_samples);
+                                   transform::StateVariable variable, double effective_samples);
 
 struct JointEstimate {
   transform::GridDensity density;
@@ -45,6 +45,6 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
 /// probability within the sampling error (Woodruff, JASA 47, 1952). Quantiles outside the bins are
 /// omitted.
 std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
-                                         transform::Variable variable);
+                                         transform::StateVariable variable);
 
 }  // namespace fpkcheck::mcs

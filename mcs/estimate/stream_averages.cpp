@@ -21,9 +21,10 @@ std::vector<LevelEventRate> level_rates(const Simulation& simulation, const Stre
   const auto& edges = simulation.plan().y_bins.edges();
   std::vector<LevelEventRate> found;
   for (std::size_t k = first; k < edges.size(); k += kEdgesPerLevel) {
-    const auto values = value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
-      return of(record, k) / simulation.stream_time();
-    });
+    const auto values =
+        statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
+          return of(record, k) / simulation.simulated_time_per_stream();
+        });
     found.push_back({simulation.plan().frame.physical_y(edges[k]), weights.estimate(values)});
   }
   return found;
@@ -31,31 +32,34 @@ std::vector<LevelEventRate> level_rates(const Simulation& simulation, const Stre
 
 }  // namespace
 
-double moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
+double moment_in_wall_coordinates(const Simulation& simulation, const StreamStatistics& record,
+                                  int p, int q) {
   const auto index = std::ranges::find(kPowers, std::pair{p, q}) - kPowers.begin();
-  return record.powers[static_cast<std::size_t>(index)] / simulation.stream_samples();
+  return record.powers[static_cast<std::size_t>(index)] / simulation.expected_samples_per_stream();
 }
 
-double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
-  const problem::Frame& frame = simulation.plan().frame;
-  if (frame.is_identity()) return moment(simulation, record, p, q);
+double moment_in_physical_coordinates(const Simulation& simulation, const StreamStatistics& record,
+                                      int p, int q) {
+  const problem::WallFrame& frame = simulation.plan().frame;
+  if (frame.is_identity()) return moment_in_wall_coordinates(simulation, record, p, q);
   // y^p = (origin + sign x)^p with the wall coordinate x
   const auto [origin, sign] = std::pair{frame.origin, frame.sign()};
   double sum = 0, binomial = 1;
   for (int n = 0; n <= p; ++n) {
-    const double of_x = n + q == 0 ? 1 : moment(simulation, record, n, q);
+    const double of_x = n + q == 0 ? 1 : moment_in_wall_coordinates(simulation, record, n, q);
     sum += binomial * std::pow(origin, p - n) * std::pow(sign, n + q) * of_x;
     binomial *= static_cast<double>(p - n) / (n + 1);
   }
   return sum;
 }
 
-double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
-                       const numerics::Polynomial& g) {
+double mean_of_polynomial_in_y(const Simulation& simulation, const StreamStatistics& record,
+                               const numerics::Polynomial& g) {
   assert(g.degree() <= 6);
   const auto power_of_y = [&](std::size_t n) {
-    if (n <= kHighestPower) return moment(simulation, record, static_cast<int>(n), 0);
-    return (n == 5 ? record.y5 : record.y6) / simulation.stream_samples();
+    if (n <= kHighestPower)
+      return moment_in_wall_coordinates(simulation, record, static_cast<int>(n), 0);
+    return (n == 5 ? record.y5 : record.y6) / simulation.expected_samples_per_stream();
   };
   double mean = g.coefficient(0);
   for (std::size_t n = 1; n <= g.degree(); ++n) {
@@ -65,38 +69,38 @@ double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
 }
 
 std::vector<double> stream_moments(const Simulation& simulation, int p, int q) {
-  return value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
-    return physical_moment(simulation, record, p, q);
+  return statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
+    return moment_in_physical_coordinates(simulation, record, p, q);
   });
 }
 
-std::vector<double> excess_powers(const Simulation& simulation) {
+std::vector<double> excess_impulse_powers(const Simulation& simulation) {
   // Impulses are independent of the motion before them. The work of the impulses (Excitation::work)
   // therefore has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v] = 0, since int v dt is
   // the change of y and impacts do not change y.
   const double expected = simulation.plan().excitation.work;
-  return value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
-    return record.work / simulation.stream_time() - expected;
+  return statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
+    return record.work / simulation.simulated_time_per_stream() - expected;
   });
 }
 
 double effective_sample_count(const Simulation& simulation, int p, int q) {
-  const auto [mean, error] = plain_estimate(stream_moments(simulation, p, q));
-  const double second = plain_estimate(stream_moments(simulation, 2 * p, 2 * q)).mean;
+  const auto [mean, error] = unweighted_estimate(stream_moments(simulation, p, q));
+  const double second = unweighted_estimate(stream_moments(simulation, 2 * p, 2 * q)).mean;
   return (second - mean * mean) / (error * error);
 }
 
 std::vector<LevelEventRate> estimate_upcrossing_rates(const Simulation& simulation,
                                                       const StreamWeights& weights) {
   return level_rates(simulation, weights, kEdgesPerLevel,
-                     [](const StreamRecord& record, std::size_t k) {
+                     [](const StreamStatistics& record, std::size_t k) {
                        return sum_above(record.peaks, k) - sum_above(record.troughs, k);
                      });
 }
 
 std::vector<LevelEventRate> estimate_peak_rates(const Simulation& simulation,
                                                 const StreamWeights& weights) {
-  return level_rates(simulation, weights, 0, [](const StreamRecord& record, std::size_t k) {
+  return level_rates(simulation, weights, 0, [](const StreamStatistics& record, std::size_t k) {
     return sum_above(record.peaks, k);
   });
 }

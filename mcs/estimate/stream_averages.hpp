@@ -9,19 +9,21 @@
 namespace fpkcheck::mcs {
 
 /// Returns the mean of y^p y'^q in one stream, in wall coordinates, for (p, q) among kPowers.
-double moment(const Simulation& simulation, const StreamRecord& record, int p, int q);
+double moment_in_wall_coordinates(const Simulation& simulation, const StreamStatistics& record,
+                                  int p, int q);
 
 /// @pre the degree of the polynomial is at most 6
-double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
-                       const numerics::Polynomial& g);
+double mean_of_polynomial_in_y(const Simulation& simulation, const StreamStatistics& record,
+                               const numerics::Polynomial& g);
 
-double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q);
+double moment_in_physical_coordinates(const Simulation& simulation, const StreamStatistics& record,
+                                      int p, int q);
 
 /// Returns the mean of y^p y'^q in every stream, in physical coordinates, for (p, q) among kPowers.
 std::vector<double> stream_moments(const Simulation& simulation, int p, int q);
 
 /// Returns the excess power of every stream: power of the drawn impulses minus the expected power.
-std::vector<double> excess_powers(const Simulation& simulation);
+std::vector<double> excess_impulse_powers(const Simulation& simulation);
 
 /// Returns the effective number of samples Var(x) / SE^2 of x = y^p y'^q: the number of independent
 /// draws whose mean has the same standard error.

@@ -26,11 +26,12 @@ bool is_negligible(double square_about_mean, std::span<const double> values) {
 
 }  // namespace
 
-StreamWeights::StreamWeights(std::span<const double> excess_powers)
-    : weights_(excess_powers.size(), 1 / static_cast<double>(excess_powers.size())) {
-  const auto n = static_cast<double>(excess_powers.size());
-  const auto first = excess_powers.first(excess_powers.size() / 2);
-  const auto second = excess_powers.subspan(first.size());
+StreamWeights::StreamWeights(std::span<const double> excess_impulse_powers)
+    : weights_(excess_impulse_powers.size(),
+               1 / static_cast<double>(excess_impulse_powers.size())) {
+  const auto n = static_cast<double>(excess_impulse_powers.size());
+  const auto first = excess_impulse_powers.first(excess_impulse_powers.size() / 2);
+  const auto second = excess_impulse_powers.subspan(first.size());
   const auto correct = [&](std::span<const double> half, std::span<const double> other,
                            std::span<double> weights) {
     const double half_mean = mean(half), square = sum_of_squares_about(half_mean, half);
@@ -42,10 +43,10 @@ StreamWeights::StreamWeights(std::span<const double> excess_powers)
   correct(first, second, weights.first(first.size()));
   correct(second, first, weights.subspan(first.size()));
 
-  const double b_bar = mean(excess_powers);
-  for (const double b : excess_powers) controls_.push_back(b - b_bar);
-  control_square_ = sum_of_squares_about(b_bar, excess_powers);
-  if (is_negligible(control_square_, excess_powers)) control_square_ = 0;
+  const double b_bar = mean(excess_impulse_powers);
+  for (const double b : excess_impulse_powers) controls_.push_back(b - b_bar);
+  control_square_ = sum_of_squares_about(b_bar, excess_impulse_powers);
+  if (is_negligible(control_square_, excess_impulse_powers)) control_square_ = 0;
 }
 
 int StreamWeights::degrees_of_freedom() const {
@@ -81,11 +82,11 @@ std::vector<double> StreamWeights::error_contributions(std::span<const double> v
   return result;
 }
 
-double StreamWeights::interval_factor() const {
+double StreamWeights::confidence_interval_factor() const {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom()), 0.975);
 }
 
-Estimate plain_estimate(std::span<const double> values) {
+Estimate unweighted_estimate(std::span<const double> values) {
   const double x_bar = mean(values);
   const auto n = static_cast<double>(values.size());
   return {x_bar, std::sqrt(sum_of_squares_about(x_bar, values) / (n - 1) / n)};

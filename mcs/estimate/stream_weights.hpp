@@ -41,8 +41,8 @@ struct LevelEventRate {
 /// negative only in short runs with few streams.
 class StreamWeights {
  public:
-  /// @param excess_powers excess power of each stream, for eight or more streams
-  explicit StreamWeights(std::span<const double> excess_powers);
+  /// @param excess_impulse_powers excess power of each stream, for eight or more streams
+  explicit StreamWeights(std::span<const double> excess_impulse_powers);
 
   double operator[](std::size_t stream) const { return weights_[stream]; }
   std::size_t size() const { return weights_.size(); }
@@ -57,7 +57,7 @@ class StreamWeights {
   std::vector<double> error_contributions(std::span<const double> values) const;
 
   /// Returns the half-width of a 95 % confidence interval, in standard errors (Student's t).
-  double interval_factor() const;
+  double confidence_interval_factor() const;
 
  private:
   int degrees_of_freedom() const;
@@ -68,6 +68,6 @@ class StreamWeights {
 };
 
 /// Returns the unweighted mean of one value per stream, and the standard error of the mean.
-Estimate plain_estimate(std::span<const double> values);
+Estimate unweighted_estimate(std::span<const double> values);
 
 }  // namespace fpkcheck::mcs

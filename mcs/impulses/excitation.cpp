@@ -13,7 +13,7 @@ namespace {
 
 template <class... Laws>
 std::variant<Laws...> one_of(LawList<Laws...>);
-static_assert(std::is_same_v<decltype(one_of(DrawnLaws())), problem::ImpulseLaw::LawVariant>,
+static_assert(std::is_same_v<decltype(one_of(AmplitudeLaws())), problem::ImpulseLaw::LawVariant>,
               "a law without a StandardAmplitude, or in another order");
 
 int law_index(const problem::ImpulseLaw::LawVariant& law) { return static_cast<int>(law.index()); }

@@ -20,7 +20,7 @@ struct Excitation {
 
   Arrivals arrivals;
   double interval;
-  int law;  ///< amplitude law, as an index of DrawnLaws
+  int law;  ///< amplitude law, as an index of AmplitudeLaws
   double mean;
   /// Scale of the amplitude, width() of the amplitude law; negative for a mirrored law
   double width;

@@ -7,7 +7,7 @@ namespace {
 
 ImpulseBlock make_block_of_impulses(const Excitation& excitation, const UniformNumbers& uniforms) {
   static const auto make = simd::select_variant(
-      simd::available_code_variants().back().instructions, baseline::make_impulse_block,
+      simd::available_simd_variants().back().instructions, baseline::make_impulse_block,
       avx2::make_impulse_block, avx512::make_impulse_block);
   return make(excitation, uniforms);
 }
@@ -22,7 +22,7 @@ void ImpulseSource::make_impulse_block() {
   }
 }
 
-void ImpulseSource::continue_from(std::uint64_t number) {
+void ImpulseSource::seek_to(std::uint64_t number) {
   number_ = number - number % kBlockSize;
   if (number_ < number) make_impulse_block();
   number_ = number;

@@ -48,7 +48,7 @@ class ImpulseSource {
   /// Returns the number of impulses drawn so far.
   std::uint64_t number() const { return number_; }
   /// Sets the generator to its state after `number` impulses.
-  void continue_from(std::uint64_t number);
+  void seek_to(std::uint64_t number);
 
   /// Returns two independent standard normal numbers for the initial state of the stream; all calls
   /// return the same numbers.
@@ -74,7 +74,7 @@ class NoiseSource {
   double next_normal() { return impulses_.next_impulse().amplitude; }
 
   std::uint64_t number() const { return impulses_.number(); }
-  void continue_from(std::uint64_t number) { impulses_.continue_from(number); }
+  void seek_to(std::uint64_t number) { impulses_.seek_to(number); }
 
  private:
   ImpulseSource impulses_;

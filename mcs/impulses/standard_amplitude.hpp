@@ -1,6 +1,6 @@
 #pragma once
 
-#include "numerics/simd/elementary.hpp"
+#include "numerics/simd/elementary_functions.hpp"
 
 namespace fpkcheck::problem {
 struct ExponentialLaw;
@@ -77,7 +77,7 @@ template <class... Laws>
 struct LawList {};
 
 /// All amplitude laws, in the order of problem::ImpulseLaw::LawVariant.
-using DrawnLaws =
+using AmplitudeLaws =
     LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw, problem::UniformLaw,
             problem::ExponentialLaw, problem::GammaLaw, problem::TabulatedLaw>;
 

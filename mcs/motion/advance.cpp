@@ -8,7 +8,7 @@
 namespace fpkcheck::mcs {
 
 void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
-             const simd::CodeVariant& lanes) {
+             const simd::SimdVariant& lanes) {
   assert(motion.records || (!motion.splitting && !motion.deposit));
   assert(!motion.kicks.is_present() || !motion.oscillator.is_duffing_at_wall());
   assert(!motion.deposit || motion.oscillator.is_duffing_at_wall());

@@ -35,7 +35,7 @@ struct MotionParameters {
 /// @param streams any number of streams; each SIMD lane advances one stream at a time
 /// @pre without `records` there is neither `splitting` nor `deposit`
 void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
-             const simd::CodeVariant& lanes);
+             const simd::SimdVariant& lanes);
 
 /// Returns the time from a noise kick at (y, v) to the next noise kick. Next to a wall with impact
 /// losses the time is a fraction of v^2/D or (distance^2/D)^(1/3), the times in which noise alone

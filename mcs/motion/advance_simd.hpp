@@ -3,9 +3,9 @@
 #include "mcs/deposit/deposit_simd.hpp"
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/duffing_flight.hpp"
-#include "mcs/motion/events.hpp"
 #include "mcs/motion/polynomial_flight.hpp"
-#include "mcs/motion/sample_simd.hpp"
+#include "mcs/motion/sample_statistics_simd.hpp"
+#include "mcs/motion/scalar_events.hpp"
 #include "numerics/simd/simd.hpp"
 
 // Files that include this file are compiled for different instruction sets. All functions of this
@@ -93,22 +93,22 @@ struct LaneState {
   }
 
   FPKCHECK_INLINE void store_sums() const {
-    const auto add = [&](const Real& sums, double StreamRecord::*member)
+    const auto add = [&](const Real& sums, double StreamStatistics::*member)
         __attribute__((always_inline)) {
       for (int i = 0; i < W; ++i) streams[i]->record.*member += simd::lane_value(sums, i);
     };
-    add(y5, &StreamRecord::y5);
-    add(y6, &StreamRecord::y6);
-    add(samples, &StreamRecord::samples);
-    add(rest_left, &StreamRecord::rest_left);
-    add(rest_right, &StreamRecord::rest_right);
-    add(impacts, &StreamRecord::impacts);
-    add(left_speed, &StreamRecord::left_speed);
-    add(left_energy, &StreamRecord::left_energy);
-    add(right_speed, &StreamRecord::right_speed);
-    add(right_energy, &StreamRecord::right_energy);
+    add(y5, &StreamStatistics::y5);
+    add(y6, &StreamStatistics::y6);
+    add(samples, &StreamStatistics::samples);
+    add(rest_left, &StreamStatistics::rest_left);
+    add(rest_right, &StreamStatistics::rest_right);
+    add(impacts, &StreamStatistics::impacts);
+    add(left_speed, &StreamStatistics::left_speed);
+    add(left_energy, &StreamStatistics::left_energy);
+    add(right_speed, &StreamStatistics::right_speed);
+    add(right_energy, &StreamStatistics::right_energy);
     for (int i = 0; i < W; ++i) {
-      StreamRecord& record = streams[i]->record;
+      StreamStatistics& record = streams[i]->record;
       for (std::size_t p = 0; p < kPowers.size(); ++p)
         record.powers[p] += simd::lane_value(powers[p], i);
       record.flights += static_cast<std::uint64_t>(simd::lane_value(flights, i));
@@ -196,7 +196,7 @@ struct LaneState {
       const Mask due = until_sample < span;
       if (!simd::any_lane_set(due)) break;
       const Real time = simd::select_or_zero(due, until_sample);
-      const BasicState<Real> at = flight.state_at_time(time);
+      const PhaseState<Real> at = flight.state_at_time(time);
       if constexpr (Motion::kHasRest) {
         count_sample(at, due, due & in_contact & (time_to_rest <= time));
       } else {
@@ -213,7 +213,7 @@ struct LaneState {
 
   // Samples are deposited one by one, since the SIMD lanes of deposit_sample() hold the splines of
   // a single sample.
-  FPKCHECK_INLINE void deposit_due_samples(const BasicState<Real>& at, const Real& acceleration,
+  FPKCHECK_INLINE void deposit_due_samples(const PhaseState<Real>& at, const Real& acceleration,
                                            const Mask& due) const {
     Array<double> ys, vs, as;
     simd::store(simd::lanewise_max(at.y, Real{}), ys.at);
@@ -228,10 +228,10 @@ struct LaneState {
   }
 
   // A lane without a due sample has the weight 0.
-  FPKCHECK_INLINE void count_sample(const BasicState<Real>& at, const Mask& due,
+  FPKCHECK_INLINE void count_sample(const PhaseState<Real>& at, const Mask& due,
                                     [[maybe_unused]] const Mask& at_rest) {
     const Real counted_weight = simd::select_or_zero(due, weight);
-    add_powers(at, counted_weight, powers);
+    add_weighted_monomials(at, counted_weight, powers);
     samples = samples + counted_weight;
     Real into_bins = counted_weight;
     if constexpr (Motion::kHasRest) {
@@ -240,14 +240,14 @@ struct LaneState {
       y6 = y6 + counted_weight * (xx * xx * xx);
       if (!motion.kicks.is_present() && simd::any_lane_set(at_rest)) {
         into_bins = simd::select(at_rest, Real{}, counted_weight);
-        count_rest(x, simd::select_or_zero(at_rest, weight));
+        count_resting_samples(x, simd::select_or_zero(at_rest, weight));
       }
     }
     add_to_histogram(*motion.y_bins, *motion.v_bins, clamp_between_walls(at.y), at.v, into_bins,
                      streams, cells);
   }
 
-  FPKCHECK_INLINE void count_rest(const Real& x, const Real& resting) {
+  FPKCHECK_INLINE void count_resting_samples(const Real& x, const Real& resting) {
     if (!oscillator.right.exists) {
       rest_left = rest_left + resting;
       return;
@@ -270,8 +270,8 @@ struct LaneState {
   }
 
   /// Adds the weight of each lane in `there` to the bin that contains the value `at` of y.
-  FPKCHECK_INLINE void add_to_bins(std::vector<double> StreamRecord::*of, const Real& at,
-                                   const Mask& there) {
+  FPKCHECK_INLINE void add_weights_to_y_bins(std::vector<double> StreamStatistics::*of,
+                                             const Real& at, const Mask& there) {
     if (!simd::any_lane_set(there)) return;
     for (int i = 0; i < W; ++i) {
       if (simd::lane_value(there, i) == 0) continue;
@@ -281,11 +281,12 @@ struct LaneState {
   }
 
   /// Ends a DuffingFlight at an impact in [0, span], if present, and counts a maximum of y.
-  FPKCHECK_INLINE void end_at_only_wall(const Flight& flight, Real& span, BasicState<Real>& end) {
+  FPKCHECK_INLINE void end_flight_at_single_wall(const Flight& flight, Real& span,
+                                                 PhaseState<Real>& end) {
     const Mask impact = (end.y < 0.0) & (y > 0.0);
     if (simd::any_lane_set(impact)) {
       span = simd::select(impact, flight.impact_time(span, end, impact), span);
-      const BasicState<Real> at_wall = flight.state_at_time(span);
+      const PhaseState<Real> at_wall = flight.state_at_time(span);
       end.v = simd::select(impact, at_wall.v, end.v);
       if (motion.deposit) beyond_wall = simd::select(impact, at_wall.y, beyond_wall);
       end.y = simd::select(impact, Real{}, end.y);
@@ -294,15 +295,15 @@ struct LaneState {
     const Mask peak = (v > 0.0) & (end.v < 0.0);
     if (!simd::any_lane_set(peak)) return;
     const Real height = flight.state_at_time(flight.peak_time(span, end)).y;
-    add_to_bins(&StreamRecord::peaks, height, peak);
+    add_weights_to_y_bins(&StreamStatistics::peaks, height, peak);
   }
 
   /// Ends a PolynomialFlight at the first impact in [0, span], if present, and counts extremes of
   /// y. The velocity changes sign at most once, so y at both ends and at the extreme determine the
   /// impacts. The signs of y at the ends alone miss the return to a wall with positive contact
   /// force, and a short excursion behind a wall.
-  FPKCHECK_INLINE void end_at_first_wall(const Flight& flight, Real& span, BasicState<Real>& end,
-                                         const Mask& free) {
+  FPKCHECK_INLINE void end_flight_at_first_wall(const Flight& flight, Real& span,
+                                                PhaseState<Real>& end, const Mask& free) {
     const Oscillator& o = oscillator;
     const Mask turned = free & (v * end.v < 0.0);
     Real turning{}, extreme = y;
@@ -344,16 +345,17 @@ struct LaneState {
       const Real guess =
           simd::lanewise_min(simd::lanewise_max(low + (high - low) * part, low), high);
       span = simd::select(impact, flight.impact_time(wall, inside, low, high, guess, impact), span);
-      const BasicState<Real> at_wall = flight.state_at_time(span);
+      const PhaseState<Real> at_wall = flight.state_at_time(span);
       end.v = simd::select(impact, at_wall.v, end.v);
       end.y = simd::select(impact, wall, end.y);
     }
     if (!motion.records) return;
-    add_to_bins(&StreamRecord::peaks, extreme, high_turn & (right_first == none));
-    add_to_bins(&StreamRecord::troughs, extreme, low_turn & (left_first == none));
+    add_weights_to_y_bins(&StreamStatistics::peaks, extreme, high_turn & (right_first == none));
+    add_weights_to_y_bins(&StreamStatistics::troughs, extreme, low_turn & (left_first == none));
     if (o.right.exists) {
-      add_to_bins(&StreamRecord::peaks,
-                  simd::broadcast<Real>(o.right.position - motion.y_bins->edge_epsilon()), right);
+      add_weights_to_y_bins(&StreamStatistics::peaks,
+                            simd::broadcast<Real>(o.right.position - motion.y_bins->edge_epsilon()),
+                            right);
     }
   }
 
@@ -423,18 +425,18 @@ struct LaneState {
       Mask in_contact = active, free = active;
       if constexpr (Motion::kHasRest) {
         in_contact = time_to_rest >= 0.0;
-        if (simd::any_lane_set(in_contact)) flight.hold_position(in_contact);
+        if (simd::any_lane_set(in_contact)) flight.hold_mass_at_initial_position(in_contact);
         free = active & (time_to_rest < 0.0);
         span = simd::select(free, simd::lanewise_min(span, flight.max_step(motion.step)), span);
       } else {
         span = simd::lanewise_min(flight.max_step(motion.step), span);
       }
       span = simd::select_or_zero(active, span);
-      BasicState<Real> end = flight.state_at_time(span);
+      PhaseState<Real> end = flight.state_at_time(span);
       if constexpr (Motion::kHasAnyWalls) {
-        end_at_first_wall(flight, span, end, free);
+        end_flight_at_first_wall(flight, span, end, free);
       } else {
-        end_at_only_wall(flight, span, end);
+        end_flight_at_single_wall(flight, span, end);
       }
       if (motion.records) {
         flights = flights + simd::select_or_zero(active, simd::broadcast<Real>(1.0));

@@ -18,11 +18,11 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   using Base::state_at_time;
 
   /// @param oscillator must outlive the flight
-  FPKCHECK_INLINE DuffingFlight(const Oscillator& oscillator, const BasicState<Real>& start)
+  FPKCHECK_INLINE DuffingFlight(const Oscillator& oscillator, const PhaseState<Real>& start)
       : Base(oscillator, start), frequency_bound_(frequency_bound(oscillator, start)) {
-    compute_coefficients();
+    compute_taylor_coefficients();
   }
-  DuffingFlight(Oscillator&&, const BasicState<Real>&) = delete;
+  DuffingFlight(Oscillator&&, const PhaseState<Real>&) = delete;
 
   /// Returns the longest time for which the polynomial is used: `phase` radians of the highest
   /// possible frequency.
@@ -33,7 +33,7 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   /// end of the flight, and impacts cannot accumulate.
   FPKCHECK_INLINE Real max_step(double phase) const { return phase / frequency_bound_; }
 
-  FPKCHECK_INLINE Real acceleration(const BasicState<Real>& state) const {
+  FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& state) const {
     const double c = oscillator_.damping[0], k = oscillator_.force[1], mu = oscillator_.force[3];
     const Real force = state.y * (k + mu * (state.y * state.y));
     return -(c * state.v + force);
@@ -42,27 +42,27 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   /// Returns the zero of y(s) in [0, end], to rounding, in the lanes of `wanted`, where y(0) > 0 >
   /// y(end). Other lanes return a finite number.
   template <class Mask>
-  FPKCHECK_INLINE Real impact_time(const Real& end, const BasicState<Real>& at_end,
+  FPKCHECK_INLINE Real impact_time(const Real& end, const PhaseState<Real>& at_end,
                                    const Mask& wanted) const {
     // Halley's method triples the number of correct digits per step, so that two steps usually
     // suffice.
     const auto halley = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
-      const BasicState<Real> state = state_at_time(s);
+      const PhaseState<Real> state = state_at_time(s);
       is_before = state.y >= 0.0;
       return s - state.y * state.v / (state.v * state.v - 0.5 * (state.y * acceleration(state)));
     };
     // After a third-order correction of 1e-6 the remaining error is rounding.
     return bracketed_zero(
-        Real{}, end, initial_impact_time(end, at_end), wanted,
+        Real{}, end, impact_time_guess(end, at_end), wanted,
         halley, [&](const Real&) __attribute__((always_inline)) { return 1e-6 * end; });
   }
 
   /// Returns the time in [0, end] of the maximum of y, v(s) = 0, in the lanes where v(0) > 0 >
   /// v(end). The relative error of about 1e-5 in time causes an error of about 1e-10 in the
   /// maximum.
-  FPKCHECK_INLINE Real peak_time(const Real& end, const BasicState<Real>& at_end) const {
+  FPKCHECK_INLINE Real peak_time(const Real& end, const PhaseState<Real>& at_end) const {
     const Real chord = end * (a_[1] / (a_[1] - at_end.v));
-    const BasicState<Real> state = state_at_time(chord);
+    const PhaseState<Real> state = state_at_time(chord);
     const Real newton = chord - state.v / acceleration(state);
     using Mask = decltype(newton >= 0.0);
     const Mask inside = (newton >= 0.0) & (newton <= end);
@@ -73,7 +73,7 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   /// Returns an upper bound of the frequency, which keeps the time step below the radius of
   /// convergence of the Taylor series. The bound is c plus the square root of the largest slope k +
   /// 3 mu y^2 of the force, where mu y^4 / 4 <= E = y'^2/2 + U(y).
-  FPKCHECK_INLINE static Real frequency_bound(const Oscillator& o, const BasicState<Real>& start) {
+  FPKCHECK_INLINE static Real frequency_bound(const Oscillator& o, const PhaseState<Real>& start) {
     const double k = o.force[1], mu = o.force[3];
     const Real y2 = start.y * start.y;
     const Real energy = 0.5 * (start.v * start.v) + y2 * (k / 2 + (mu / 4) * y2);
@@ -83,7 +83,7 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   /// Computes a_2, a_3, .. from a_0 and a_1 by the recursion
   ///
   ///     (n+1)(n+2) a_{n+2} = -(c (n+1) a_{n+1} + k a_n + mu [y^3]_n).
-  FPKCHECK_INLINE void compute_coefficients() {
+  FPKCHECK_INLINE void compute_taylor_coefficients() {
     const double c = oscillator_.damping[0], k = oscillator_.force[1], mu = oscillator_.force[3];
     std::array<Real, kOrder - 1> square;  // coefficients [y^2]_n
     // Each sum adds the newest coefficients last, so that the chain of dependent operations is
@@ -106,7 +106,7 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
 
   /// Returns a first approximation of the impact time: s(0) of the cubic s(y) with the slopes 1/v
   /// at both ends. If s(0) is outside the interval, returns the zero of the chord.
-  FPKCHECK_INLINE Real initial_impact_time(const Real& end, const BasicState<Real>& at_end) const {
+  FPKCHECK_INLINE Real impact_time_guess(const Real& end, const PhaseState<Real>& at_end) const {
     const Real drop = a_[0] - at_end.y;  // positive drop of y during the flight
     const Real u = a_[0] / drop;
     const Real u1 = 1.0 - u;

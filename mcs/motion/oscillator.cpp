@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problem/motion_scales.hpp"
 #include "problem/problem.hpp"
-#include "problem/scales.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -39,14 +39,14 @@ bool is_duffing_at_wall(const problem::Problem& problem) {
 }
 
 Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
-                           double mean_force, bool kicked) {
+                           double mean_force, bool has_noise_kicks) {
   const problem::System& system = problem.system;
   Oscillator o;
   for (std::size_t n = 0; n < o.force.size(); ++n)
     o.force[n] = system.restoring_force().coefficient(n);
   o.force[0] -= mean_force;
   // Constant damping c y' is part of the noise kicks.
-  if (!(kicked && system.has_constant_damping())) {
+  if (!(has_noise_kicks && system.has_constant_damping())) {
     for (std::size_t n = 0; n < o.damping.size(); ++n) {
       o.damping[n] = system.damping_polynomial().coefficient(n);
     }

@@ -77,9 +77,9 @@ struct NoiseKicks {
 bool is_duffing_at_wall(const problem::Problem& problem);
 
 /// @param mean_force mean force of the impulses if kicks replace the impulses, otherwise 0
-/// @param kicked whether the motion has NoiseKicks
+/// @param has_noise_kicks whether the motion has NoiseKicks
 Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
-                           double mean_force = 0, bool kicked = false);
+                           double mean_force = 0, bool has_noise_kicks = false);
 
 /// Returns the parameters of the kicks that represent Gaussian noise.
 /// @param diffusion D > 0, or 0 without noise

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "mcs/motion/taylor_flight.hpp"
-#include "numerics/simd/elementary.hpp"
+#include "numerics/simd/elementary_functions.hpp"
 
 // This file is compiled for several instruction sets.
 namespace fpkcheck::mcs {
@@ -32,8 +32,8 @@ FPKCHECK_INLINE auto cauchy_product(const A& a, const B& b, int n) {
 /// Cauchy products give the coefficients of powers. The term of c(y) follows from c(y) v =
 /// dC(y)/ds.
 template <Oscillator::Kind kKind, int kOrder, class Real>
-FPKCHECK_INLINE void compute_coefficients_inline(const Oscillator& o,
-                                                 std::array<Real, kOrder + 1>& a) {
+FPKCHECK_INLINE void compute_taylor_coefficients_inline(const Oscillator& o,
+                                                        std::array<Real, kOrder + 1>& a) {
   const double c0 = o.damping[0], c1 = o.damping[1] / 2, c2 = o.damping[2] / 3;
   std::array<Real, kOrder + 1> y2, y3, y4, y5, v, v2;
   if constexpr (kKind != Oscillator::Kind::linear) {
@@ -63,21 +63,22 @@ FPKCHECK_INLINE void compute_coefficients_inline(const Oscillator& o,
 
 // This function is not inlined: the compiler would otherwise generate a copy for each call.
 template <Oscillator::Kind kKind, int kOrder, class Real>
-__attribute__((noinline)) void compute_coefficients_of_kind(const Oscillator& o,
-                                                            std::array<Real, kOrder + 1>& a) {
-  compute_coefficients_inline<kKind, kOrder>(o, a);
+__attribute__((noinline)) void compute_taylor_coefficients_of_kind(
+    const Oscillator& o, std::array<Real, kOrder + 1>& a) {
+  compute_taylor_coefficients_inline<kKind, kOrder>(o, a);
 }
 
 template <int kOrder, class Real>
-FPKCHECK_INLINE void compute_coefficients(const Oscillator& o, std::array<Real, kOrder + 1>& a) {
+FPKCHECK_INLINE void compute_taylor_coefficients(const Oscillator& o,
+                                                 std::array<Real, kOrder + 1>& a) {
   switch (o.kind) {
     case Oscillator::Kind::linear:
-      return compute_coefficients_of_kind<Oscillator::Kind::linear, kOrder, Real>(o, a);
+      return compute_taylor_coefficients_of_kind<Oscillator::Kind::linear, kOrder, Real>(o, a);
     case Oscillator::Kind::duffing_at_wall:
     case Oscillator::Kind::cubic:
-      return compute_coefficients_of_kind<Oscillator::Kind::cubic, kOrder, Real>(o, a);
+      return compute_taylor_coefficients_of_kind<Oscillator::Kind::cubic, kOrder, Real>(o, a);
     case Oscillator::Kind::full:
-      return compute_coefficients_of_kind<Oscillator::Kind::full, kOrder, Real>(o, a);
+      return compute_taylor_coefficients_of_kind<Oscillator::Kind::full, kOrder, Real>(o, a);
   }
 }
 
@@ -93,13 +94,13 @@ class PolynomialFlight : public TaylorFlight<Real, kOrder> {
   using Base::state_at_time;
 
   /// @param oscillator must outlive the flight
-  FPKCHECK_INLINE PolynomialFlight(const Oscillator& oscillator, const BasicState<Real>& start)
+  FPKCHECK_INLINE PolynomialFlight(const Oscillator& oscillator, const PhaseState<Real>& start)
       : Base(oscillator, start) {
-    compute_coefficients<kOrder, Real>(oscillator, a_);
+    compute_taylor_coefficients<kOrder, Real>(oscillator, a_);
   }
 
   template <class Mask>
-  FPKCHECK_INLINE void hold_position(const Mask& in_contact) {
+  FPKCHECK_INLINE void hold_mass_at_initial_position(const Mask& in_contact) {
 #pragma GCC unroll 16
     for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(in_contact, Real{}, a_[n]);
   }
@@ -141,7 +142,7 @@ class PolynomialFlight : public TaylorFlight<Real, kOrder> {
   /// Returns the zero of v in [0, end], in the lanes where v(0) and v(end) have different signs.
   /// The error is 1e-6 of the time to either end, which causes an error of 1e-12 in y.
   template <class Mask>
-  FPKCHECK_INLINE Real turning_time(const Real& end, const BasicState<Real>& at_end,
+  FPKCHECK_INLINE Real turning_time(const Real& end, const PhaseState<Real>& at_end,
                                     const Mask& wanted) const {
     const auto newton = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
       const Real v = state_at_time(s).v;
@@ -161,7 +162,7 @@ class PolynomialFlight : public TaylorFlight<Real, kOrder> {
   FPKCHECK_INLINE Real impact_time(const Real& wall, const Real& inside, const Real& low,
                                    const Real& high, const Real& guess, const Mask& wanted) const {
     const auto halley = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
-      const BasicState<Real> state = state_at_time(s);
+      const PhaseState<Real> state = state_at_time(s);
       const Real distance = inside * (state.y - wall), speed = inside * state.v;
       is_before = distance > 0.0;
       return s - distance * speed /

@@ -1,4 +1,4 @@
-#include "mcs/impulses/block_simd.hpp"
+#include "mcs/impulses/impulse_block_simd.hpp"
 #include "mcs/motion/advance_simd.hpp"
 
 namespace fpkcheck::mcs::baseline {

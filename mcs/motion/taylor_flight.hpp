@@ -9,11 +9,11 @@ namespace fpkcheck::mcs {
 
 /// Position y and velocity y' of the oscillator, as numbers or in SIMD lanes
 template <class Real>
-struct BasicState {
+struct PhaseState {
   Real y;
   Real v;
 };
-using State = BasicState<double>;
+using State = PhaseState<double>;
 
 /// Motion of an oscillator between two events, as a Taylor polynomial in time, y(s) = sum_n a_n
 /// s^n, expanded at the initial state. A derived class computes a_2, a_3, .. from its equation of
@@ -26,7 +26,7 @@ class TaylorFlight {
 
   /// Returns the state (y, v) at the time s after the start of the flight. Horner's rule in s^2,
   /// applied to even and odd powers separately, halves the chain of dependent operations.
-  FPKCHECK_INLINE BasicState<Real> state_at_time(const Real& s) const {
+  FPKCHECK_INLINE PhaseState<Real> state_at_time(const Real& s) const {
     const Real s2 = s * s;
     Real y_even = a_[kOrder], v_odd = double{kOrder} * a_[kOrder];
     Real y_odd{}, v_even{};
@@ -50,7 +50,7 @@ class TaylorFlight {
  protected:
   using Coefficients = std::array<Real, kOrder + 1>;
 
-  FPKCHECK_INLINE TaylorFlight(const Oscillator& oscillator, const BasicState<Real>& start)
+  FPKCHECK_INLINE TaylorFlight(const Oscillator& oscillator, const PhaseState<Real>& start)
       : oscillator_(oscillator) {
     a_[0] = start.y;
     a_[1] = start.v;

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "base/files/atomic_file.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/files/input_file.hpp"
-#include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
@@ -49,7 +49,7 @@ std::string write_checkpoint(const std::string& path, const std::string& fingerp
   text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
   try {
     const base::ExitBlocker in_hand;
-    base::write_file(path, text);
+    base::write_file_atomically(path, text);
     return "";
   } catch (const std::runtime_error&) {
     return write_failure_message(path, kUnwritableReason);

@@ -47,7 +47,7 @@ Stream make_stream(const SimulationPlan& plan, std::uint32_t number,
                            .until_sample = plan.sampling_interval / 2,
                            .remaining = 0},
                 .source = source,
-                .record = StreamRecord(plan.y_bins, plan.v_bins),
+                .record = StreamStatistics(plan.y_bins, plan.v_bins),
                 .noise = NoiseSource(plan.seed, number)};
   if (plan.deposit) stream.record.deposit = DepositedSums(plan.deposit->grid);
   if (plan.kicks.is_present()) {
@@ -87,7 +87,7 @@ void Simulation::run_round() {
 }
 
 void Simulation::advance_streams(bool recorded, double time) {
-  static const simd::CodeVariant lanes = simd::available_code_variants().back();
+  static const simd::SimdVariant lanes = simd::available_simd_variants().back();
   MotionParameters motion = motion_;
   if (!recorded) {
     motion.records = false;
@@ -96,7 +96,7 @@ void Simulation::advance_streams(bool recorded, double time) {
   }
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
   base::parallel_for(groups, plan_->threads, [&](std::size_t g) {
-    if (!is_stream_of_part(part_, g * kGroup)) return;
+    if (!is_stream_in_subset(part_, g * kGroup)) return;
     std::vector<Stream*> group;
     for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {
       group.push_back(&streams_[s]);
@@ -105,12 +105,12 @@ void Simulation::advance_streams(bool recorded, double time) {
   });
 }
 
-void Simulation::restrict_to_part(int part, int part_count) {
+void Simulation::restrict_to_stream_subset(int part, int part_count) {
   part_ = part;
   parts_ = part_count;
 }
 
-bool Simulation::is_stream_of_part(int part, std::size_t stream) const {
+bool Simulation::is_stream_in_subset(int part, std::size_t stream) const {
   return stream / kGroup % static_cast<std::size_t>(parts_) == static_cast<std::size_t>(part);
 }
 

@@ -22,8 +22,8 @@ class Simulation {
              const ImportanceSplitting* splitting = nullptr);
 
   /// Restricts this simulation to every `part_count`-th group of streams, beginning with group
-  /// `part`. load_part() reads the streams of the other parts.
-  void restrict_to_part(int part, int part_count);
+  /// `part`. load_stream_subset() reads the streams of the other parts.
+  void restrict_to_stream_subset(int part, int part_count);
 
   /// Replaces the splitting and clears the histogram of the energies after impulses.
   /// @param splitting must outlive the simulation
@@ -35,10 +35,12 @@ class Simulation {
   const SimulationPlan& plan() const { return *plan_; }
   std::uint64_t rounds() const { return rounds_; }
   /// Returns the simulated time of one stream, without the burn-in.
-  double stream_time() const { return static_cast<double>(rounds_) * plan_->round_time(); }
+  double simulated_time_per_stream() const {
+    return static_cast<double>(rounds_) * plan_->round_time();
+  }
   /// Returns the expected sum of the sample weights of one stream, which is exact without
   /// splitting.
-  double stream_samples() const {
+  double expected_samples_per_stream() const {
     return static_cast<double>(rounds_) * static_cast<double>(plan_->samples_per_round);
   }
   const std::vector<Stream>& streams() const { return streams_; }
@@ -49,12 +51,12 @@ class Simulation {
   /// @throws InputError if the input is not a state with the same numbers of streams and bins
   void load(std::istream& in);
 
-  void save_part(std::ostream& out) const;
-  void load_part(std::istream& in, int part);
+  void save_stream_subset(std::ostream& out) const;
+  void load_stream_subset(std::istream& in, int part);
 
  private:
   void advance_streams(bool recorded, double time);
-  bool is_stream_of_part(int part, std::size_t stream) const;
+  bool is_stream_in_subset(int part, std::size_t stream) const;
   void save_stream(std::ostream& out, const Stream& stream) const;
   void load_stream(std::istream& in, Stream& stream) const;
 
@@ -67,7 +69,7 @@ class Simulation {
 
 /// Returns the function `value` of the record of each stream.
 template <class Value>
-std::vector<double> value_per_stream(const std::vector<Stream>& streams, Value value) {
+std::vector<double> statistic_per_stream(const std::vector<Stream>& streams, Value value) {
   std::vector<double> values;
   for (const Stream& stream : streams) values.push_back(value(stream.record));
   return values;

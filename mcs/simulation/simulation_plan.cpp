@@ -11,8 +11,8 @@
 #include "base/input_error.hpp"
 #include "base/process/parallel_for.hpp"
 #include "mcs/applicability.hpp"
-#include "problem/features.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -183,7 +183,7 @@ double automatic_kick_step(const problem::System& system) {
 /// is_duffing_at_wall().
 void validate_for_problem(const problem::Problem& problem, const Options& options) {
   if (is_duffing_at_wall(problem)) return validate(options);
-  if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
+  if (!options.y_edges.empty()) require_increasing_edges("mcs.y_edges", options.y_edges);
   Options others = options;
   others.y_edges.clear();
   validate(others);
@@ -203,7 +203,7 @@ void validate_for_problem(const problem::Problem& problem, const Options& option
 /// white noise. If NoiseKicks replace the impulses, the interval between impulses is infinite.
 Excitation make_excitation(const problem::Problem& problem, const Options& options,
                            const problem::MotionScales& scales) {
-  const bool white = options.equation == Equation::white;
+  const bool white = options.equation == DensityEquation::white;
   if (white && is_duffing_at_wall(problem)) {
     return white_noise_excitation(
         problem.impulses, options.white_step.value_or(kAutomaticWhiteStep) / scales.frequency);
@@ -226,7 +226,7 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
   const problem::MotionScales scales = problem::scales(problem);
   const problem::ProblemFeatures features = problem::features(problem);
   // NoiseKicks replace the impulses as white noise, except for a Duffing oscillator at a wall.
-  const bool by_kicks = options.equation == Equation::white && !duffing_at_wall;
+  const bool by_kicks = options.equation == DensityEquation::white && !duffing_at_wall;
   const double diffusion =
       problem.noise.diffusion() + (by_kicks ? problem.impulses.rate_times_moment(2) / 2 : 0);
   const NoiseKicks kicks = make_noise_kicks(

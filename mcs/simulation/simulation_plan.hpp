@@ -29,7 +29,7 @@ struct SimulationPlan {
   int streams;
   int threads;
   std::uint64_t seed;
-  problem::Frame frame;  ///< frame that maps the results to physical coordinates
+  problem::WallFrame frame;  ///< frame that maps the results to physical coordinates
   Oscillator oscillator;
   NoiseKicks kicks;
   double step;
@@ -50,8 +50,8 @@ struct SimulationPlan {
 
   double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }
 
-  const BinFinder& bin_finder(transform::Variable variable) const {
-    return variable == transform::Variable::y ? y_bins : v_bins;
+  const BinFinder& bin_finder(transform::StateVariable variable) const {
+    return variable == transform::StateVariable::y ? y_bins : v_bins;
   }
 };
 

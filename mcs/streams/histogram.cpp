@@ -12,7 +12,7 @@
 
 namespace fpkcheck::mcs {
 
-void require_edges(const std::string& name, const std::vector<double>& edges) {
+void require_increasing_edges(const std::string& name, const std::vector<double>& edges) {
   const bool finite = std::ranges::all_of(edges, [](double x) { return std::isfinite(x); });
   const bool increasing = std::ranges::adjacent_find(edges, std::greater_equal<>{}) == edges.end();
   if (edges.size() > 1 && finite && increasing) return;

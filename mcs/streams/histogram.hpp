@@ -9,7 +9,7 @@ namespace fpkcheck::mcs {
 
 /// Throws InputError unless `edges` are at least two finite, increasing numbers.
 /// @param name name of the edges in the error message
-void require_edges(const std::string& name, const std::vector<double>& edges);
+void require_increasing_edges(const std::string& name, const std::vector<double>& edges);
 
 /// Finds the bin that contains a number; the bins may have different widths.
 class BinFinder {

@@ -44,7 +44,7 @@ int ImportanceSplitting::energy_level(double energy) const {
   return static_cast<int>(std::ranges::upper_bound(thresholds_, energy) - thresholds_.begin());
 }
 
-bool ImportanceSplitting::may_split(const StreamRecord& record) const {
+bool ImportanceSplitting::may_split(const StreamStatistics& record) const {
   const auto most = static_cast<std::uint64_t>(kImpulsesPerThreshold * threshold_count());
   return record.branch_impulses < kImpulseAllowance + most * record.impulses;
 }
@@ -67,7 +67,7 @@ void ImportanceSplitting::split(Stream& stream, int from, bool at_impulse) const
   resume_next_branch(stream);
 }
 
-void ImportanceSplitting::update_after_impulse(Stream& stream) const {
+void ImportanceSplitting::split_or_end_branch(Stream& stream) const {
   Branch& branch = stream.branch;
   const double now = energy(branch);
   const int before = branch.energy_level;
@@ -105,14 +105,17 @@ void resume_next_branch(Stream& stream) {
   if (next.copies == 0) stream.pending_branches.pop_back();
 }
 
-std::vector<double> choose_thresholds(const BinFinder& bins, const std::vector<double>& energies,
-                                      double fewest_visits, double rarest) {
+std::vector<double> choose_energy_thresholds(const BinFinder& bins,
+                                             const std::vector<double>& energies,
+                                             double fewest_visits,
+                                             double smallest_exceedance_probability) {
   double total = 0;
   for (const double weight : energies) total += weight;
   std::vector<double> thresholds;
   double above = total, next = total / ImportanceSplitting::kCopies;
-  for (std::size_t b = 0;
-       b + 1 < energies.size() && next >= std::max(fewest_visits, rarest * total); ++b) {
+  for (std::size_t b = 0; b + 1 < energies.size() &&
+                          next >= std::max(fewest_visits, smallest_exceedance_probability * total);
+       ++b) {
     above -= energies[b];
     if (above > next) continue;
     thresholds.push_back(bins.edges()[b]);

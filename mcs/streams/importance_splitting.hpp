@@ -54,14 +54,14 @@ class ImportanceSplitting {
 
   /// Splits the current branch if its energy crossed a threshold at an impulse. Ends the current
   /// branch if its energy fell below the floor level.
-  void update_after_impulse(Stream& stream) const;
+  void split_or_end_branch(Stream& stream) const;
   /// Splits the initial state of a stream at the thresholds below its energy.
   void split_initial_state(Stream& stream) const;
 
  private:
   double energy(const Branch& branch) const;
   int energy_level(double energy) const;
-  bool may_split(const StreamRecord& record) const;
+  bool may_split(const StreamStatistics& record) const;
   void split(Stream& stream, int from, bool at_impulse) const;
 
   numerics::Polynomial potential_;
@@ -74,9 +74,11 @@ class ImportanceSplitting {
 void resume_next_branch(Stream& stream);
 
 /// Chooses threshold energies whose exceedance probability falls by a factor of about kCopies from
-/// one threshold to the next, down to about `rarest`.
+/// one threshold to the next, down to about `smallest_exceedance_probability`.
 /// @param energies weights of the states after impulses in each energy bin, summed over all streams
-std::vector<double> choose_thresholds(const BinFinder& bins, const std::vector<double>& energies,
-                                      double fewest_visits, double rarest);
+std::vector<double> choose_energy_thresholds(const BinFinder& bins,
+                                             const std::vector<double>& energies,
+                                             double fewest_visits,
+                                             double smallest_exceedance_probability);
 
 }  // namespace fpkcheck::mcs

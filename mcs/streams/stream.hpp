@@ -31,7 +31,7 @@ inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
 
 /// Statistics of one stream: sums over samples and events, weighted with the branch weight (1
 /// without splitting).
-struct StreamRecord {
+struct StreamStatistics {
   Histogram histogram;
   std::vector<double> peaks;  ///< weights of the maxima of y in each bin of y, outer bins included
   /// Weights of the minima of y without wall contact in each bin of y, outer bins included
@@ -58,13 +58,13 @@ struct StreamRecord {
   /// Sums deposited on the grid of Options::deposit; empty without a deposit grid
   DepositedSums deposit{};
 
-  StreamRecord(const BinFinder& y, const BinFinder& v)
+  StreamStatistics(const BinFinder& y, const BinFinder& v)
       : histogram(y, v), peaks(y.bin_count() + 2), troughs(y.bin_count() + 2) {}
 };
 
 /// Calls `visit` with each sum of a record, in the order of checkpoint files.
 template <class Record, class Visit>
-void for_each_sum(Record& record, Visit visit) {
+void for_each_statistic(Record& record, Visit visit) {
   visit(record.powers);
   for (auto* sum : {&record.y5, &record.y6, &record.samples, &record.rest_left, &record.rest_right,
                     &record.impacts, &record.left_speed, &record.left_energy, &record.right_speed,
@@ -113,7 +113,7 @@ struct PendingBranch {
 struct Stream {
   Branch branch;
   ImpulseSource source;
-  StreamRecord record;
+  StreamStatistics record;
   /// Pending branches, with the main branch first
   std::vector<PendingBranch> pending_branches{};
   NoiseSource noise{0, 0};

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "methods/external/between_walls.hpp"
+#include "methods/external/range_between_walls.hpp"
 
 namespace fpkcheck::methods {
 

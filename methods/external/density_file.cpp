@@ -46,15 +46,15 @@ DensityFileContent read_density_file(const std::filesystem::path& file) {
 
 namespace {
 
-epc::ClosedForm to_closed_form(const transform::Metrics& metrics, const std::string& where) {
+epc::ClosedForm to_closed_form(const transform::Metrics& metrics, const std::string& file_name) {
   try {
     return epc::read_closed_form(metrics);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", where, error.what()));
+    throw InputError(fmt::format("{}: {}", file_name, error.what()));
   }
 }
 
-ClosedFormFile closed_form_of_run(const results::Run& run, const std::string& where,
+ClosedFormFile closed_form_of_run(const results::Run& run, const std::string& file_name,
                                   const SolutionSelection& choice) {
   std::vector<std::string> cases;
   for (const auto& case_result : run.cases) cases.push_back(case_result.name());
@@ -62,7 +62,7 @@ ClosedFormFile closed_form_of_run(const results::Run& run, const std::string& wh
   if (!requested && std::ranges::find(cases, choice.default_case) != cases.end()) {
     requested = choice.default_case;
   }
-  const auto& case_result = run.cases[select_index(cases, requested, "case", where)];
+  const auto& case_result = run.cases[select_requested_index(cases, requested, "case", file_name)];
 
   std::vector<std::string> with_form;
   for (const auto& solution : case_result.solutions) {
@@ -71,52 +71,52 @@ ClosedFormFile closed_form_of_run(const results::Run& run, const std::string& wh
   if (choice.solution && case_result.find(*choice.solution) != nullptr &&
       std::ranges::find(with_form, *choice.solution) == with_form.end()) {
     throw InputError(
-        fmt::format("{}: {} has no closed form in {}{}", where, base::in_quotes(*choice.solution),
-                    case_result.name(),
+        fmt::format("{}: {} has no closed form in {}{}", file_name,
+                    base::in_quotes(*choice.solution), case_result.name(),
                     with_form.empty() ? "" : fmt::format("; use {}", fmt::join(with_form, ", "))));
   }
-  const std::string of_case = fmt::format("{}, {}", where, base::sanitise(case_result.name()));
-  const auto& solution =
-      *case_result.find(with_form[select_index(with_form, choice.solution, "solution", of_case)]);
-  return {to_closed_form(solution.metrics, fmt::format("{}: {}", where, solution.id())),
+  const std::string of_case = fmt::format("{}, {}", file_name, base::sanitise(case_result.name()));
+  const auto& solution = *case_result.find(
+      with_form[select_requested_index(with_form, choice.solution, "solution", of_case)]);
+  return {to_closed_form(solution.metrics, fmt::format("{}: {}", file_name, solution.id())),
           case_result.problem, solution};
 }
 
 }  // namespace
 
-std::size_t select_index(const std::vector<std::string>& names,
-                         const std::optional<std::string>& requested, const std::string& item_kind,
-                         const std::string& where) {
+std::size_t select_requested_index(const std::vector<std::string>& names,
+                                   const std::optional<std::string>& requested,
+                                   const std::string& item_kind, const std::string& file_name) {
   if (names.empty()) {
     throw InputError(
-        fmt::format("{} contains no {} with a density of this kind", where, item_kind));
+        fmt::format("{} contains no {} with a density of this kind", file_name, item_kind));
   }
   std::vector<std::string> known;
   for (const auto& name : names) known.push_back(base::sanitise(name));
   if (!requested) {
     if (names.size() == 1) return 0;
-    throw InputError(fmt::format("{} contains {} {}s; select one by {}=: {}", where, names.size(),
-                                 item_kind, item_kind, fmt::join(known, ", ")));
+    throw InputError(fmt::format("{} contains {} {}s; select one by {}=: {}", file_name,
+                                 names.size(), item_kind, item_kind, fmt::join(known, ", ")));
   }
   const auto found = std::ranges::find(names, *requested);
   if (found == names.end()) {
-    throw InputError(fmt::format("{} contains no {} {}; use {}", where, item_kind,
+    throw InputError(fmt::format("{} contains no {} {}; use {}", file_name, item_kind,
                                  base::in_quotes(*requested), fmt::join(known, ", ")));
   }
   return static_cast<std::size_t>(found - names.begin());
 }
 
-ClosedFormFile read_closed_form_file(const std::string& text, const std::string& where,
+ClosedFormFile read_closed_form_file(const std::string& text, const std::string& file_name,
                                      const SolutionSelection& choice) {
-  if (results::is_run_summary(text, where)) {
+  if (results::is_run_summary(text, file_name)) {
     std::istringstream in(text);
-    return closed_form_of_run(results::read_summary(in, where), where, choice);
+    return closed_form_of_run(results::read_run_summary(in, file_name), file_name, choice);
   }
   if (choice.solution || choice.case_name) {
-    throw InputError(fmt::format("{} contains a single closed form; omit the key {}", where,
+    throw InputError(fmt::format("{} contains a single closed form; omit the key {}", file_name,
                                  choice.solution ? "solution" : "case"));
   }
-  return {to_closed_form(results::metrics_from_external_json(text, where), where), {}, {}};
+  return {to_closed_form(results::metrics_from_external_json(text, file_name), file_name), {}, {}};
 }
 
 }  // namespace fpkcheck::methods

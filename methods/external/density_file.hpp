@@ -44,20 +44,20 @@ struct ClosedFormFile {
 
 /// Reads a closed form from JSON: the file contains one closed form (epc::read_closed_form) or is
 /// the summary of a run with a closed form.
-/// @param where name of the file, for messages
+/// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the text is not JSON, or `choice` does not
 ///         select exactly one complete closed form
-ClosedFormFile read_closed_form_file(const std::string& text, const std::string& where,
+ClosedFormFile read_closed_form_file(const std::string& text, const std::string& file_name,
                                      const SolutionSelection& choice);
 
 /// Returns the index of the requested name in `names`. Without a requested name, the result is the
 /// index of the only name.
 /// @param item_kind "case" or "solution", for messages
-/// @param where name of the file, for messages
+/// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if `names` lacks the requested name, or if no
 ///         name is requested and `names` has several
-std::size_t select_index(const std::vector<std::string>& names,
-                         const std::optional<std::string>& requested, const std::string& item_kind,
-                         const std::string& where);
+std::size_t select_requested_index(const std::vector<std::string>& names,
+                                   const std::optional<std::string>& requested,
+                                   const std::string& item_kind, const std::string& file_name);
 
 }  // namespace fpkcheck::methods

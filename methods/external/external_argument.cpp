@@ -36,9 +36,9 @@ int parse_order(const std::string& value) {
 
 void set(const std::string& key, const std::string& value, ExternalArgument& argument) {
   if (key == "equation") {
-    argument.equation = base::parse_enum<problem::Equation>("--against: equation =", value);
+    argument.equation = base::parse_enum<problem::DensityEquation>("--against: equation =", value);
   } else if (key == "impact") {
-    argument.impact = base::parse_enum<problem::Impact>("--against: impact =", value);
+    argument.impact = base::parse_enum<problem::ImpactCondition>("--against: impact =", value);
   } else if (key == "order") {
     argument.order = parse_order(value);
   } else if (key == "solution") {

@@ -13,8 +13,8 @@ struct ExternalArgument {
   std::filesystem::path file;
   std::string label;  ///< label of the density; by default the file name without extension
   bool has_label = true;
-  std::optional<problem::Equation> equation = {};
-  std::optional<problem::Impact> impact = {};
+  std::optional<problem::DensityEquation> equation = {};
+  std::optional<problem::ImpactCondition> impact = {};
   std::optional<int> order = {};  ///< order of the closure
   /// Id of the solution to use, for a file with several solutions.
   std::optional<std::string> solution = {};

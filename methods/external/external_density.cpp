@@ -9,7 +9,7 @@
 #include "base/input_error.hpp"
 #include "methods/plot_style.hpp"
 #include "problem/balances.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 #include "transform/metric.hpp"
 
 namespace fpkcheck::methods {
@@ -24,7 +24,8 @@ using transform::Status;
 constexpr double kNegativeTolerance = 1e-6, kCutOffTolerance = 1e-4, kMassTolerance = 1e-3;
 
 // Returns the largest average over the outermost cells, except cells at a wall.
-double largest_boundary_average(const transform::GridDensity& grid, const DensityPoints& points) {
+double largest_boundary_average(const transform::GridDensity& grid,
+                                const DensityQuadratureGrid& points) {
   double most = 0;
   for (std::size_t i = 0; i < grid.ny(); ++i) {
     most = std::max({most, grid.cell_average(i, 0), grid.cell_average(i, grid.nv() - 1)});
@@ -37,7 +38,7 @@ double largest_boundary_average(const transform::GridDensity& grid, const Densit
 }
 
 // Returns the outermost edges as text: "at y = 2 and |y'| = 3".
-std::string cut_off_text(const transform::GridDensity& grid, const DensityPoints& points) {
+std::string cut_off_text(const transform::GridDensity& grid, const DensityQuadratureGrid& points) {
   std::string ends;
   if (!points.has_wall_at_start()) ends += fmt::format("y = {:.3g}, ", grid.y_edges.front());
   if (!points.has_wall_at_end()) ends += fmt::format("y = {:.3g}, ", grid.y_edges.back());
@@ -46,8 +47,9 @@ std::string cut_off_text(const transform::GridDensity& grid, const DensityPoints
 }
 
 // Returns the reason for the status `inadmissible`; empty for an admissible density.
-std::string inadmissible_reason(const transform::GridDensity& grid, const DensityPoints& points,
-                                double peak, double least, double mass) {
+std::string inadmissible_reason(const transform::GridDensity& grid,
+                                const DensityQuadratureGrid& points, double peak, double least,
+                                double mass) {
   if (least < -kNegativeTolerance * peak) {
     return fmt::format("the density is negative, down to {:.1e} of its peak", least / peak);
   }
@@ -64,7 +66,7 @@ std::string inadmissible_reason(const transform::GridDensity& grid, const Densit
 // Returns the residuals of the virial balance and the momentum balance, in wall coordinates.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const DensityIntegrals& integrals, double mass) {
-  const problem::Frame frame = problem::wall_frame(problem.system);
+  const problem::WallFrame frame = problem::wall_frame(problem.system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
   const auto& force = transformed.system.restoring_force();
   const auto mean = [&](const auto& function) {
@@ -73,15 +75,17 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
     }) / mass;
   };
   const auto wall_momentum = [&](bool right) {
-    return (right ? integrals.right_wall_flux(2) : integrals.left_wall_flux(2)) / mass;
+    return (right ? integrals.right_wall_velocity_moment(2)
+                  : integrals.left_wall_velocity_moment(2)) /
+           mass;
   };
-  const problem::VirialTerms virial{
+  const problem::VirialBalanceTerms virial{
       .mean_displacement = mean([](double x, double) { return x; }),
       .mean_square_velocity = mean([](double, double v) { return v * v; }),
       .mean_virial = mean([&](double x, double) { return x * force(x); }),
       .right_momentum = frame.mirrored ? 0 : wall_momentum(true),
       .mean_y_cubed_velocity = mean([](double x, double v) { return x * v * v * v; })};
-  problem::MomentumTerms momentum{
+  problem::MomentumBalanceTerms momentum{
       .mean_force = mean([&](double x, double) { return force(x); }),
       .impact_momentum = wall_momentum(frame.mirrored),
       .right_momentum = virial.right_momentum,
@@ -99,15 +103,16 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
 
 }  // namespace
 
-transform::SolutionIdentity external_identity(const ExternalDensity& external,
-                                              std::string_view method, const std::string& origin) {
+transform::SolutionIdentity external_density_identity(const ExternalDensity& external,
+                                                      std::string_view method,
+                                                      const std::string& origin) {
   transform::SolutionIdentity identity{.id = external.label,
                                        .method = std::string(method),
                                        .order = external.order,
                                        .role = transform::SolutionRole::external,
                                        .family = std::string(method),
                                        .trust = static_cast<int>(external.index),
-                                       .plot_style = external_style(external.index)};
+                                       .plot_style = external_density_style(external.index)};
   if (external.equation) {
     identity.role = transform::SolutionRole::closure;
     identity.equation = external.equation;
@@ -127,7 +132,8 @@ void add_rest_atom_note(const problem::Problem& problem, transform::MetricBuilde
       "the mass at rest in contact with a wall is not part of the density and counts as missing");
 }
 
-double validated_density_integral(const ExternalDensity& external, const DensityPoints& points,
+double validated_density_integral(const ExternalDensity& external,
+                                  const DensityQuadratureGrid& points,
                                   const std::vector<double>& values) {
   const std::size_t nv = points.v_points().size();
   if (values.size() != points.y_points().size() * nv) {
@@ -151,8 +157,9 @@ double validated_density_integral(const ExternalDensity& external, const Density
 
 Solution external_density_solution(const problem::Problem& problem, const SolveContext& context,
                                    const ExternalDensity& external,
-                                   const JointDensityOptions& options, const DensityPoints& points,
-                                   std::vector<double> values, double mass) {
+                                   const JointDensityOptions& options,
+                                   const DensityQuadratureGrid& points, std::vector<double> values,
+                                   double mass) {
   if (options.normalise) {
     for (double& value : values) value /= mass;
   }
@@ -168,13 +175,13 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
   const double damping_power = integrals.integrate_times_density([&](double y, double v) {
     return v * v * (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v);
   });
-  solution.energy_residual =
-      problem::energy_residual(problem, external.impact,
-                               {.mean_velocity = moments.v1,
-                                .mean_square_velocity = moments.v2,
-                                .impact_energy_flux = integrals.left_wall_flux(3) / solution.mass,
-                                .right_energy_flux = integrals.right_wall_flux(3) / solution.mass,
-                                .mean_damping_power = damping_power / solution.mass});
+  solution.energy_residual = problem::energy_residual(
+      problem, external.impact,
+      {.mean_velocity = moments.v1,
+       .mean_square_velocity = moments.v2,
+       .impact_energy_flux = integrals.left_wall_velocity_moment(3) / solution.mass,
+       .right_energy_flux = integrals.right_wall_velocity_moment(3) / solution.mass,
+       .mean_damping_power = damping_power / solution.mass});
   solution.reason = options.inadmissible_reason.empty()
                         ? inadmissible_reason(grid, points, peak, least, solution.mass)
                         : options.inadmissible_reason;
@@ -196,10 +203,12 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
 
 Method make_method_from_density_values(const ExternalDensity& external,
                                        const JointDensityOptions& options,
-                                       const DensityPoints& points, std::vector<double> values) {
+                                       const DensityQuadratureGrid& points,
+                                       std::vector<double> values) {
   const double mass = validated_density_integral(external, points, values);
   return {
-      .identity = external_identity(external, transform::kExternalFunction, "given as a function"),
+      .identity =
+          external_density_identity(external, transform::kExternalFunction, "given as a function"),
       .solve = [external, options, points, mass, values = std::move(values)](
                    const problem::Problem& problem, const SolveContext& context) {
         return external_density_solution(problem, context, external, options, points, values, mass);

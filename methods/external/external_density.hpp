@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/external/density_points.hpp"
+#include "methods/external/density_quadrature.hpp"
 #include "methods/method.hpp"
 
 /// External densities (from files or from Python) as methods that solve nothing. An external
@@ -15,11 +15,11 @@
 namespace fpkcheck::methods {
 
 struct ExternalDensity {
-  std::string label;  ///< id of the solution (methods/external/labels.hpp)
+  std::string label;  ///< id of the solution (methods/external/external_labels.hpp)
   /// Equation that the density approximates; empty if unknown. An error budget requires an
   /// equation.
-  std::optional<problem::Equation> equation = {};
-  problem::Impact impact = problem::Impact::map;
+  std::optional<problem::DensityEquation> equation = {};
+  problem::ImpactCondition impact = problem::ImpactCondition::map;
   std::size_t index = 0;          ///< index among all external densities, for plot styles
   std::optional<int> order = {};  ///< order of the closure
 };
@@ -27,8 +27,9 @@ struct ExternalDensity {
 /// Returns the identity of the solution for an external density.
 /// @param method transform::kExternalFile or transform::kExternalFunction
 /// @param origin phrase on the origin of the density, for the glossary: "given as a function"
-transform::SolutionIdentity external_identity(const ExternalDensity& external,
-                                              std::string_view method, const std::string& origin);
+transform::SolutionIdentity external_density_identity(const ExternalDensity& external,
+                                                      std::string_view method,
+                                                      const std::string& origin);
 
 struct JointDensityOptions {
   /// Whether to divide the density by its integral, the metric "normalised_by".
@@ -48,7 +49,8 @@ struct JointDensityOptions {
 /// @throws InputError if a value is not finite, or the integral is not positive
 Method make_method_from_density_values(const ExternalDensity& external,
                                        const JointDensityOptions& options,
-                                       const DensityPoints& points, std::vector<double> values);
+                                       const DensityQuadratureGrid& points,
+                                       std::vector<double> values);
 
 /// Adds the metric notes[0] if mass may be at rest in contact with a wall
 /// (problem::ProblemFeatures). The note states that an external density does not contain this mass.
@@ -57,7 +59,8 @@ void add_rest_atom_note(const problem::Problem& problem, transform::MetricBuilde
 /// Checks the values of an external joint density.
 /// @return the integral of the density
 /// @throws InputError if a value is not finite, or the integral is not positive
-double validated_density_integral(const ExternalDensity& external, const DensityPoints& points,
+double validated_density_integral(const ExternalDensity& external,
+                                  const DensityQuadratureGrid& points,
                                   const std::vector<double>& values);
 
 /// @param values values of the density, accepted by validated_density_integral()
@@ -66,7 +69,7 @@ transform::Solution external_density_solution(const problem::Problem& problem,
                                               const SolveContext& context,
                                               const ExternalDensity& external,
                                               const JointDensityOptions& options,
-                                              const DensityPoints& points,
+                                              const DensityQuadratureGrid& points,
                                               std::vector<double> values, double mass);
 
 }  // namespace fpkcheck::methods

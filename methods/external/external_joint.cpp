@@ -10,10 +10,10 @@
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "epc/closed_form_density.hpp"
-#include "methods/external/between_walls.hpp"
-#include "methods/external/column_meaning.hpp"
+#include "methods/external/column_detection.hpp"
 #include "methods/external/density_file.hpp"
 #include "methods/external/joint_table.hpp"
+#include "methods/external/range_between_walls.hpp"
 #include "results/joint_netcdf.hpp"
 
 namespace fpkcheck::methods {
@@ -36,15 +36,16 @@ ExternalJointDensity joint_from_points(JointTable table, const std::string& path
         fmt::format("p(y, y') is cut off at {:.2g} of its peak and taken as 0 beyond", end / peak));
   }
   joint.values = [path, table = std::make_shared<const JointTable>(std::move(table))](
-                     const problem::Problem&, const DensityPoints& points) {
+                     const problem::Problem&, const DensityQuadratureGrid& points) {
     require_between_walls(points.walls(), table->y.front(), table->y.back(), path);
-    return evaluate_at(*table, points);
+    return evaluate_at_quadrature_points(*table, points);
   };
   return joint;
 }
 
 ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std::string& where,
-                                    const std::string& default_case, const Registry& registry) {
+                                    const std::string& default_case,
+                                    const SolverRegistry& registry) {
   auto file = results::read_joint_netcdf(argument.file);
   std::vector<std::string> cases, solutions;
   for (const auto& [case_name, joint] : file.joints) {
@@ -52,14 +53,14 @@ ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std:
   }
   auto requested = argument.case_name;
   if (!requested && std::ranges::find(cases, default_case) != cases.end()) requested = default_case;
-  const std::string& of_case = cases[select_index(cases, requested, "case", where)];
+  const std::string& of_case = cases[select_requested_index(cases, requested, "case", where)];
   std::vector<const transform::GridDensity*> densities;
   for (const auto& [case_name, joint] : file.joints) {
     if (case_name != of_case) continue;
     solutions.push_back(joint.solution);
     densities.push_back(&joint.density);
   }
-  const auto place = select_index(solutions, argument.solution, "solution", where);
+  const auto place = select_requested_index(solutions, argument.solution, "solution", where);
   const auto& cells = *densities[place];
   ExternalJointDensity joint{
       .path = where, .form = "joint cells", .numbers = cells.averages.size()};
@@ -74,10 +75,10 @@ ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std:
     joint.order = method->identity.order;
   }
   joint.values = [where, external = std::make_shared<const transform::GridDensity>(cells)](
-                     const problem::Problem&, const DensityPoints& points) {
+                     const problem::Problem&, const DensityQuadratureGrid& points) {
     require_between_walls(points.walls(), external->y_edges.front(), external->y_edges.back(),
                           where);
-    return evaluate_at(*external, points);
+    return evaluate_at_quadrature_points(*external, points);
   };
   return joint;
 }
@@ -98,7 +99,7 @@ std::string first_difference(const problem::Problem& of_file, const problem::Pro
   return {};
 }
 
-JointTable to_joint_table(results::GriddedVariable variable, const std::string& where) {
+JointTable to_joint_table(results::NetCdfGridVariable variable, const std::string& where) {
   const std::vector<std::string> names{variable.first_name, variable.second_name, "p"};
   const auto of_v = velocity_column_index(names);
   if (of_v >= names.size()) {
@@ -125,7 +126,7 @@ ExternalJointDensity joint_density_from_table(const NumberTable& table) {
 
 ExternalJointDensity joint_density_from_netcdf(const ExternalArgument& argument, std::string bytes,
                                                const std::string& default_case,
-                                               const Registry& registry) {
+                                               const SolverRegistry& registry) {
   const std::string where = base::sanitise(argument.file.string());
   if (results::is_joint_netcdf(bytes))
     return joint_from_run(argument, where, default_case, registry);
@@ -165,7 +166,7 @@ ExternalJointDensity joint_density_from_json(const ExternalArgument& argument,
           fmt::format("the status in the file is {}: {}", name(solution->status), solution->reason);
     }
   }
-  joint.values = [file](const problem::Problem& of_run, const DensityPoints& points) {
+  joint.values = [file](const problem::Problem& of_run, const DensityQuadratureGrid& points) {
     const auto density =
         epc::density_of_closed_form(file->form, file->problem ? &*file->problem : &of_run);
     std::vector<double> values;
@@ -181,12 +182,12 @@ ExternalJointDensity joint_density_from_json(const ExternalArgument& argument,
 Method make_method_from_joint_density(const ExternalDensity& external,
                                       const ExternalJointDensity& joint) {
   const auto check = [external, joint](const problem::Problem& problem) {
-    const DensityPoints points(compare::comparison_axes(problem), problem.system.walls());
+    const DensityQuadratureGrid points(compare::comparison_axes(problem), problem.system.walls());
     return validated_density_integral(external, points, joint.values(problem, points));
   };
   const auto solve = [external, joint](const problem::Problem& problem,
                                        const SolveContext& context) {
-    const DensityPoints points(context.axes, problem.system.walls());
+    const DensityQuadratureGrid points(context.axes, problem.system.walls());
     auto values = joint.values(problem, points);
     const double mass = validated_density_integral(external, points, values);
     auto solution = external_density_solution(
@@ -204,7 +205,7 @@ Method make_method_from_joint_density(const ExternalDensity& external,
     transform::MetricBuilder builder;
     builder.add_text("files[0].file", joint.path)
         .add_text("files[0].form", joint.form)
-        .add_work("files[0].numbers", transform::value_from_count(joint.numbers));
+        .add_diagnostic("files[0].numbers", transform::value_from_count(joint.numbers));
     if (notes.empty()) builder.add_empty_list("files[0].notes", transform::MetricKind::text);
     for (std::size_t n = 0; n < notes.size(); ++n) {
       builder.add_text(fmt::format("files[0].notes[{}]", n), notes[n]);
@@ -212,7 +213,7 @@ Method make_method_from_joint_density(const ExternalDensity& external,
     std::ranges::move(builder.take_metrics(), std::back_inserter(solution.metrics));
     return solution;
   };
-  return {.identity = external_identity(external, transform::kExternalFile, "from a file"),
+  return {.identity = external_density_identity(external, transform::kExternalFile, "from a file"),
           .solve = solve,
           .check = [check](const problem::Problem& problem) { check(problem); }};
 }

@@ -17,14 +17,15 @@ struct ExternalJointDensity {
   std::string form;         ///< "joint points", "joint cells" or "closed form"
   std::size_t numbers = 0;  ///< number of points, cells or coefficients
   std::vector<std::string> notes{};
-  bool normalise = true;                        ///< as in JointDensityOptions
-  std::string inadmissible_reason{};            ///< as in JointDensityOptions
-  std::optional<problem::Problem> problem{};    ///< stated problem, if any
-  std::optional<problem::Equation> equation{};  ///< stated equation, if any
-  std::optional<problem::Impact> impact{};      ///< stated impact condition, if any
-  std::optional<int> order{};                   ///< stated closure order, if any
+  bool normalise = true;                               ///< as in JointDensityOptions
+  std::string inadmissible_reason{};                   ///< as in JointDensityOptions
+  std::optional<problem::Problem> problem{};           ///< stated problem, if any
+  std::optional<problem::DensityEquation> equation{};  ///< stated equation, if any
+  std::optional<problem::ImpactCondition> impact{};    ///< stated impact condition, if any
+  std::optional<int> order{};                          ///< stated closure order, if any
   /// Returns the values of the density, row-major, shape (points.y_points(), points.v_points()).
-  std::function<std::vector<double>(const problem::Problem&, const DensityPoints&)> values{};
+  std::function<std::vector<double>(const problem::Problem&, const DensityQuadratureGrid&)>
+      values{};
 };
 
 /// @throws InputError with a message of one line
@@ -34,7 +35,7 @@ ExternalJointDensity joint_density_from_table(const NumberTable& table);
 /// @throws InputError with a message of one line
 ExternalJointDensity joint_density_from_netcdf(const ExternalArgument& argument, std::string bytes,
                                                const std::string& default_case,
-                                               const Registry& registry);
+                                               const SolverRegistry& registry);
 /// Reads a joint density from a JSON file with a closed form, or from the summary of a run.
 /// @param default_case name of the case to use if `argument` has no case name
 /// @throws InputError with a message of one line

@@ -11,7 +11,7 @@
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "methods/external/bin_average_errors.hpp"
-#include "methods/external/column_meaning.hpp"
+#include "methods/external/column_detection.hpp"
 #include "numerics/statistics.hpp"
 
 // This include follows fpclassify, since pchip of Boost 1.74 calls isnan without a declaration.
@@ -21,7 +21,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 void require_between_walls(const NumberTable& table, std::size_t row, double y,
                            const problem::Walls& walls) {
@@ -67,8 +67,8 @@ double integral(const Function& f, double a, double b) {
 }  // namespace
 
 ExternalMarginal::ExternalMarginal(const NumberTable& table, const problem::Walls& walls)
-    : variable_(variable_from_names(table)),
-      walls_(variable_ == Variable::y ? walls : problem::Walls{}) {
+    : variable_(variable_from_column_names(table)),
+      walls_(variable_ == StateVariable::y ? walls : problem::Walls{}) {
   require_rows(table, walls_);
   const bool histogram = is_histogram(table);
   file_.path = table.source;
@@ -85,7 +85,7 @@ void ExternalMarginal::read_histogram(const NumberTable& table) {
     if (upper <= lower) {
       table.fail(k, fmt::format("a bin from {:g} to {:g} (edges must increase)", lower, upper));
     }
-    if (k > 0 && !are_adjacent(table.rows[k - 1], table.rows[k])) {
+    if (k > 0 && !are_bins_adjacent(table.rows[k - 1], table.rows[k])) {
       table.fail(k, fmt::format("a bin from {:g} after a bin to {:g} (bins must adjoin)", lower,
                                 knots_.back()));
     }
@@ -115,7 +115,7 @@ void ExternalMarginal::read_points(const NumberTable& table) {
     require_not_negative(table, 2, "standard error");
     errors_ = table.column(2);
   }
-  extrapolation_ = walls_to_extrapolate_to(walls_, knots_);
+  extrapolation_ = select_extrapolation_walls(walls_, knots_);
   const std::size_t before_last = knots_.size() - 2;
   if (extrapolation_.right) {
     const double wall = walls_.right->position;
@@ -182,7 +182,7 @@ void ExternalMarginal::add_cut_off_notes() {
     if (share <= kSmall) return;
     file_.notes.push_back(
         fmt::format("{} is cut off at {:.4g}, at {:.2g} of its peak, and taken as 0 beyond",
-                    variable_ == Variable::y ? "p(y)" : "p(y')", end, share));
+                    variable_ == StateVariable::y ? "p(y)" : "p(y')", end, share));
   };
   if (!is_at_wall(walls_.left, knots_.front())) note(knots_.front());
   if (!is_at_wall(walls_.right, knots_.back())) note(knots_.back());

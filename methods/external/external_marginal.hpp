@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "methods/external/between_walls.hpp"
 #include "methods/external/bin_average_errors.hpp"
-#include "methods/external/column_meaning.hpp"
+#include "methods/external/column_detection.hpp"
 #include "methods/external/number_table.hpp"
+#include "methods/external/range_between_walls.hpp"
 #include "transform/marginal.hpp"
 
 namespace fpkcheck::methods {
@@ -39,7 +39,7 @@ class ExternalMarginal {
   /// @throws InputError with a message "SOURCE:LINE: problem (admissible values)"
   ExternalMarginal(const NumberTable& table, const problem::Walls& walls);
 
-  transform::Variable variable() const { return variable_; }
+  transform::StateVariable variable() const { return variable_; }
 
   /// Returns the averages of the density over bins, with 95 % confidence intervals if the file has
   /// standard errors.
@@ -65,7 +65,7 @@ class ExternalMarginal {
   void add_cut_off_notes();
   double cumulative(double x) const;
 
-  transform::Variable variable_;
+  transform::StateVariable variable_;
   problem::Walls walls_;  // no walls for a density of y'
   WallExtrapolation extrapolation_;
   std::vector<double> knots_;       // edges of bins, or points and walls

@@ -11,21 +11,21 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/external/between_walls.hpp"
 #include "methods/external/density_file.hpp"
 #include "methods/external/external_argument.hpp"
 #include "methods/external/external_density.hpp"
 #include "methods/external/external_joint.hpp"
+#include "methods/external/external_labels.hpp"
 #include "methods/external/external_marginal.hpp"
 #include "methods/external/joint_table.hpp"
-#include "methods/external/labels.hpp"
+#include "methods/external/range_between_walls.hpp"
 #include "problem/balances.hpp"
 #include "transform/metric.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 double unknown_value() { return std::numeric_limits<double>::quiet_NaN(); }
 
@@ -37,7 +37,7 @@ std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, d
   return fmt::format(
       "{:.3g} % of the mass is outside the comparison axes, {} = {:.3g} to {:.3g}, and ignored; "
       "check the units",
-      100 * share, marginal.variable() == Variable::y ? "y" : "y'", bins.front(), bins.back());
+      100 * share, marginal.variable() == StateVariable::y ? "y" : "y'", bins.front(), bins.back());
 }
 
 // Adds the properties of a file and of its normalisation as metrics under "files[k]".
@@ -49,7 +49,7 @@ void add_metrics(const ExternalMarginal& marginal, const std::vector<double>& bi
   builder.add_text(path + "file", file.path)
       .add_text(path + "variable", std::string(name(marginal.variable())))
       .add_text(path + "form", file.form)
-      .add_work(path + "rows", transform::value_from_count(file.rows));
+      .add_diagnostic(path + "rows", transform::value_from_count(file.rows));
   if (!file.values.empty()) builder.add_text(path + "values", file.values);
   builder.add_result(path + "from", file.from)
       .add_result(path + "to", file.to)
@@ -71,7 +71,7 @@ void add_sampling_error(const ExternalMarginal& marginal, const std::vector<doub
   if (!marginal.has_standard_errors()) return;
   const auto [expected, quantile_99] = marginal.l1_sampling_error(bins);
   auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
-  const bool of_y = marginal.variable() == Variable::y;
+  const bool of_y = marginal.variable() == StateVariable::y;
   (of_y ? sampling.y : sampling.ydot) = expected;
   (of_y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
 }
@@ -80,14 +80,14 @@ void add_sampling_error(const ExternalMarginal& marginal, const std::vector<doub
 // known. The momentum balance is omitted, since it requires wall fluxes and joint moments.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const std::vector<ExternalMarginal>& marginals) {
-  const auto of = [&](Variable variable) {
+  const auto of = [&](StateVariable variable) {
     return std::ranges::find(marginals, variable, &ExternalMarginal::variable);
   };
-  const auto y = of(Variable::y), ydot = of(Variable::ydot);
+  const auto y = of(StateVariable::y), ydot = of(StateVariable::ydot);
   if (y == marginals.end() || ydot == marginals.end()) return {};
   const problem::System& system = problem.system;
   if ((system.left_wall() && system.right_wall()) || system.rayleigh_coefficient() != 0) return {};
-  const problem::Frame frame = problem::wall_frame(system);
+  const problem::WallFrame frame = problem::wall_frame(system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
   // The substitution of x(y) converts a polynomial of x to a polynomial of y.
   const auto in_y = [&](const numerics::Polynomial& of_x) {
@@ -118,11 +118,11 @@ transform::Solution marginals_solution(const problem::Problem& problem,
   transform::MetricBuilder builder;
   for (std::size_t k = 0; k < marginals.size(); ++k) {
     const auto& marginal = marginals[k];
-    const bool of_y = marginal.variable() == Variable::y;
+    const bool of_y = marginal.variable() == StateVariable::y;
     (of_y ? m.y1 : m.v1) = marginal.moment(1);
     (of_y ? m.y2 : m.v2) = marginal.moment(2);
     (of_y ? m.y4 : m.v4) = marginal.moment(4);
-    const auto& bins = compare::bin_edges(axes, marginal.variable());
+    const auto& bins = compare::comparison_bin_edges(axes, marginal.variable());
     auto on_axes = marginal.average_over_bins(bins);
     const double mass = marginal.moment(0);
     const auto [least, most] = std::ranges::minmax(on_axes.density);
@@ -143,7 +143,7 @@ transform::Solution marginals_solution(const problem::Problem& problem,
 // A file with a marginal density. The walls of the case are known only later.
 struct MarginalFile {
   NumberTable table;
-  Variable variable;
+  StateVariable variable;
 };
 
 std::vector<ExternalMarginal> read_marginals(const problem::Problem& problem,
@@ -177,7 +177,7 @@ void set_identity(const ExternalArgument& argument, const ExternalJointDensity* 
     if (!order) order = joint->order;
   }
   if (equation) {
-    const auto own_impact = impact.value_or(problem::Impact::map);
+    const auto own_impact = impact.value_or(problem::ImpactCondition::map);
     if (external.equation && (*external.equation != *equation || external.impact != own_impact))
       differ("equation");
     external.equation = equation;
@@ -190,18 +190,18 @@ void set_identity(const ExternalArgument& argument, const ExternalJointDensity* 
 }
 
 void add_marginal(NumberTable table, LabelledFiles& given) {
-  const Variable variable = ExternalMarginal(table, {}).variable();
+  const StateVariable variable = ExternalMarginal(table, {}).variable();
   if (std::ranges::find(given.marginals, variable, &MarginalFile::variable) !=
       given.marginals.end()) {
     throw InputError(
         fmt::format("two files of '{}' are densities of {}; give one file another label",
-                    given.external.label, variable == Variable::y ? "y" : "y'"));
+                    given.external.label, variable == StateVariable::y ? "y" : "y'"));
   }
   given.marginals.push_back({std::move(table), variable});
 }
 
 void read_density_into(const ExternalArgument& argument, const std::string& case_name,
-                       const Registry& registry, LabelledFiles& given) {
+                       const SolverRegistry& registry, LabelledFiles& given) {
   auto [form, bytes] = read_density_file(argument.file);
   std::optional<ExternalJointDensity> joint;
   if (form == DensityFileFormat::netcdf) {
@@ -233,7 +233,7 @@ void read_density_into(const ExternalArgument& argument, const std::string& case
 
 Method make_marginals_method(const ExternalDensity& external,
                              const std::vector<MarginalFile>& files) {
-  return {.identity = external_identity(external, transform::kExternalFile, "from a file"),
+  return {.identity = external_density_identity(external, transform::kExternalFile, "from a file"),
           .solve =
               [files](const problem::Problem& problem, const SolveContext& context) {
                 return marginals_solution(problem, read_marginals(problem, files), context.axes);
@@ -244,7 +244,7 @@ Method make_marginals_method(const ExternalDensity& external,
 }  // namespace
 
 std::vector<Method> external_methods(std::span<const std::string> arguments,
-                                     const Registry& registry, const std::string& case_name) {
+                                     const SolverRegistry& registry, const std::string& case_name) {
   std::vector<LabelledFiles> solutions;
   for (const auto& text : arguments) {
     auto argument = parse_external_argument(text);
@@ -264,7 +264,7 @@ std::vector<Method> external_methods(std::span<const std::string> arguments,
     methods.push_back(joint ? make_method_from_joint_density(external, *joint)
                             : make_marginals_method(external, marginals));
   }
-  group_families(methods);
+  group_into_families(methods);
   return methods;
 }
 

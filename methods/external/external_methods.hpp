@@ -11,7 +11,7 @@ namespace fpkcheck::methods {
 /// Reads external densities from files and returns them as methods that solve nothing. Each file
 /// contains a marginal density (ExternalMarginal), a joint density on a grid (JointTable) or a
 /// joint density as a closed form (epc::ClosedForm). Files of marginal densities with the same
-/// label are one solution. Densities of several orders form a family (methods/external/labels.hpp).
+/// label are one solution. Densities of several orders form a family (methods/external/external_labels.hpp).
 /// The name of the solver is "file". If the argument or the file states an equation, the density is
 /// a closure. Otherwise its equation and impact condition are unknown.
 /// @param registry methods whose ids are not available as labels
@@ -20,6 +20,7 @@ namespace fpkcheck::methods {
 /// @throws InputError with a message of one line, for an invalid argument, file or label, and for
 ///         two files with the same label and variable
 std::vector<Method> external_methods(std::span<const std::string> arguments,
-                                     const Registry& registry, const std::string& case_name = {});
+                                     const SolverRegistry& registry,
+                                     const std::string& case_name = {});
 
 }  // namespace fpkcheck::methods

@@ -9,17 +9,17 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "methods/external/between_walls.hpp"
 #include "methods/external/bin_average_errors.hpp"
+#include "methods/external/range_between_walls.hpp"
 #include "numerics/statistics.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
 using transform::Solution;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -52,7 +52,7 @@ Samples without_samples_at_rest(const Samples& samples, const problem::Problem& 
 // Adds a marginal density to the solution: the fractions of all `n` samples in the bins, with
 // confidence intervals from the standard errors of the fractions.
 void add_marginal(const std::vector<double>& edges, const std::vector<double>& values, double n,
-                  double independent, Variable variable, Solution& solution) {
+                  double independent, StateVariable variable, Solution& solution) {
   std::vector<double> fractions(edges.size() - 1);
   for (const double value : values) {
     if (const auto bin = bin_index(edges, value)) fractions[*bin] += 1 / n;
@@ -69,8 +69,8 @@ void add_marginal(const std::vector<double>& edges, const std::vector<double>& v
   }
   const auto [expected, quantile_99] = l1_sampling_error(errors);
   auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
-  (variable == Variable::y ? sampling.y : sampling.ydot) = expected;
-  (variable == Variable::y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
+  (variable == StateVariable::y ? sampling.y : sampling.ydot) = expected;
+  (variable == StateVariable::y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
   solution.estimated_marginals.emplace_back(variable, std::move(marginal));
 }
 
@@ -109,12 +109,14 @@ Solution samples_solution(const Samples& samples, const problem::Problem& proble
                                                   (grid.v_edges[*j + 1] - grid.v_edges[*j]));
   }
   solution.density = std::move(grid);
-  add_marginal(axes.y_edges, value_from_count.y, n, samples.independent, Variable::y, solution);
-  add_marginal(axes.v_edges, value_from_count.v, n, samples.independent, Variable::ydot, solution);
+  add_marginal(axes.y_edges, value_from_count.y, n, samples.independent, StateVariable::y,
+               solution);
+  add_marginal(axes.v_edges, value_from_count.v, n, samples.independent, StateVariable::ydot,
+               solution);
   set_moments(samples, solution);
   transform::MetricBuilder builder;
-  builder.add_work("samples", transform::value_from_count(samples.size()))
-      .add_work("independent", samples.independent);
+  builder.add_diagnostic("samples", transform::value_from_count(samples.size()))
+      .add_diagnostic("independent", samples.independent);
   add_rest_atom_note(problem, builder);
   solution.metrics = builder.take_metrics();
   return solution;
@@ -144,7 +146,8 @@ Method make_method_from_samples(const ExternalDensity& external, std::span<const
   }
   auto samples = std::make_shared<const Samples>(
       Samples{{y.begin(), y.end()}, {v.begin(), v.end()}, independent > 0 ? independent : all});
-  return {.identity = external_identity(external, transform::kExternalFunction, "given as samples"),
+  return {.identity =
+              external_density_identity(external, transform::kExternalFunction, "given as samples"),
           .solve =
               [samples](const problem::Problem& problem, const SolveContext& context) {
                 return samples_solution(*samples, problem, context.axes);

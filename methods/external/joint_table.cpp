@@ -9,8 +9,8 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/external/between_walls.hpp"
-#include "methods/external/column_meaning.hpp"
+#include "methods/external/column_detection.hpp"
+#include "methods/external/range_between_walls.hpp"
 
 // This include follows fpclassify, since makima of Boost 1.74 calls isnan without a declaration.
 #include <boost/math/interpolators/makima.hpp>
@@ -49,9 +49,9 @@ void require_axis(const std::vector<double>& axis, const char* symbol, const std
 }
 
 // Akima's modified interpolant of values at increasing points; 0 outside the range of the points.
-class Interpolant {
+class AkimaInterpolant {
  public:
-  Interpolant(const std::vector<double>& at, std::vector<double> values)
+  AkimaInterpolant(const std::vector<double>& at, std::vector<double> values)
       : first_(at.front()), last_(at.back()), cubic_(std::vector(at), std::move(values)) {}
   double operator()(double x) const { return x < first_ || x > last_ ? 0 : cubic_(x); }
 
@@ -117,19 +117,20 @@ void require_between_walls(const problem::Walls& walls, double from, double to,
   }
 }
 
-std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& points) {
+std::vector<double> evaluate_at_quadrature_points(const JointTable& table,
+                                                  const DensityQuadratureGrid& points) {
   const std::size_t ny = table.y.size(), nv = table.v.size();
   const double least = std::min(std::ranges::min(table.p), 0.0);
   std::vector<std::vector<double>> columns(
       points.v_points().size());  // density at y of the table, v of a point
   for (std::size_t i = 0; i < ny; ++i) {
     const auto row = table.p.begin() + static_cast<std::ptrdiff_t>(i * nv);
-    const Interpolant along_v(table.v, {row, row + static_cast<std::ptrdiff_t>(nv)});
+    const AkimaInterpolant along_v(table.v, {row, row + static_cast<std::ptrdiff_t>(nv)});
     for (std::size_t j = 0; j < columns.size(); ++j)
       columns[j].push_back(along_v(points.v_points()[j]));
   }
   auto y = table.y;
-  const auto to_walls = walls_to_extrapolate_to(points.walls(), y);
+  const auto to_walls = select_extrapolation_walls(points.walls(), y);
   if (to_walls.left) y.insert(y.begin(), points.walls().left->position);
   if (to_walls.right) y.push_back(points.walls().right->position);
   std::vector<double> values(points.y_points().size() * columns.size());
@@ -141,7 +142,7 @@ std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& po
       column.push_back(extrapolate_to_wall(y.back(), table.y, column, ny - 2, least));
     }
     if (to_walls.left) column.insert(column.begin(), at_left);
-    const Interpolant along_y(y, std::move(column));
+    const AkimaInterpolant along_y(y, std::move(column));
     for (std::size_t i = 0; i < points.y_points().size(); ++i) {
       values[i * columns.size() + j] = std::max(along_y(points.y_points()[i]), least);
     }
@@ -149,7 +150,8 @@ std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& po
   return values;
 }
 
-std::vector<double> evaluate_at(const transform::GridDensity& cells, const DensityPoints& points) {
+std::vector<double> evaluate_at_quadrature_points(const transform::GridDensity& cells,
+                                                  const DensityQuadratureGrid& points) {
   const double least = std::min(std::ranges::min(cells.averages), 0.0);
   const auto parts = transform::average_over_cells(cells, subcell_edges(points.y_edges()),
                                                    subcell_edges(points.v_edges()));

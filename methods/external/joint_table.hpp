@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/external/density_points.hpp"
+#include "methods/external/density_quadrature.hpp"
 #include "methods/external/number_table.hpp"
 
 namespace fpkcheck::methods {
@@ -37,13 +37,15 @@ void require_between_walls(const problem::Walls& walls, double from, double to,
 /// The density is extrapolated linearly to a wall near the first or last y (WallExtrapolation).
 /// Elsewhere outside the table the density is 0.
 /// @return values at the points, row-major, shape (points.y_points(), points.v_points())
-std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& points);
+std::vector<double> evaluate_at_quadrature_points(const JointTable& table,
+                                                  const DensityQuadratureGrid& points);
 
 /// Returns values at quadrature points that reproduce the averages of a density over cells. The
 /// values are averages over the subcells of the points (subcell_edges), computed from the
 /// cumulative distribution (transform::average_over_cells). The values are at least the smaller of
 /// 0 and the lowest average.
 /// @return values at the points, row-major, shape (points.y_points(), points.v_points())
-std::vector<double> evaluate_at(const transform::GridDensity& cells, const DensityPoints& points);
+std::vector<double> evaluate_at_quadrature_points(const transform::GridDensity& cells,
+                                                  const DensityQuadratureGrid& points);
 
 }  // namespace fpkcheck::methods

@@ -10,7 +10,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/external/column_meaning.hpp"
+#include "methods/external/column_detection.hpp"
 
 namespace fpkcheck::methods {
 namespace {

@@ -121,8 +121,9 @@ BernsteinCoefficients power_coefficients_from_bernstein(std::span<const Interval
   return a;
 }
 
-BernsteinCoefficients bernstein_on_segment(std::span<const double> a, const Interval& origin,
-                                           const Interval& from, const Interval& to) {
+BernsteinCoefficients bernstein_coefficients_on_segment(std::span<const double> a,
+                                                        const Interval& origin,
+                                                        const Interval& from, const Interval& to) {
   // Horner's rule in Bernstein form, with x - origin as a polynomial of degree 1 in t.
   const BernsteinCoefficients x{from - origin, to - origin};
   BernsteinCoefficients b{Interval(a.back())};

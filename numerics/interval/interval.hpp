@@ -116,7 +116,8 @@ BernsteinCoefficients bernstein_from_power_coefficients(std::span<const Interval
 BernsteinCoefficients power_coefficients_from_bernstein(std::span<const Interval> b);
 /// Returns the Bernstein coefficients of the polynomial sum_k a_k (x - origin)^k on the segment x =
 /// from + t (to - from), 0 <= t <= 1.
-BernsteinCoefficients bernstein_on_segment(std::span<const double> a, const Interval& origin,
-                                           const Interval& from, const Interval& to);
+BernsteinCoefficients bernstein_coefficients_on_segment(std::span<const double> a,
+                                                        const Interval& origin,
+                                                        const Interval& from, const Interval& to);
 
 }  // namespace fpkcheck::numerics

@@ -10,7 +10,7 @@ void baseline::subtract_product(double* c, std::ptrdiff_t leading_dimension, con
 
 namespace {
 
-SubtractProduct* fastest_kernel() {
+SubtractProductKernel* fastest_kernel() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f")) return avx512::subtract_product;
   if (__builtin_cpu_supports("avx2")) return avx2::subtract_product;
@@ -23,7 +23,7 @@ SubtractProduct* fastest_kernel() {
 void subtract_product(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
                       const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,
                       std::ptrdiff_t inner) {
-  static SubtractProduct* const chosen = fastest_kernel();
+  static SubtractProductKernel* const chosen = fastest_kernel();
   chosen(c, leading_dimension, a, b, rows, columns, inner);
 }
 

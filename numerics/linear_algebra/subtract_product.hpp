@@ -20,17 +20,18 @@ void subtract_product(double* c, std::ptrdiff_t leading_dimension, const Strided
                       std::ptrdiff_t inner);
 
 // The implementations of subtract_product(), one for each instruction set.
-using SubtractProduct = void(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
-                             const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,
-                             std::ptrdiff_t inner);
+using SubtractProductKernel = void(double* c, std::ptrdiff_t leading_dimension,
+                                   const StridedMatrix& a, const StridedMatrix& b,
+                                   std::ptrdiff_t rows, std::ptrdiff_t columns,
+                                   std::ptrdiff_t inner);
 namespace baseline {
-SubtractProduct subtract_product;
+SubtractProductKernel subtract_product;
 }
 namespace avx2 {
-SubtractProduct subtract_product;
+SubtractProductKernel subtract_product;
 }
 namespace avx512 {
-SubtractProduct subtract_product;
+SubtractProductKernel subtract_product;
 }
 
 }  // namespace fpkcheck::numerics

@@ -7,10 +7,11 @@
 
 namespace fpkcheck::numerics {
 
-std::vector<double> sign_changes(const Polynomial& polynomial, double low, double high) {
+std::vector<double> sign_change_points(const Polynomial& polynomial, double low, double high) {
   if (polynomial.degree() == 0) return {};
   std::vector<double> ends{low};
-  for (const double turn : sign_changes(polynomial.derivative(), low, high)) ends.push_back(turn);
+  for (const double turn : sign_change_points(polynomial.derivative(), low, high))
+    ends.push_back(turn);
   ends.push_back(high);
   std::vector<double> roots;
   for (std::size_t n = 0; n + 1 < ends.size(); ++n) {

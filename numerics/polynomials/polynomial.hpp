@@ -74,7 +74,7 @@ class Polynomial {
 
 /// Returns the real roots of odd multiplicity in (low, high), increasing. The roots are searched
 /// between neighbouring sign changes of the derivative, where the polynomial is monotone.
-std::vector<double> sign_changes(const Polynomial& polynomial, double low, double high);
+std::vector<double> sign_change_points(const Polynomial& polynomial, double low, double high);
 
 /// Returns Cauchy's bound 1 + max |a_n / a_degree| of the modulus of all roots; 0 for a constant
 /// polynomial.

@@ -68,20 +68,20 @@ QuadratureRule gauss_legendre_rule(int point_count, double from, double to) {
   return rule;
 }
 
-QuadratureRule exponential_quadrature_rule(int degree) {
+QuadratureRule gauss_laguerre_rule(int degree) {
   const int count = degree / 2 + 1;
   const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
   return golub_welsch_rule({(2 * i).array() + 1, i.array() + 1});
 }
 
-QuadratureRule normal_quadrature_rule(int degree) {
+QuadratureRule gauss_hermite_rule(int degree) {
   const int count = degree / 2 + 1;
   const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
   return golub_welsch_rule({Eigen::VectorXd::Zero(count), (i.array() + 1).sqrt()});
 }
 
-QuadratureRule absolute_weighted_normal_rule(int degree) {
-  const QuadratureRule half = exponential_quadrature_rule(degree / 2);
+QuadratureRule normal_rule_weighted_by_abs(int degree) {
+  const QuadratureRule half = gauss_laguerre_rule(degree / 2);
   QuadratureRule rule{{}, Eigen::VectorXd(2 * half.size())};
   for (Eigen::Index i = 0; i < half.size(); ++i) {
     const double u = std::sqrt(2 * half.points[i]);
@@ -91,8 +91,8 @@ QuadratureRule absolute_weighted_normal_rule(int degree) {
   return rule;
 }
 
-QuadratureRule sign_weighted_normal_rule(int degree) {
-  QuadratureRule rule = absolute_weighted_normal_rule(degree);
+QuadratureRule normal_rule_weighted_by_sign(int degree) {
+  QuadratureRule rule = normal_rule_weighted_by_abs(degree);
   for (Eigen::Index i = 0; i < rule.size(); ++i) rule.weights[i] /= rule.points[i];
   return rule;
 }

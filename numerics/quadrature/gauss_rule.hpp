@@ -70,19 +70,19 @@ QuadratureRule gauss_legendre_rule(int point_count, double from, double to);
 
 /// Returns the Gauss-Hermite rule for E[g(u)] with a standard normal variable u, exact for
 /// polynomials g up to `degree`.
-QuadratureRule normal_quadrature_rule(int degree);
+QuadratureRule gauss_hermite_rule(int degree);
 
 /// Returns a rule for E[|u| g(u)] with a standard normal variable u, exact for polynomials g up to
 /// `degree`.
-QuadratureRule absolute_weighted_normal_rule(int degree);
+QuadratureRule normal_rule_weighted_by_abs(int degree);
 
 /// Returns a rule for E[sgn(u) g(u)] with a standard normal variable u, exact for polynomials g up
 /// to `degree`; some weights are negative.
-QuadratureRule sign_weighted_normal_rule(int degree);
+QuadratureRule normal_rule_weighted_by_sign(int degree);
 
 /// Returns the Gauss-Laguerre rule for int_0^inf g(t) exp(-t) dt, exact for polynomials g up to
 /// `degree`.
-QuadratureRule exponential_quadrature_rule(int degree);
+QuadratureRule gauss_laguerre_rule(int degree);
 
 template <class Function>
 double integrate_by_composite_gauss(const Function& f, double a, double b, int panels) {
@@ -94,7 +94,7 @@ double integrate_by_composite_gauss(const Function& f, double a, double b, int p
 /// Averages f over [a, b] with the three-point Gauss-Legendre rule, which is exact for polynomials
 /// up to degree 5.
 template <class Function>
-auto gauss_average(const Function& f, double a, double b) {
+auto gauss_legendre_average(const Function& f, double a, double b) {
   const double centre = (a + b) / 2;
   const double offset = (b - a) / 2 * std::sqrt(0.6);
   return (5 * f(centre - offset) + 8 * f(centre) + 5 * f(centre + offset)) / 18;

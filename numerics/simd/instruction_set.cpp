@@ -2,8 +2,8 @@
 
 namespace fpkcheck::simd {
 
-std::vector<CodeVariant> available_code_variants() {
-  std::vector<CodeVariant> lanes{
+std::vector<SimdVariant> available_simd_variants() {
+  std::vector<SimdVariant> lanes{
       {InstructionSet::baseline, 8}, {InstructionSet::baseline, 1}, {InstructionSet::baseline, 2}};
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2")) lanes.push_back({InstructionSet::avx2, 4});

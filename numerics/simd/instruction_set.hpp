@@ -9,14 +9,14 @@ namespace fpkcheck::simd {
 /// program uses the baseline instruction set.
 enum class InstructionSet { baseline, avx2, avx512 };
 
-struct CodeVariant {
+struct SimdVariant {
   InstructionSet instructions;
   int width;
 };
 
 /// Returns the compiled variants of the SIMD code that this processor supports; the fastest variant
 /// is the last element.
-std::vector<CodeVariant> available_code_variants();
+std::vector<SimdVariant> available_simd_variants();
 
 template <class Function>
 Function* select_variant(InstructionSet instructions, Function* baseline, Function* avx2,

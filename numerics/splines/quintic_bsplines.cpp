@@ -66,7 +66,7 @@ std::array<double, QuinticBSplines::kDegree + 1> QuinticBSplines::second_derivat
   return b;
 }
 
-std::vector<double> QuinticBSplines::coefficients_of_power(int power) const {
+std::vector<double> QuinticBSplines::coefficients_of_monomial(int power) const {
   constexpr std::array<double, kDegree + 1> kBinomials{1, 5, 10, 10, 5, 1};
   std::vector<double> coefficients;
   for (int i = 0; i < size(); ++i) {
@@ -107,16 +107,16 @@ std::vector<double> knots_from_breaks(const std::vector<double>& breaks, int mul
   return knots;
 }
 
-std::vector<double> graded_knots(double begin, double end, double uniform_from, int cells,
+std::vector<double> graded_knots(double begin, double end, double uniform_until, int cells,
                                  int multiplicity, int shrinking_cells) {
   constexpr double kShrink = 1.25;
   const int half = begin < 0 ? cells / 2 : cells;  // number of cells on each side of 0
   const int outer = std::max(1, half / 7), inner = half - outer - shrinking_cells;
   // The sum of the powers kShrink^-1 .. kShrink^-shrinking_cells.
   const double shrunk = (1 - std::pow(kShrink, -shrinking_cells)) / (kShrink - 1);
-  const double width = uniform_from / (inner + shrunk);
+  const double width = uniform_until / (inner + shrunk);
   const auto end_position = [&](double factor) {
-    double at = uniform_from, step = width;
+    double at = uniform_until, step = width;
     for (int k = 0; k < outer; ++k) at += step *= factor;
     return at;
   };

@@ -37,7 +37,7 @@ class QuinticBSplines {
   /// Returns the coefficients of the function x^power in this basis, 0 <= power <= 5, by Marsden's
   /// identity. The coefficient of a basis function is the mean of all products of `power` different
   /// knots among the five inner knots of the basis function.
-  std::vector<double> coefficients_of_power(int power) const;
+  std::vector<double> coefficients_of_monomial(int power) const;
 
  private:
   std::vector<double> knots_, breaks_;
@@ -49,13 +49,13 @@ class QuinticBSplines {
 std::vector<double> knots_from_breaks(const std::vector<double>& breaks, int multiplicity = 1);
 
 /// Returns graded knots from `begin` (0 or -end) to `end`, with multiplicity 6 at both ends. From 0
-/// to `uniform_from` the breaks are evenly spaced. A seventh of all cells lies beyond
-/// `uniform_from`, where the cell widths form a geometric progression.
+/// to `uniform_until` the breaks are evenly spaced. A seventh of all cells lies beyond
+/// `uniform_until`, where the cell widths form a geometric progression.
 /// @param cells number of cells; an even number if begin is -end
 /// @param multiplicity multiplicity of the knot at 0, if 0 is an inner knot
 /// @param shrinking_cells number of cells on each side of 0 whose widths decrease towards 0, by a
 /// fifth from each cell to the next
-std::vector<double> graded_knots(double begin, double end, double uniform_from, int cells,
+std::vector<double> graded_knots(double begin, double end, double uniform_until, int cells,
                                  int multiplicity = 1, int shrinking_cells = 0);
 
 }  // namespace fpkcheck::numerics

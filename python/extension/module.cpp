@@ -26,12 +26,12 @@
 #include "compare/comparison_axes.hpp"
 #include "extension/options.hpp"
 #include "extension/runs.hpp"
-#include "methods/builtin.hpp"
-#include "methods/external/between_walls.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/external/external_density.hpp"
+#include "methods/external/external_labels.hpp"
 #include "methods/external/external_methods.hpp"
 #include "methods/external/external_samples.hpp"
-#include "methods/external/labels.hpp"
+#include "methods/external/range_between_walls.hpp"
 #include "problem/case_file.hpp"
 #include "report/table.hpp"
 #include "results/run_json.hpp"
@@ -43,7 +43,7 @@ namespace py = pybind11;
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using RunPointer = std::shared_ptr<results::Run>;
 
-const methods::Registry& registry() {
+const methods::SolverRegistry& registry() {
   static const auto instance = methods::builtin_registry();
   return instance;
 }
@@ -161,14 +161,15 @@ methods::ExternalDensity external_density(const std::string& label,
   if (order && *order < 1) {
     throw InputError(fmt::format("{} = {} (must be 1 or more)", of("order"), *order));
   }
-  if (equation) external.equation = base::parse_enum<problem::Equation>(of("equation"), *equation);
+  if (equation)
+    external.equation = base::parse_enum<problem::DensityEquation>(of("equation"), *equation);
   // Only simulations have the impact condition "exact".
-  external.impact = base::parse_enum<problem::Impact>(of("impact"), impact,
-                                                      std::span(problem::kImpactNames).first(2));
+  external.impact = base::parse_enum<problem::ImpactCondition>(
+      of("impact"), impact, std::span(problem::kImpactNames).first(2));
   return external;
 }
 
-methods::DensityPoints points_between_walls(const problem::Problem& problem) {
+methods::DensityQuadratureGrid points_between_walls(const problem::Problem& problem) {
   return {compare::comparison_axes(problem), problem.system.walls()};
 }
 
@@ -214,7 +215,7 @@ void bind_methods(py::module_& module) {
     return all;
   });
   module.def("points_of", [](const problem::Problem& problem) {
-    const methods::DensityPoints points = points_between_walls(problem);
+    const methods::DensityQuadratureGrid points = points_between_walls(problem);
     return std::make_tuple(to_array(points.y_points()), to_array(points.v_points()));
   });
   module.def("function_method", function_method, py::arg("problem"), py::arg("values"),
@@ -253,7 +254,7 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
   if (threads > 0) settings.push_back({"threads", std::int64_t{threads}});
   task.methods = select_methods(registry(), methods_list.value_or(default_methods()), settings);
   auto external_methods = against;
-  methods::group_families(external_methods);
+  methods::group_into_families(external_methods);
   for (const auto& external : external_methods) {
     for (const auto& other : external_methods)
       methods::require_distinct_labels(external.id(), other.id());
@@ -293,7 +294,7 @@ const results::CaseResult& case_result_at(const results::Run& run, std::size_t k
   return run.cases.at(k);
 }
 
-py::list curve_list(const std::vector<results::Curve>& curves) {
+py::list curve_list(const std::vector<results::DensityCurve>& curves) {
   py::list all;
   for (const auto& curve : curves) {
     const bool known = !curve.lower.empty();
@@ -307,7 +308,7 @@ py::list curve_list(const std::vector<results::Curve>& curves) {
 
 void bind_runs(py::module_& module) {
   py::class_<results::Run, RunPointer>(module, "Run")
-      .def("summary", [](const results::Run& run) { return results::summary_text(run); })
+      .def("summary", [](const results::Run& run) { return results::run_summary_text(run); })
       .def("table",
            [](const results::Run& run, std::size_t width) { return report::table(run, width); })
       .def("problem",
@@ -356,7 +357,7 @@ void bind_runs(py::module_& module) {
 // pybind11 converts InputError, a std::invalid_argument, to ValueError, and a std::runtime_error to
 // RuntimeError. The translator below converts file system errors to OSError.
 PYBIND11_MODULE(_fpkcheck, module) {
-  module.attr("__version__") = results::this_program("").version;
+  module.attr("__version__") = results::current_program("").version;
   py::register_exception_translator([](std::exception_ptr failure) {
     try {
       if (failure) std::rethrow_exception(failure);

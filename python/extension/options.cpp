@@ -26,7 +26,7 @@ std::optional<std::string> option_name(const methods::Solver& solver, const std:
   return name;
 }
 
-void require_known(const methods::Registry& registry, const std::string& option) {
+void require_known(const methods::SolverRegistry& registry, const std::string& option) {
   std::vector<std::string> known;
   for (const auto& solver : registry.solvers()) {
     if (option_name(solver, option)) return;
@@ -55,8 +55,8 @@ Value convert_value(const base::Parameter& parameter, const NamedParameterValue&
   return *value;
 }
 
-methods::Method replace_options(const methods::Registry& registry, const methods::Method& method,
-                                const Values& options) {
+methods::Method replace_options(const methods::SolverRegistry& registry,
+                                const methods::Method& method, const Values& options) {
   const methods::Solver& solver = *registry.find_solver(method.identity.method);
   Values replaced = method.options;
   for (const auto& option : options) {
@@ -77,7 +77,7 @@ methods::Method replace_options(const methods::Registry& registry, const methods
 
 }  // namespace
 
-std::vector<methods::Method> select_methods(const methods::Registry& registry,
+std::vector<methods::Method> select_methods(const methods::SolverRegistry& registry,
                                             const std::string& list, const Values& options) {
   for (const auto& option : options) require_known(registry, option.name);
   auto methods = registry.select_methods(list, {});

@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "base/process/stop_request.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/case_results.hpp"
 #include "report/report.hpp"
 #include "results/output_directory.hpp"
@@ -33,15 +33,15 @@ using namespace std::chrono_literals;
 constexpr auto kPollInterval = 50ms;
 constexpr auto kGracePeriod = 300ms;
 
-struct Cancelled : std::exception {
+struct RunCancelled : std::exception {
   const char* what() const noexcept override { return "cancelled"; }
 };
 
 /// A run in progress. The worker thread and the calling thread share the ownership of this object,
 /// since either thread may end last.
-class Work {
+class RunInProgress {
  public:
-  explicit Work(RunRequest task) : task_(std::move(task)) {}
+  explicit RunInProgress(RunRequest task) : task_(std::move(task)) {}
 
   void run() noexcept {
     try {
@@ -79,7 +79,7 @@ class Work {
 
  private:
   void solve_problems() {
-    run_.program = results::this_program(task_.command);
+    run_.program = results::current_program(task_.command);
     run_.cases = methods::compute_case_results(task_.problems, task_.methods,
                                                {.threads = task_.threads,
                                                 .with_backward = task_.bounds,
@@ -93,7 +93,7 @@ class Work {
   }
 
   void throw_if_cancelled() const {
-    if (is_cancelled_) throw Cancelled();
+    if (is_cancelled_) throw RunCancelled();
   }
 
   RunRequest task_;
@@ -107,7 +107,7 @@ class Work {
 };
 
 struct AbandonedRun {
-  std::shared_ptr<Work> work;
+  std::shared_ptr<RunInProgress> work;
   std::thread thread;
 };
 
@@ -141,7 +141,7 @@ bool has_abandoned_runs() {
 
 results::Run solve(RunRequest task, const std::function<void(const methods::RunProgress*)>& poll) {
   join_ended_threads();
-  const auto work = std::make_shared<Work>(std::move(task));
+  const auto work = std::make_shared<RunInProgress>(std::move(task));
   std::thread thread([work] { work->run(); });
   try {
     while (!work->wait_for(kPollInterval)) {
@@ -221,7 +221,7 @@ results::Run load(const std::filesystem::path& directory) {
   const std::lock_guard lock(files_mutex());
   silence_hdf5_in_this_thread();
   auto run = results::load_run(directory);
-  methods::builtin_registry().complete_identities(run);
+  methods::builtin_registry().complete_solution_identities(run);
   return run;
 }
 

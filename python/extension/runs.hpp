@@ -32,7 +32,8 @@ struct RunRequest {
 ///        if the progress has not changed. An exception of `poll` cancels the run within a third of
 ///        a second
 /// @throws the exceptions of solvers and of `poll`
-results::Run solve(RunRequest task, const std::function<void(const methods::RunProgress*)>& poll);
+results::Run solve(RunRequest request,
+                   const std::function<void(const methods::RunProgress*)>& poll);
 
 /// Prepares exit() for abandoned threads; must be called at the end of the Python interpreter. If
 /// abandoned threads still run at exit(), the process ends with the same exit status without

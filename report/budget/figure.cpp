@@ -19,8 +19,8 @@ namespace {
 using compare::ClosureErrorBudget;
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 // Width of a closure's group of bars, relative to the distance between neighbouring groups.
 constexpr double kGroupWidth = 0.8;
@@ -129,7 +129,7 @@ void add_closure(std::vector<FigureSeries>& all, const ErrorBudgetRow& row, doub
   all.back().points.push_back({.x = kGap, .y = kGap});
 }
 
-FigurePanel budget_panel(const std::vector<ClosureErrorBudget>& budgets, Variable variable,
+FigurePanel budget_panel(const std::vector<ClosureErrorBudget>& budgets, StateVariable variable,
                          const Distance& distance) {
   FigurePanel panel{.title = std::string(base::meaning_of(variable)) +
                              (distance.part == kL1.part ? ' ' + density_symbol(variable) : "") +
@@ -168,7 +168,7 @@ Figure budget_figure(const results::CaseResult& case_result, FigureWidth width) 
       .title = problem_title(case_result.problem), .screen_width = 1500, .panel_height = 280};
   const auto budgets = compare::closure_error_budgets(case_result.budget, case_result.solutions);
   if (budgets.empty()) return figure;
-  for (const Variable variable : transform::kVariables) {
+  for (const StateVariable variable : transform::kVariables) {
     figure.panels.push_back(budget_panel(budgets, variable, kL1));
     // A figure for a single journal column is too narrow for the panels of the tail distances.
     if (width == FigureWidth::one_column) continue;

@@ -17,14 +17,14 @@ using compare::Approximation;
 using compare::ClosureErrorBudget;
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
-using transform::Variable;
+using transform::StateVariable;
 
 constexpr int kTailImportance = 1, kLastPartImportance = 2;
 
-std::string l1_cell_text(double l1) { return std::isfinite(l1) ? l1_text(l1) : kAbsent; }
+std::string l1_cell_text(double l1) { return std::isfinite(l1) ? l1_text(l1) : kMissingCell; }
 
 std::string tail_cell(double tail) {
-  return std::isfinite(tail) ? fmt::format("{:.3f}", tail) : kAbsent;
+  return std::isfinite(tail) ? fmt::format("{:.3f}", tail) : kMissingCell;
 }
 
 const ErrorBudgetPart* find_part(const ErrorBudgetRow* row, const std::string& name) {
@@ -40,13 +40,13 @@ bool is_common_part(const std::vector<ClosureErrorBudget>& budgets, const std::s
 
 /// Builds the table columns of one marginal density. A column has a cell for each closure, then a
 /// cell for each part of the error budget whose value all closures share.
-class VariableColumns {
+class BudgetTableColumns {
  public:
-  VariableColumns(const std::vector<ClosureErrorBudget>& budgets,
-                  const std::vector<std::string>& below, Variable variable)
+  BudgetTableColumns(const std::vector<ClosureErrorBudget>& budgets,
+                     const std::vector<std::string>& below, StateVariable variable)
       : budgets_(budgets), below_(below), variable_(variable) {}
 
-  std::string symbol() const { return variable_ == Variable::y ? "p(y)" : "p(y')"; }
+  std::string symbol() const { return variable_ == StateVariable::y ? "p(y)" : "p(y')"; }
 
   TextColumn total() const {
     return with_rows_below({"L1 of " + symbol(), "total", false, kAlwaysShown}, l1_cell_text,
@@ -62,9 +62,9 @@ class VariableColumns {
     TextColumn column{"L1 of " + symbol(), budget_part_header(name), false, importance};
     for (const auto& budget : budgets_) {
       const ErrorBudgetPart* part = find_part(budget.row(variable_), name);
-      column.cells.push_back(part ? l1_cell_text(part->l1) : kAbsent);
+      column.cells.push_back(part ? l1_cell_text(part->l1) : kMissingCell);
     }
-    column.cells.resize(column.cells.size() + below_.size(), kAbsent);
+    column.cells.resize(column.cells.size() + below_.size(), kMissingCell);
     return column;
   }
 
@@ -74,21 +74,21 @@ class VariableColumns {
                              double ErrorBudgetPart::*of_part) const {
     for (const auto& budget : budgets_) {
       const ErrorBudgetRow* row = budget.row(variable_);
-      column.cells.push_back(row ? cell(row->*of_row) : kAbsent);
+      column.cells.push_back(row ? cell(row->*of_row) : kMissingCell);
     }
     for (const auto& name : below_) {
       const ErrorBudgetPart* part = nullptr;
       for (auto budget = budgets_.begin(); part == nullptr && budget != budgets_.end(); ++budget) {
         part = find_part(budget->row(variable_), name);
       }
-      column.cells.push_back(part ? cell(part->*of_part) : kAbsent);
+      column.cells.push_back(part ? cell(part->*of_part) : kMissingCell);
     }
     return column;
   }
 
   const std::vector<ClosureErrorBudget>& budgets_;
   const std::vector<std::string>& below_;
-  Variable variable_;
+  StateVariable variable_;
 };
 
 TextColumn names_column(const std::vector<ClosureErrorBudget>& budgets,
@@ -119,20 +119,20 @@ std::vector<TextColumn> budget_columns(const results::CaseResult& case_result,
   }
   std::vector<TextColumn> all{names_column(budgets, below)}, tails;
   for (const auto variable : transform::kVariables) {
-    const VariableColumns columns(budgets, below, variable);
+    const BudgetTableColumns columns(budgets, below, variable);
     all.push_back(columns.total());
     int importance = kLastPartImportance + static_cast<int>(beside.size());
     for (const auto& name : beside) all.push_back(columns.part(name, importance--));
     tails.push_back(columns.tail());
   }
   all.insert(all.end(), tails.begin(), tails.end());
-  return fit_columns(std::move(all), format);
+  return select_columns_to_fit(std::move(all), format);
 }
 
 std::string budget_table(const results::CaseResult& case_result, const TextFormat& format) {
   const auto columns = budget_columns(case_result, format);
   if (columns.empty()) return "";
-  const std::string text = table_rows_text(columns, format);
+  const std::string text = format_text_table(columns, format);
   const std::string limits = results::limiting_errors_text(case_result);
   return limits.empty() ? text : text + wrap_text("  " + limits, format.width, 2);
 }

@@ -9,14 +9,14 @@ namespace fpkcheck::report {
 namespace {
 
 using results::CaseResult;
-using results::Curve;
-using transform::Variable;
+using results::DensityCurve;
+using transform::StateVariable;
 
 // The curve of the reference over smooth bins if the curve has confidence intervals in all bins,
 // else a null pointer.
-const Curve* smooth_reference(const CaseResult& case_result, const std::string& reference,
-                              Variable variable) {
-  const Curve* curve = case_result.smooth_curve(reference, variable);
+const DensityCurve* smooth_reference(const CaseResult& case_result, const std::string& reference,
+                                     StateVariable variable) {
+  const DensityCurve* curve = case_result.smooth_curve(reference, variable);
   if (curve == nullptr) return nullptr;
   const auto whole = [&](const std::vector<double>& ends) {
     return ends.size() == curve->density.size();
@@ -29,13 +29,13 @@ const Curve* smooth_reference(const CaseResult& case_result, const std::string& 
 std::string reference_id(const CaseResult& case_result) {
   const auto* reference = case_result.reference();
   if (reference == nullptr) return "";
-  const bool whole = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
+  const bool whole = std::ranges::all_of(transform::kVariables, [&](StateVariable variable) {
     return case_result.curve(reference->id(), variable) != nullptr;
   });
   return whole ? reference->id() : "";
 }
 
-CurveDifference difference(const Curve& curve, const Curve* reference) {
+CurveDifference difference(const DensityCurve& curve, const DensityCurve* reference) {
   if (reference == nullptr || curve.abscissa != reference->abscissa) return {};
   CurveDifference result{.abscissa = curve.abscissa, .values = {}, .lower = {}, .upper = {}};
   for (std::size_t k = 0; k < curve.density.size(); ++k) {
@@ -48,7 +48,7 @@ CurveDifference difference(const Curve& curve, const Curve* reference) {
   return result;
 }
 
-CurveDifference smooth_difference(const Curve* curve, const Curve& reference) {
+CurveDifference smooth_difference(const DensityCurve* curve, const DensityCurve& reference) {
   if (curve == nullptr || curve->abscissa != reference.abscissa) return {};
   CurveDifference result{.abscissa = reference.abscissa, .values = {}, .lower = {}, .upper = {}};
   for (std::size_t k = 0; k < reference.density.size(); ++k) {
@@ -72,16 +72,16 @@ MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bo
   return differing.empty() ? density_axis_ranges(curves) : density_axis_ranges(differing);
 }
 
-MarginalCurves marginal_curves(const CaseResult& case_result, Variable variable,
+MarginalCurves marginal_curves(const CaseResult& case_result, StateVariable variable,
                                const std::string& reference,
                                const std::optional<std::set<std::string>>& shown,
                                const std::optional<std::set<std::string>>& visible) {
   MarginalCurves marginal{variable, {}, {}};
-  const Curve *reference_curve = case_result.curve(reference, variable),
-              *smooth = smooth_reference(case_result, reference, variable);
+  const DensityCurve *reference_curve = case_result.curve(reference, variable),
+                     *smooth = smooth_reference(case_result, reference, variable);
   for (const auto& solution : case_result.solutions) {
     if (shown && !shown->contains(solution.id())) continue;
-    if (const Curve* curve = case_result.curve(solution.id(), variable)) {
+    if (const DensityCurve* curve = case_result.curve(solution.id(), variable)) {
       marginal.curves.push_back(
           {&solution, curve,
            smooth == nullptr
@@ -113,15 +113,16 @@ FigureContent content_of(const CaseResult& case_result,
                          const std::optional<std::set<std::string>>& visible) {
   FigureContent content{
       .reference = reference_id(case_result), .smooth_differences = false, .marginals = {}};
-  content.smooth_differences = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
-    return smooth_reference(case_result, content.reference, variable) != nullptr;
-  });
+  content.smooth_differences =
+      std::ranges::all_of(transform::kVariables, [&](StateVariable variable) {
+        return smooth_reference(case_result, content.reference, variable) != nullptr;
+      });
   for (const auto variable : transform::kVariables) {
     auto marginal = marginal_curves(case_result, variable, content.reference, shown, visible);
     if (!marginal.curves.empty()) content.marginals.push_back(std::move(marginal));
   }
   for (const auto& solution : case_result.solutions) {
-    const bool has_curve = std::ranges::any_of(transform::kVariables, [&](Variable variable) {
+    const bool has_curve = std::ranges::any_of(transform::kVariables, [&](StateVariable variable) {
       return case_result.curve(solution.id(), variable) != nullptr;
     });
     if (has_curve && shown && !shown->contains(solution.id())) ++content.hidden_count;

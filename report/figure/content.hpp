@@ -12,7 +12,7 @@ namespace fpkcheck::report {
 
 /// The curves of all solutions for one marginal density, in drawing order.
 struct MarginalCurves {
-  transform::Variable variable;
+  transform::StateVariable variable;
   std::vector<DrawnCurve> curves;
   /// Axis ranges that contain the curves of the solutions with status ok, or all curves if no
   /// solution is ok; and the differences of the curves that are not hidden.

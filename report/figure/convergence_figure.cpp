@@ -9,17 +9,17 @@
 #include <utility>
 #include <vector>
 
-#include "report/families.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
-#include "report/references.hpp"
+#include "report/solution_families.hpp"
+#include "report/solutions_of_full_problem.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 /// A horizontal line of the convergence plot that shows the uncertainty of the reference: the L1
 /// distance between the reference and another solution of the full problem, or the error estimate
@@ -35,7 +35,7 @@ struct UncertaintyLine {
 struct ConvergenceOverOrder {
   const results::CaseResult* case_result;
   const transform::Solution* reference;
-  transform::Variable variable;
+  transform::StateVariable variable;
   std::vector<SolutionFamily> families;  ///< members sorted by order
   std::vector<const transform::Solution*>
       external_densities;  ///< external densities in no such family
@@ -67,7 +67,7 @@ std::pair<int, int> ConvergenceOverOrder::order_range() const {
 
 std::vector<UncertaintyLine> uncertainty_lines(const ConvergenceOverOrder& distances) {
   std::vector<UncertaintyLine> all;
-  for (const Solution* other : references(*distances.case_result)) {
+  for (const Solution* other : solutions_of_full_problem(*distances.case_result)) {
     const double l1 = distances.l1(*other);
     if (l1 > 0)
       all.push_back({fmt::format("distance of {} to {}", other->id(), distances.reference->id()),
@@ -83,7 +83,7 @@ std::vector<UncertaintyLine> uncertainty_lines(const ConvergenceOverOrder& dista
 /// The distances of one marginal density by family and order.
 /// @return nothing if the case has no reference, or no family with at least two orders
 std::optional<ConvergenceOverOrder> convergence_over_order(const results::CaseResult& case_result,
-                                                           transform::Variable variable) {
+                                                           transform::StateVariable variable) {
   const Solution* reference = case_result.reference();
   if (reference == nullptr) return std::nullopt;
   ConvergenceOverOrder distances{.case_result = &case_result,
@@ -95,7 +95,7 @@ std::optional<ConvergenceOverOrder> convergence_over_order(const results::CaseRe
   std::vector<const Solution*> by_order;
   for (const auto& solution : case_result.solutions) {
     if (!(distances.l1(solution) > 0)) continue;
-    if (transform::is_distinguished_by_order(solution.identity)) {
+    if (transform::differs_by_order_in_family(solution.identity)) {
       by_order.push_back(&solution);
     } else if (transform::is_external(solution.identity)) {
       distances.external_densities.push_back(&solution);
@@ -111,11 +111,11 @@ std::optional<ConvergenceOverOrder> convergence_over_order(const results::CaseRe
   return distances;
 }
 
-std::string panel_title(Variable variable) {
-  return variable == Variable::y ? "displacement" : "velocity";
+std::string panel_title(StateVariable variable) {
+  return variable == StateVariable::y ? "displacement" : "velocity";
 }
 
-FigureAxis distance_axis(Variable variable, const Solution& reference,
+FigureAxis distance_axis(StateVariable variable, const Solution& reference,
                          const std::vector<FigureSeries>& all) {
   return logarithmic_axis(
       fmt::format("{{/:Italic L}}_1 distance of {} to {}", density_symbol(variable),
@@ -183,7 +183,7 @@ std::vector<FigureSeries> convergence_series(const ConvergenceOverOrder& distanc
 }
 
 std::vector<FigureSeries> cost_series(const results::CaseResult& case_result,
-                                      const Solution& reference, Variable variable) {
+                                      const Solution& reference, StateVariable variable) {
   const auto l1 = [&](const Solution& solution) {
     return case_result.l1(solution.id(), reference.id(), variable).value_or(0);
   };
@@ -211,7 +211,7 @@ std::vector<FigureSeries> cost_series(const results::CaseResult& case_result,
 
 Figure convergence_figure(const results::CaseResult& case_result) {
   Figure figure{.title = problem_title(case_result.problem)};
-  for (const Variable variable : transform::kVariables) {
+  for (const StateVariable variable : transform::kVariables) {
     const auto distances = convergence_over_order(case_result, variable);
     if (!distances) continue;
     const auto [first, last] = distances->order_range();
@@ -233,7 +233,7 @@ Figure cost_figure(const results::CaseResult& case_result) {
   Figure figure{.title = problem_title(case_result.problem)};
   const Solution* reference = case_result.reference();
   if (reference == nullptr) return figure;
-  for (const Variable variable : transform::kVariables) {
+  for (const StateVariable variable : transform::kVariables) {
     const auto series = cost_series(case_result, *reference, variable);
     if (series.empty()) continue;
     figure.panels.push_back(

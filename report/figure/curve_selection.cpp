@@ -7,7 +7,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "report/references.hpp"
+#include "report/solutions_of_full_problem.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -23,7 +23,7 @@ bool matches(const std::string& requested, const SolutionIdentity& identity) {
 }
 
 bool has_curve(const results::CaseResult& case_result, const transform::Solution& solution) {
-  return std::ranges::any_of(transform::kVariables, [&](transform::Variable variable) {
+  return std::ranges::any_of(transform::kVariables, [&](transform::StateVariable variable) {
     return case_result.curve(solution.id(), variable) != nullptr;
   });
 }
@@ -36,7 +36,7 @@ std::vector<const transform::Solution*> solutions_by_priority(
     const bool is_new = std::ranges::count(order, &solution) == 0;
     if (is_new && has_curve(case_result, solution)) order.push_back(&solution);
   };
-  for (const auto* solution : references(case_result)) add(*solution);
+  for (const auto* solution : solutions_of_full_problem(case_result)) add(*solution);
   std::vector<const transform::Solution*> closures;
   for (const auto* closure : case_result.assessment.ranked_closures())
     closures.push_back(case_result.find(closure->id));
@@ -82,7 +82,7 @@ std::set<std::string> initially_visible_solutions(const results::CaseResult& cas
     const auto& family = case_result.find(closure->id)->identity.family;
     if (families.insert(family).second) ids.insert(closure->id);
   }
-  for (const auto* solution : references(case_result)) ids.insert(solution->id());
+  for (const auto* solution : solutions_of_full_problem(case_result)) ids.insert(solution->id());
   for (const auto& solution : case_result.solutions) {
     if (transform::is_external(solution.identity)) ids.insert(solution.id());
   }
@@ -92,8 +92,8 @@ std::set<std::string> initially_visible_solutions(const results::CaseResult& cas
   return ids;
 }
 
-void validate_curves(const std::vector<std::string>& requested,
-                     std::span<const SolutionIdentity> available) {
+void require_available_curves(const std::vector<std::string>& requested,
+                              std::span<const SolutionIdentity> available) {
   for (const auto& item : requested) {
     const bool known =
         item == kAll || std::ranges::any_of(available, [&](const SolutionIdentity& identity) {

@@ -17,7 +17,7 @@ inline constexpr std::size_t kMaxCurves = 6;
 ///
 /// The default selection contains all external densities, then other solutions up to kMaxCurves
 /// curves. The other solutions follow in this order: the reference, the other solutions of the full
-/// problem (report/references.hpp), the closest closure of each formulation, solutions of other
+/// problem (report/solutions_of_full_problem.hpp), the closest closure of each formulation, solutions of other
 /// equations by decreasing trust, other closures (`ok` and closest first).
 /// @param requested ids, families or solvers whose curves are shown; or "all"; an empty list for
 ///        the default selection
@@ -25,7 +25,7 @@ std::set<std::string> select_curves(const results::CaseResult& case_result,
                                     const std::vector<std::string>& requested = {});
 
 /// The ids of the solutions that are initially visible on the page: the solutions of the full problem
-/// (report/references.hpp), the closest closure of each family, and external densities. If fewer
+/// (report/solutions_of_full_problem.hpp), the closest closure of each family, and external densities. If fewer
 /// than two solutions would be visible, all solutions of the case are visible.
 std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result);
 
@@ -33,7 +33,7 @@ std::set<std::string> initially_visible_solutions(const results::CaseResult& cas
 /// @param requested as in select_curves
 /// @param available  identities of the available solutions
 /// @throws InputError with a message of one line if a requested name matches no solution
-void validate_curves(const std::vector<std::string>& requested,
-                     std::span<const transform::SolutionIdentity> available);
+void require_available_curves(const std::vector<std::string>& requested,
+                              std::span<const transform::SolutionIdentity> available);
 
 }  // namespace fpkcheck::report

@@ -14,7 +14,7 @@
 namespace fpkcheck::report {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 /// The kind of a panel of one marginal density: the density on a linear or on a logarithmic axis,
 /// the difference from the reference, or the absolute difference from the reference over smooth
@@ -25,7 +25,7 @@ bool shows_differences(Panel panel) {
   return panel == Panel::difference || panel == Panel::smooth_difference;
 }
 
-std::string panel_title(Panel panel, Variable variable, const std::string& reference,
+std::string panel_title(Panel panel, StateVariable variable, const std::string& reference,
                         bool is_short) {
   const std::string name(base::meaning_of(variable));
   const auto named = [&](const std::string& what) { return is_short ? what : name + ", " + what; };
@@ -47,7 +47,7 @@ FigureAxis abscissa(Panel panel, const MarginalCurves& marginal) {
   const bool is_logarithmic = panel == Panel::logarithmic;
   const double from = is_logarithmic ? r.logarithmic_from : r.linear_from,
                to = is_logarithmic ? r.logarithmic_to : r.linear_to;
-  return {marginal.variable == Variable::y ? "{/:Italic y}" : "{/:Italic y}'", from, to, false,
+  return {marginal.variable == StateVariable::y ? "{/:Italic y}" : "{/:Italic y}'", from, to, false,
           tic_step(from, to)};
 }
 
@@ -158,7 +158,7 @@ FigurePanel density_panel(Panel panel, const MarginalCurves& marginal, const Fig
   return result;
 }
 
-std::string page_caption(Variable variable, const FigureContent& content) {
+std::string page_caption(StateVariable variable, const FigureContent& content) {
   std::string caption(base::meaning_of(variable));
   caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
   caption += fmt::format(" {}: ", variable_text(variable));
@@ -187,7 +187,7 @@ Figure density_figure(const problem::Problem& problem, const FigureContent& cont
                 .screen_width = 1500,
                 .panel_height = 280};
   for (const auto& marginal : content.marginals) {
-    const bool of_y = marginal.variable == Variable::y;
+    const bool of_y = marginal.variable == StateVariable::y;
     const std::string caption = page_caption(marginal.variable, content);
     for (const Panel panel : shown) {
       figure.panels.push_back(

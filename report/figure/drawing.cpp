@@ -9,7 +9,7 @@
 #include <future>
 #include <iterator>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "report/figure/gnuplot.hpp"
@@ -103,7 +103,7 @@ void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::pa
   if (const auto at = text.find(name); at != std::string::npos) {
     text.replace(at, name.size(), included);
   }
-  base::PendingFiles files;
+  base::FileTransaction files;
   files.add(picture, text);
   files.add(picture.parent_path() / included, bytes_of(graphics));
   files.commit();
@@ -118,7 +118,7 @@ void draw_picture(const std::string& gnuplot, const fs::path& script, const fs::
     draw_latex(gnuplot, script, picture);
     return;
   }
-  base::replace_file(picture, [&](const fs::path& temporary) {
+  base::replace_file_atomically(picture, [&](const fs::path& temporary) {
     run_script(gnuplot, script, format, temporary, picture);
     if (format != name(FigureFormat::svg) || width == FigureWidth::screen) return;
     const std::string svg = set_printed_size(bytes_of(temporary), printed_width_mm(width));
@@ -153,7 +153,7 @@ std::vector<std::string> write_pictures(const fs::path& figures, const std::stri
                                         const std::string& script, const FigureOptions& options,
                                         const std::string& gnuplot) {
   fs::create_directories(figures);
-  base::write_file(figures / (stem + ".gp"), script);
+  base::write_file_atomically(figures / (stem + ".gp"), script);
   try {
     if (base::stop_requested()) return {};
     auto warnings = draw_formats(gnuplot, figures, stem, options);

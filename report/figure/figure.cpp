@@ -27,7 +27,7 @@ class DataBlocks {
   /// @return name of the block
   std::string add(const std::string& rows) {
     const auto [block, is_new] = names_.try_emplace(rows, fmt::format("data{}", names_.size()));
-    if (is_new) text_ += data_block(block->second, rows);
+    if (is_new) text_ += gnuplot_data_block(block->second, rows);
     return '$' + block->second;
   }
   const std::string& text() const { return text_; }
@@ -108,7 +108,7 @@ std::string series_style(const FigureSeries& series, const std::string& kind,
   if (series.is_bars) return bar_style(series, kind, is_open);
   std::string style = fmt::format("with {} linewidth {:g} linecolor rgb {}", kind,
                                   series.line_width, gnuplot_string(colour));
-  if (kind.starts_with("lines")) style += fmt::format(" dashtype {}", dash_type(series.dash));
+  if (kind.starts_with("lines")) style += fmt::format(" dashtype {}", valid_dash_type(series.dash));
   if (kind == "lines") return style;
   const auto [filled, open] = point_types(series.symbol);
   return style +

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "report/figure/options.hpp"
-#include "transform/identity.hpp"
+#include "transform/solution_identity.hpp"
 
 /// The model of a figure. figure_script() converts a Figure to a gnuplot script, and figure_plots()
 /// (report/page/plot.hpp) converts a Figure to plots of the page.

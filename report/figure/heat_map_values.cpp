@@ -35,7 +35,7 @@ std::vector<double> rows_of_constant_velocity(const GridDensity& density,
   return values;
 }
 
-SignedRoots signed_roots(std::span<const double> values, int levels) {
+SignedRoots quantise_signed_roots(std::span<const double> values, int levels) {
   SignedRoots result{.largest = 0, .levels = levels, .roots = {}};
   for (const double x : values) result.largest = std::max(result.largest, std::abs(x));
   for (const double x : values) {

@@ -38,7 +38,7 @@ struct SignedRoots {
 /// Quantises signed numbers to integers by the signed square root.
 /// @param levels number of steps on each side of 0; magnitudes below the largest magnitude / (4
 ///        levels^2) become 0
-SignedRoots signed_roots(std::span<const double> values, int levels);
+SignedRoots quantise_signed_roots(std::span<const double> values, int levels);
 
 /// Returns the first number, followed by the differences of successive numbers. Small differences
 /// of smooth data compress well.

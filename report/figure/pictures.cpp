@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/process/stop_request.hpp"
 #include "report/budget/figure.hpp"
 #include "report/figure/convergence_figure.hpp"
@@ -72,7 +72,7 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
   remove_pictures(directory, run);
   for (const auto& picture : others) remove_script_and_pictures(figures, picture.stem);
   for (const auto& [stem, script] : pictures) {
-    base::write_file(figures / (stem + ".gp"), script);
+    base::write_file_atomically(figures / (stem + ".gp"), script);
   }
   try {
     for (const auto& picture : pictures) {

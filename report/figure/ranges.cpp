@@ -9,7 +9,7 @@
 namespace fpkcheck::report {
 namespace {
 
-struct Extent {
+struct DensityExtent {
   double from = 0, to = 0;
   bool empty = true;
 
@@ -24,7 +24,8 @@ constexpr double kVisibleFraction = 1.0 / 500;
 
 // Extends the ranges by half a bin beyond the bin centres where the density may end: at the wall y
 // = 0, and at each end of the bins at which the density has not decayed.
-void include_walls(const results::Curve& curve, double peak, Extent& linear, Extent& logarithmic) {
+void include_walls(const results::DensityCurve& curve, double peak, DensityExtent& linear,
+                   DensityExtent& logarithmic) {
   const auto widths = results::bin_widths(curve);
   if (widths.empty()) return;
   const double low = curve.abscissa.front() - widths.front() / 2;
@@ -32,7 +33,7 @@ void include_walls(const results::Curve& curve, double peak, Extent& linear, Ext
   const bool at_zero = std::abs(low) < widths.front() / 100;
   constexpr double kNotFaded = 1.0 / 20;
   const auto is_visible = [&](double density) { return density > kNotFaded * peak; };
-  for (Extent* extent : {&linear, &logarithmic}) {
+  for (DensityExtent* extent : {&linear, &logarithmic}) {
     if (at_zero) {
       extent->include(0);
     } else if (is_visible(curve.density.front())) {
@@ -44,7 +45,7 @@ void include_walls(const results::Curve& curve, double peak, Extent& linear, Ext
 
 }  // namespace
 
-std::vector<bool> DrawnCurve::broad_bin_flags() const {
+std::vector<bool> DrawnCurve::full_width_bin_flags() const {
   const auto widths = results::bin_widths(*curve);
   const double widest = widths.empty() ? 0 : std::ranges::max(widths);
   std::vector<bool> broad;
@@ -71,13 +72,13 @@ std::string spike_note(const MarginalAxisRanges& ranges) {
 }
 
 MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves) {
-  Extent linear, logarithmic;
+  DensityExtent linear, logarithmic;
   double linear_top = 0, largest_density = 0, largest_difference = 0;
   double least_difference = std::numeric_limits<double>::infinity(),
          least_density = least_difference;
   for (const auto& drawn : curves) {
-    const results::Curve* curve = drawn.curve;
-    const std::vector<bool> broad = drawn.broad_bin_flags();
+    const results::DensityCurve* curve = drawn.curve;
+    const std::vector<bool> broad = drawn.full_width_bin_flags();
     double peak = 0;
     for (std::size_t k = 0; k < curve->density.size(); ++k) {
       const double p = curve->density[k];
@@ -103,7 +104,8 @@ MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves) {
     }
     largest_difference = std::max(largest_difference, peak_difference);
     if (peak_difference > 0) least_difference = std::min(least_difference, peak_difference);
-    if (curve->variable == transform::Variable::y) include_walls(*curve, peak, linear, logarithmic);
+    if (curve->variable == transform::StateVariable::y)
+      include_walls(*curve, peak, linear, logarithmic);
   }
   return {.linear_from = linear.from,
           .linear_to = linear.to,

@@ -62,14 +62,14 @@ struct CurveDifference {
 /// A curve of a figure, drawn in the plot style of its solution.
 struct DrawnCurve {
   const transform::Solution* solution;
-  const results::Curve* curve;
+  const results::DensityCurve* curve;
   CurveDifference difference;  ///< from the curve of the reference; empty without reference
   std::size_t rank = 0;        ///< position of the solution in the tables
   bool is_hidden = false;      ///< whether the page initially hides the curve
 
   /// Returns whether each bin has the regular width. The large densities in the narrow bins at a
   /// spike of the density would compress all other values on an axis (compare::comparison_axes).
-  std::vector<bool> broad_bin_flags() const;
+  std::vector<bool> full_width_bin_flags() const;
 
   const transform::PlotStyle& plot_style() const { return solution->identity.plot_style; }
 };

@@ -53,7 +53,7 @@ std::string panel_position_commands(const PanelBox& place) {
       place.left, place.right, place.top, place.bottom);
 }
 
-std::string data_block(const std::string& name, const std::string& rows) {
+std::string gnuplot_data_block(const std::string& name, const std::string& rows) {
   return fmt::format("${} << EOD\n{}EOD\n", name, rows);
 }
 
@@ -66,9 +66,9 @@ double tic_step(double from, double to, int max_steps) {
   return 10 * power;
 }
 
-std::string density_symbol(transform::Variable variable) {
-  return variable == transform::Variable::y ? "{/:Italic p}({/:Italic y})"
-                                            : "{/:Italic p}({/:Italic y}')";
+std::string density_symbol(transform::StateVariable variable) {
+  return variable == transform::StateVariable::y ? "{/:Italic p}({/:Italic y})"
+                                                 : "{/:Italic p}({/:Italic y}')";
 }
 
 PointTypes point_types(const std::string& symbol) {
@@ -97,7 +97,7 @@ int fill_pattern(const std::string& hatch) {
   return 3;  // solid
 }
 
-std::string dash_type(const std::string& dash) {
+std::string valid_dash_type(const std::string& dash) {
   const bool lengths = dash.find_first_not_of("(),.0123456789") == std::string::npos;
   return lengths && !dash.empty() ? dash : "solid";
 }
@@ -117,7 +117,7 @@ std::string scientific_text(double value) {
 
 const char* const kPowerOfTenFormat = "say('10^{%L}', '$10^{%L}$')";
 
-std::string to_latex(const std::string& enhanced) {
+std::string enhanced_text_to_latex(const std::string& enhanced) {
   constexpr std::string_view kItalic = "{/:Italic ";
   const std::string_view text = enhanced;
   std::string latex;
@@ -148,7 +148,7 @@ std::string to_latex(const std::string& enhanced) {
 }
 
 std::string gnuplot_text(const std::string& enhanced) {
-  const std::string latex = to_latex(enhanced);
+  const std::string latex = enhanced_text_to_latex(enhanced);
   return latex == enhanced
              ? gnuplot_string(enhanced)
              : fmt::format("say({}, {})", gnuplot_string(enhanced), gnuplot_string(latex));
@@ -158,11 +158,11 @@ std::string gnuplot_literal(const std::string& text) {
   return gnuplot_text(escape_enhanced_text(text));
 }
 
-std::string variable_text(transform::Variable variable) {
-  return variable == transform::Variable::y ? "y" : "y\u2032";
+std::string variable_text(transform::StateVariable variable) {
+  return variable == transform::StateVariable::y ? "y" : "y\u2032";
 }
 
-std::string density_text(transform::Variable variable) {
+std::string density_text(transform::StateVariable variable) {
   return fmt::format("p({})", variable_text(variable));
 }
 

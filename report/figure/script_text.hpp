@@ -17,14 +17,14 @@ std::string panel_position_commands(const PanelBox& place);
 
 /// Returns a named data block of a gnuplot script.
 /// @param rows rows of the block, each ended by a newline
-std::string data_block(const std::string& name, const std::string& rows);
+std::string gnuplot_data_block(const std::string& name, const std::string& rows);
 
 /// Returns the smallest tic distance that is 1, 2 or 5 times a power of ten and divides an axis
 /// range into at most `max_steps` steps.
 double tic_step(double from, double to, int max_steps = 6);
 
 /// Returns the symbol of a marginal density in gnuplot's enhanced text: "p(y)" or "p(y')".
-std::string density_symbol(transform::Variable variable);
+std::string density_symbol(transform::StateVariable variable);
 
 /// The gnuplot point types of one shape: filled for the status `ok`, open for other statuses.
 struct PointTypes {
@@ -39,11 +39,11 @@ int fill_pattern(const std::string& hatch);
 
 /// Returns the dash type for gnuplot, or "solid" for an invalid dash type, which a file may
 /// contain.
-std::string dash_type(const std::string& dash);
+std::string valid_dash_type(const std::string& dash);
 
 /// Converts gnuplot's enhanced text, as used in these pictures, to LaTeX: italics to formulas,
 /// Greek letters, exponents; characters with a meaning in LaTeX are escaped.
-std::string to_latex(const std::string& enhanced);
+std::string enhanced_text_to_latex(const std::string& enhanced);
 
 /// Converts gnuplot's enhanced text to a string expression of a gnuplot script that is valid in all
 /// figure formats. The expression calls the gnuplot function say(), which gnuplot_output_commands
@@ -55,8 +55,8 @@ std::string gnuplot_text(const std::string& enhanced);
 std::string gnuplot_literal(const std::string& text);
 
 /// Returns the symbol of a variable in plain text, "y" or "y′".
-std::string variable_text(transform::Variable variable);
-std::string density_text(transform::Variable variable);
+std::string variable_text(transform::StateVariable variable);
+std::string density_text(transform::StateVariable variable);
 
 /// The minus sign U+2212, which gnuplot uses in the numbers that it prints.
 inline constexpr const char* kMinus = "\u2212";

@@ -16,7 +16,7 @@ namespace {
 
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
-using transform::Variable;
+using transform::StateVariable;
 
 /// The error budget of one closure for one marginal density.
 struct LabelledBudgetRow {
@@ -27,7 +27,7 @@ struct LabelledBudgetRow {
 /// The error budgets of all closures for one marginal density, and the names of all parts in the
 /// order in which the approximations are removed.
 struct MarginalBudget {
-  Variable variable;
+  StateVariable variable;
   std::vector<LabelledBudgetRow> rows;
   std::vector<std::string> parts;
 };
@@ -37,7 +37,7 @@ constexpr const char* kNotOkMark = " *";
 std::vector<MarginalBudget> marginal_budgets(const results::CaseResult& case_result) {
   const auto budgets = compare::closure_error_budgets(case_result.budget, case_result.solutions);
   std::vector<MarginalBudget> sides;
-  for (const Variable variable : transform::kVariables) {
+  for (const StateVariable variable : transform::kVariables) {
     MarginalBudget marginal{variable, {}, compare::budget_part_names(budgets)};
     for (const auto& budget : budgets) {
       const bool is_ok = budget.status == transform::Status::ok;

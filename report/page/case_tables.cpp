@@ -13,7 +13,7 @@
 #include "report/page/family_tables.hpp"
 #include "report/page/html.hpp"
 #include "report/page/plot.hpp"
-#include "report/references.hpp"
+#include "report/solutions_of_full_problem.hpp"
 #include "report/status_reasons.hpp"
 #include "report/text/number_text.hpp"
 #include "report/wall_atoms.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 using transform::Moments;
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 constexpr std::pair<const char*, double Moments::*> kShownMoments[] = {
     {"E[y]", &Moments::y1},
@@ -93,12 +93,12 @@ std::string results_table(const results::CaseResult& case_result) {
     table.add_density_number(header, 4,
                              [moment = member](const Solution& s) { return s.moments.*moment; });
   }
-  for (const double wall : walls_with_atoms(case_result)) {
-    table.add_density_number(atom_header(case_result, wall), 4,
-                             [wall](const Solution& s) { return atom_probability(s, wall); });
+  for (const double wall : walls_with_rest_atoms(case_result)) {
+    table.add_density_number(rest_probability_header(case_result, wall), 4,
+                             [wall](const Solution& s) { return rest_atom_probability(s, wall); });
   }
-  for (const Solution* measure : references(case_result)) {
-    for (const Variable variable : transform::kVariables) {
+  for (const Solution* measure : solutions_of_full_problem(case_result)) {
+    for (const StateVariable variable : transform::kVariables) {
       table.add_number(fmt::format("L1 to {}, {}", measure->id(), density_text(variable)),
                        [&](const Solution& s) {
                          return l1_cell_text(case_result.l1(s.id(), measure->id(), variable));
@@ -128,7 +128,7 @@ std::string bound_errors_table(const results::CaseResult& case_result) {
   for (const auto& [header, member] : kShownMoments) {
     const compare::GuaranteedBound* bound = compare::find_moment_bound(*case_result.bounds, member);
     if (bound == nullptr) continue;
-    const auto [lower, upper] = round_outward(bound->lower, bound->upper);
+    const auto [lower, upper] = round_interval_outward(bound->lower, bound->upper);
     const auto error = [&, moment = member](const Solution& s) -> std::string {
       const double value = s.moments.*moment;
       if (!s.has_density() || !std::isfinite(value)) return std::string(kNoValue);

@@ -20,7 +20,7 @@ constexpr double kLeast = 1e-9;  // smaller distances are drawn here
 
 class DistancePlot {
  public:
-  DistancePlot(const results::Run& run, const std::vector<AgreementRow>& all)
+  DistancePlot(const results::Run& run, const std::vector<SolutionAgreements>& all)
       : run_(run), all_(all) {
     for (const auto& row : all) {
       for (const auto& entry : row.entries) {
@@ -28,7 +28,7 @@ class DistancePlot {
       }
     }
     for (const auto& case_result : run.cases) {
-      const double error = case_result.assessment.largest_reference_l1();
+      const double error = case_result.assessment.largest_reference_l1_error();
       if (std::isfinite(error)) reference_error_ = std::max(reference_error_, error);
     }
     if (reference_error_ > 0) include(reference_error_);
@@ -99,7 +99,7 @@ class DistancePlot {
   std::string rows() const {
     std::string svg;
     for (std::size_t k = 0; k < all_.size(); ++k) {
-      const AgreementRow& row = all_[k];
+      const SolutionAgreements& row = all_[k];
       const double y = kTop + kRow * (static_cast<double>(k) + 0.5);
       svg +=
           fmt::format("<line class=\"row\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n",
@@ -107,14 +107,14 @@ class DistancePlot {
       svg += text(kNames - 6, y + 4, "end", row.identity->id);
       for (std::size_t c = 0; c < row.entries.size(); ++c) svg += mark(row, c, y);
       if (std::ranges::none_of(row.entries,
-                               [](const AgreementEntry& s) { return bool(s.largest_l1()); })) {
+                               [](const AgreementInCase& s) { return bool(s.largest_l1()); })) {
         svg += text(kNames + 6, y + 4, "start", text_without_distance(row));
       }
     }
     return svg;
   }
 
-  static std::string text_without_distance(const AgreementRow& row) {
+  static std::string text_without_distance(const SolutionAgreements& row) {
     for (const auto& entry : row.entries) {
       if (entry.agreement == Agreement::reference) return "the reference";
       if (entry.solution != nullptr && !entry.solution->is_ok()) {
@@ -126,8 +126,8 @@ class DistancePlot {
 
   // A filled circle marks status ok, an open circle another status with a density, and a cross a
   // solution without an admissible density.
-  std::string mark(const AgreementRow& row, std::size_t c, double y) const {
-    const AgreementEntry& entry = row.entries[c];
+  std::string mark(const SolutionAgreements& row, std::size_t c, double y) const {
+    const AgreementInCase& entry = row.entries[c];
     const auto l1 = entry.largest_l1();
     if (!l1) return "";
     const double x = x_of(*l1);
@@ -144,7 +144,7 @@ class DistancePlot {
   }
 
   const results::Run& run_;
-  const std::vector<AgreementRow>& all_;
+  const std::vector<SolutionAgreements>& all_;
   bool any_ = false;
   double from_ = 0, to_ = 0;    // decades
   double reference_error_ = 0;  // largest error estimate of a reference
@@ -153,7 +153,7 @@ class DistancePlot {
 }  // namespace
 
 std::string distance_plot(const results::Run& run,
-                          const std::vector<AgreementRow>& agreement_rows) {
+                          const std::vector<SolutionAgreements>& agreement_rows) {
   const DistancePlot plot(run, agreement_rows);
   if (plot.empty()) return "";
   return "<figure class=\"strip\">\n" + plot.svg() +

@@ -13,6 +13,7 @@ namespace fpkcheck::report {
 /// and p(y') from the reference. A line shows the limit compare::kCloseL1, and a rectangle shows
 /// the error estimate of the references. The picture is empty if the run has no distances from a
 /// reference.
-std::string distance_plot(const results::Run& run, const std::vector<AgreementRow>& agreement_rows);
+std::string distance_plot(const results::Run& run,
+                          const std::vector<SolutionAgreements>& agreement_rows);
 
 }  // namespace fpkcheck::report

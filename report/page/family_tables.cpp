@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "report/families.hpp"
 #include "report/page/html.hpp"
+#include "report/solution_families.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {

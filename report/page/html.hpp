@@ -64,7 +64,7 @@ void to_json(Json& json, const TypedArray& array) {
 
 /// Returns the text of page.html with the placeholders {{title}}, {{style}}, {{body}}, {{plots}},
 /// {{plotly}} and {{script}}.
-std::string_view page_frame();
+std::string_view page_template();
 
 std::string_view page_style();
 

@@ -10,7 +10,7 @@
 #include "report/figure/figure.hpp"
 #include "report/figure/heat_map_values.hpp"
 #include "report/page/html.hpp"
-#include "report/references.hpp"
+#include "report/solutions_of_full_problem.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
@@ -41,7 +41,7 @@ JointDifference difference(const JointDensity& joint, const JointDensity& refere
   const auto subtracted = rows_of_constant_velocity(reference.density, window);
   std::ranges::transform(values, subtracted, values.begin(), std::minus{});
   return {joint.solution, l1_distance(joint.density, reference.density),
-          signed_roots(values, kLevels)};
+          quantise_signed_roots(values, kLevels)};
 }
 
 const JointDensity* find(const results::CaseResult& one, const std::string& solution) {
@@ -72,7 +72,7 @@ bool has_same_cells(const GridDensity& a, const GridDensity& b) {
 // the case selects its reference, but not the sampling error of cells.
 const transform::Solution* joint_reference(const results::CaseResult& one) {
   const transform::Solution* selected = nullptr;
-  for (const auto* solution : references(one)) {
+  for (const auto* solution : solutions_of_full_problem(one)) {
     if (find(one, solution->id()) == nullptr) continue;
     if (selected == nullptr || (selected->smooth_sampling && !solution->smooth_sampling))
       selected = solution;
@@ -102,8 +102,9 @@ std::optional<JointMaps> joint_maps(const results::CaseResult& one) {
     if (joint == nullptr || !has_same_cells(joint->density, density)) continue;
     maps.differences.push_back(difference(*joint, *reference, window));
     // The atoms are points of the phase plane, which the integral over the cells does not include.
-    maps.differences.back().l1 += compare::rest_atom_l1_distance(
-        transform::find_solution(one.solutions, id)->atoms, measure->atoms, transform::Variable::y);
+    maps.differences.back().l1 +=
+        compare::rest_atom_l1_distance(transform::find_solution(one.solutions, id)->atoms,
+                                       measure->atoms, transform::StateVariable::y);
   }
   if (maps.differences.empty()) return std::nullopt;
   return maps;

@@ -29,7 +29,7 @@ struct JointMaps {
 };
 
 /// @return nothing if the case has no reference, or no other `ok` solution
-std::optional<JointMaps> joint_maps(const results::CaseResult& one);
+std::optional<JointMaps> joint_maps(const results::CaseResult& case_result);
 
 /// Returns the HTML elements in which page.js draws the heat maps of joint densities.
 std::string joint_maps_html(const JointMaps& maps, const std::string& prefix);

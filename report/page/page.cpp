@@ -21,7 +21,7 @@
 #include "report/page/plot.hpp"
 #include "report/page/problem_text.hpp"
 #include "report/page/verdict_view.hpp"
-#include "report/references.hpp"
+#include "report/solutions_of_full_problem.hpp"
 #include "results/limiting_errors_text.hpp"
 
 namespace fpkcheck::report {
@@ -61,7 +61,7 @@ class CaseSection {
   CaseSection(const results::Run& run, const results::CaseResult& case_result,
               const std::string& id)
       : id_(id) {
-    const std::string reference = reference_text(case_result);
+    const std::string reference = describe_reference(case_result);
     const std::string parameters = run.cases.size() > 1
                                        ? varying_parameters(run, case_result)
                                        : problem::parameters_text(case_result.problem, true);
@@ -229,12 +229,12 @@ std::string page(const results::Run& run, const Supplement& supplement) {
       timings_section(run) + "</main>\n";
   // The text of plotly.js is constant, and is therefore compressed only once per process.
   static const std::string plotly = gzip_base64(plotly_script());
-  return fill_template(page_frame(), {{"title", title},
-                                      {"style", page_style()},
-                                      {"body", body},
-                                      {"plots", gzip_base64('[' + plots + ']')},
-                                      {"plotly", plotly},
-                                      {"script", page_script()}});
+  return fill_template(page_template(), {{"title", title},
+                                         {"style", page_style()},
+                                         {"body", body},
+                                         {"plots", gzip_base64('[' + plots + ']')},
+                                         {"plotly", plotly},
+                                         {"script", page_script()}});
 }
 
 }  // namespace fpkcheck::report

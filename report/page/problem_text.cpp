@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "report/families.hpp"
 #include "report/page/html.hpp"
 #include "report/page/problem_statement.hpp"
+#include "report/solution_families.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {

@@ -31,7 +31,7 @@ std::string_view css_class_of(Agreement agreement) {
   }
 }
 
-std::string key_html(const std::vector<AgreementRow>& all) {
+std::string key_html(const std::vector<SolutionAgreements>& all) {
   struct Entry {
     Agreement agreement;
     std::string meaning;
@@ -44,8 +44,8 @@ std::string key_html(const std::vector<AgreementRow>& all) {
   std::string html;
   for (const auto& [agreement, meaning] : entries) {
     const auto colour = css_class_of(agreement);
-    const bool there = std::ranges::any_of(all, [&](const AgreementRow& row) {
-      return std::ranges::any_of(row.entries, [&](const AgreementEntry& entry) {
+    const bool there = std::ranges::any_of(all, [&](const SolutionAgreements& row) {
+      return std::ranges::any_of(row.entries, [&](const AgreementInCase& entry) {
         return css_class_of(entry.agreement) == colour;
       });
     });
@@ -54,7 +54,7 @@ std::string key_html(const std::vector<AgreementRow>& all) {
   return html.empty() ? "" : "<p class=\"small key\">" + html + "</p>\n";
 }
 
-std::string tooltip_text(const AgreementEntry& entry) {
+std::string tooltip_text(const AgreementInCase& entry) {
   if (entry.solution == nullptr) return "";
   if (entry.agreement == Agreement::reference) return "the reference";
   std::string text(name(entry.solution->status));
@@ -62,10 +62,10 @@ std::string tooltip_text(const AgreementEntry& entry) {
   return text;
 }
 
-std::string distance_cell(const AgreementEntry& entry, const std::optional<double>& l1,
+std::string distance_cell(const AgreementInCase& entry, const std::optional<double>& l1,
                           bool with_mark) {
   const std::string text = entry.agreement == Agreement::reference ? "ref" : number_text(l1, 2);
-  const char mark = entry_mark(entry);
+  const char mark = agreement_mark(entry);
   const std::string marked = with_mark && mark != ' '
                                  ? fmt::format("<sup>{}</sup>", escape_html(std::string(1, mark)))
                                  : "";
@@ -74,7 +74,7 @@ std::string distance_cell(const AgreementEntry& entry, const std::optional<doubl
                      escape_html(text), marked);
 }
 
-std::string matrix_html(const results::Run& run, const std::vector<AgreementRow>& all,
+std::string matrix_html(const results::Run& run, const std::vector<SolutionAgreements>& all,
                         const std::vector<std::string>& anchors) {
   std::string cases, variables, rows;
   for (std::size_t k = 0; k < run.cases.size(); ++k) {
@@ -92,7 +92,7 @@ std::string matrix_html(const results::Run& run, const std::vector<AgreementRow>
     }
     rows += "</tr>\n";
   }
-  auto marks = mark_meanings(all);
+  auto marks = agreement_mark_meanings(all);
   marks.insert(marks.begin(),
                "L1 distance to the reference (ref) of each case: 0 for equal "
                "densities, 2 for disjoint ones");

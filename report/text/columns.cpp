@@ -83,7 +83,8 @@ std::size_t TextColumn::width() const {
 
 TextColumn status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
 
-std::vector<TextColumn> fit_columns(std::vector<TextColumn> columns, const TextFormat& format) {
+std::vector<TextColumn> select_columns_to_fit(std::vector<TextColumn> columns,
+                                              const TextFormat& format) {
   while (total_width(columns, 1) > format.width) {
     const int least = std::ranges::min_element(columns, {}, &TextColumn::importance)->importance;
     if (least == kAlwaysShown) break;
@@ -92,8 +93,8 @@ std::vector<TextColumn> fit_columns(std::vector<TextColumn> columns, const TextF
   return columns;
 }
 
-std::string omitted_columns(const std::vector<TextColumn>& all,
-                            const std::vector<TextColumn>& shown) {
+std::string omitted_column_names(const std::vector<TextColumn>& all,
+                                 const std::vector<TextColumn>& shown) {
   std::vector<std::string> names;
   for (const auto& column : all) {
     const auto same = [&](const TextColumn& other) {
@@ -106,8 +107,8 @@ std::string omitted_columns(const std::vector<TextColumn>& all,
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string table_rows_text(std::vector<TextColumn> columns, const TextFormat& format) {
-  columns = fit_columns(std::move(columns), format);
+std::string format_text_table(std::vector<TextColumn> columns, const TextFormat& format) {
+  columns = select_columns_to_fit(std::move(columns), format);
   if (columns.empty()) return "";
   const std::string gap(total_width(columns, 2) <= format.width ? 2 : 1, ' ');
   std::string head;

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::report {
 
-inline constexpr const char* kAbsent = "-";
+inline constexpr const char* kMissingCell = "-";
 
 struct TextColumn {
   std::string group;  ///< common header above neighbouring columns of the same group
@@ -29,15 +29,16 @@ TextColumn status_column();
 
 /// Returns the columns that fit into the width of the format. The least important columns are
 /// omitted first.
-std::vector<TextColumn> fit_columns(std::vector<TextColumn> columns, const TextFormat& format);
+std::vector<TextColumn> select_columns_to_fit(std::vector<TextColumn> columns,
+                                              const TextFormat& format);
 
 /// Returns the names of the columns of `all` that are not in `shown`: "L1 to fd-kf, energy". The
 /// text is empty if no column is omitted.
-std::string omitted_columns(const std::vector<TextColumn>& all,
-                            const std::vector<TextColumn>& shown);
+std::string omitted_column_names(const std::vector<TextColumn>& all,
+                                 const std::vector<TextColumn>& shown);
 
 /// Returns the text of a table: the columns under their headers, with one line for each row. If the
 /// columns exceed the width, the least important columns are omitted.
-std::string table_rows_text(std::vector<TextColumn> columns, const TextFormat& format);
+std::string format_text_table(std::vector<TextColumn> columns, const TextFormat& format);
 
 }  // namespace fpkcheck::report

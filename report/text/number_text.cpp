@@ -64,7 +64,7 @@ std::string l1_text(double l1) {
   return l1 < kTwoDigits ? fmt::format("{:.1e}", l1) : fmt::format("{:.5f}", l1);
 }
 
-IntervalText round_outward(double lower, double upper) {
+IntervalText round_interval_outward(double lower, double upper) {
   constexpr int kMostDecimals = 15;  // all digits of a double of order 1
   const double width = upper - lower;
   if (!std::isfinite(width)) return {fmt::format("{}", lower), fmt::format("{}", upper)};

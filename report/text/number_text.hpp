@@ -35,6 +35,6 @@ struct IntervalText {
 };
 /// Rounds the ends of an interval outwards to decimals. The number of decimals suffices for two
 /// significant digits of the interval width: the texts of both ends therefore differ.
-IntervalText round_outward(double lower, double upper);
+IntervalText round_interval_outward(double lower, double upper);
 
 }  // namespace fpkcheck::report

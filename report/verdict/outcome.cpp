@@ -35,26 +35,26 @@ std::string_view status_meaning(Status status) {
 
 // Returns the largest distances over the cases with a given agreement: "L1 distance up to .. in 2
 // of 4 cases".
-std::string distance_text(const AgreementRow& row, Agreement agreement, const char* how,
+std::string distance_text(const SolutionAgreements& row, Agreement agreement, const char* how,
                           int cases) {
   MarginalDistances most{};
   for (const auto& entry : row.entries) {
-    if (entry.agreement == agreement) most.take_larger_distances(entry.y, entry.ydot);
+    if (entry.agreement == agreement) most.update_maximum_distances(entry.y, entry.ydot);
   }
-  const int count = row.case_count_with(agreement);
-  return fmt::format("L1 distance {}{}{}", cases == 1 ? "" : how, distances_text(most),
-                     count == cases ? "" : cases_phrase(count, cases));
+  const int count = row.case_count_with_agreement(agreement);
+  return fmt::format("L1 distance {}{}{}", cases == 1 ? "" : how, l1_distances_text(most),
+                     count == cases ? "" : case_count_phrase(count, cases));
 }
 
-std::vector<std::string> missing_density_texts(const AgreementRow& row, int cases) {
+std::vector<std::string> missing_density_texts(const SolutionAgreements& row, int cases) {
   std::vector<std::string> parts;
   for (const auto& [status, name, meaning] : transform::kStatusNames) {
     const auto count =
-        std::ranges::count_if(row.entries, [sought = status](const AgreementEntry& entry) {
+        std::ranges::count_if(row.entries, [sought = status](const AgreementInCase& entry) {
           return entry.agreement == Agreement::no_density && entry.solution->status == sought;
         });
     if (count == 0) continue;
-    parts.push_back(fmt::format("{}{}: {}", name, cases_phrase(static_cast<int>(count), cases),
+    parts.push_back(fmt::format("{}{}: {}", name, case_count_phrase(static_cast<int>(count), cases),
                                 status_meaning(status)));
   }
   return parts;
@@ -62,34 +62,35 @@ std::vector<std::string> missing_density_texts(const AgreementRow& row, int case
 
 }  // namespace
 
-std::string distances_text(const MarginalDistances& distances) {
+std::string l1_distances_text(const MarginalDistances& distances) {
   const auto& [y, ydot] = distances;
   if (!ydot) return fmt::format("{:.2g} in p(y)", y.value_or(0));
   if (!y) return fmt::format("{:.2g} in p(y')", *ydot);
   return fmt::format("{:.2g} in p(y) and {:.2g} in p(y')", *y, *ydot);
 }
 
-std::string cases_phrase(int count, int cases) {
+std::string case_count_phrase(int count, int cases) {
   if (cases == 1) return "";
   if (count == cases) return fmt::format(" in {} {} cases", cases == 2 ? "both of" : "all", cases);
   return fmt::format(" in {} of {} cases", count, cases);
 }
 
-std::string outcome_text(const AgreementRow& row, const std::string& reference, int cases) {
-  const int close = row.case_count_with(Agreement::close);
-  const int same =
-      row.case_count_with(Agreement::indistinguishable) + row.case_count_with(Agreement::reference);
+std::string outcome_text(const SolutionAgreements& row, const std::string& reference, int cases) {
+  const int close = row.case_count_with_agreement(Agreement::close);
+  const int same = row.case_count_with_agreement(Agreement::indistinguishable) +
+                   row.case_count_with_agreement(Agreement::reference);
   std::vector<std::string> parts;
   if (same > 0) {
     parts.push_back(fmt::format("within the error estimate of {}{}", reference,
-                                same == cases ? "" : cases_phrase(same, cases)));
+                                same == cases ? "" : case_count_phrase(same, cases)));
   }
   if (close > 0) parts.push_back(distance_text(row, Agreement::close, "at most ", cases));
-  if (row.case_count_with(Agreement::distant) > 0) {
+  if (row.case_count_with_agreement(Agreement::distant) > 0) {
     parts.push_back(distance_text(row, Agreement::distant, "up to ", cases));
   }
-  if (const int no_reference = row.case_count_with(Agreement::no_reference); no_reference > 0) {
-    parts.push_back("no reference" + cases_phrase(no_reference, cases));
+  if (const int no_reference = row.case_count_with_agreement(Agreement::no_reference);
+      no_reference > 0) {
+    parts.push_back("no reference" + case_count_phrase(no_reference, cases));
   }
   std::ranges::move(missing_density_texts(row, cases), std::back_inserter(parts));
   const bool all = row.reproduced_case_count() == row.case_count();
@@ -99,12 +100,12 @@ std::string outcome_text(const AgreementRow& row, const std::string& reference, 
   return fmt::format("{}{}", start, fmt::join(parts, "; "));
 }
 
-std::string outcome_text_without_distances(const AgreementRow& row, int cases) {
+std::string outcome_text_without_distances(const SolutionAgreements& row, int cases) {
   const auto parts = missing_density_texts(row, cases);
   return parts.empty() ? "unknown" : parts.front();
 }
 
-char entry_mark(const AgreementEntry& entry) {
+char agreement_mark(const AgreementInCase& entry) {
   if (entry.solution == nullptr) return kNone;
   const auto found =
       std::ranges::find(kStatusMarks, entry.solution->status, &std::pair<Status, char>::first);
@@ -112,11 +113,12 @@ char entry_mark(const AgreementEntry& entry) {
   return entry.agreement == Agreement::indistinguishable ? kSame : kNone;
 }
 
-std::vector<std::string> mark_meanings(const std::vector<AgreementRow>& agreement_rows) {
+std::vector<std::string> agreement_mark_meanings(
+    const std::vector<SolutionAgreements>& agreement_rows) {
   const auto occurs = [&](char mark) {
-    return std::ranges::any_of(agreement_rows, [&](const AgreementRow& row) {
+    return std::ranges::any_of(agreement_rows, [&](const SolutionAgreements& row) {
       return std::ranges::any_of(
-          row.entries, [&](const AgreementEntry& entry) { return entry_mark(entry) == mark; });
+          row.entries, [&](const AgreementInCase& entry) { return agreement_mark(entry) == mark; });
     });
   };
   std::vector<std::string> meanings;

@@ -13,7 +13,7 @@ namespace fpkcheck::report {
 namespace {
 
 using results::case_count;
-using results::CasesBySolution;
+using results::CaseNamesBySolution;
 using results::RunAssessment;
 using transform::SolutionRole;
 
@@ -25,7 +25,7 @@ std::string comma_separated(const Words& words) {
 
 // Returns the ids of solutions: "mcs", or "mcs (fd-kf in case2)" if the cases have different
 // solutions.
-std::string ids_text(const CasesBySolution& solutions) {
+std::string ids_text(const CaseNamesBySolution& solutions) {
   const auto most = std::ranges::max_element(solutions, {},
                                              [](const auto& entry) { return entry.second.size(); });
   std::string text = most->first;
@@ -40,42 +40,42 @@ std::string reference_sentence(const RunAssessment& assessed, int cases) {
     return "There is no reference: no solution of the full problem has status ok. Only the error "
            "estimate of each solution is available.";
   }
-  std::string text =
-      fmt::format("The reference{} is {}", cases_phrase(case_count(assessed.references), cases),
-                  ids_text(assessed.references));
+  std::string text = fmt::format("The reference{} is {}",
+                                 case_count_phrase(case_count(assessed.references), cases),
+                                 ids_text(assessed.references));
   const double y = assessed.reference_y_l1, ydot = assessed.reference_ydot_l1;
   if (std::isfinite(y + ydot)) {
     text += fmt::format(", with L1 error estimates of {:.1g} in p(y) and {:.1g} in p(y')", y, ydot);
   }
   if (assessed.confirmation_distances.has_any_distance()) {
-    CasesBySolution independent = assessed.confirming;
+    CaseNamesBySolution independent = assessed.confirming;
     for (const auto& [id, names] : assessed.contradicting)
       independent[id].insert(independent[id].end(), names.begin(), names.end());
     text += fmt::format(". The L1 distance of the independent solution {} to the reference is {}",
-                        ids_text(independent), distances_text(assessed.confirmation_distances));
+                        ids_text(independent), l1_distances_text(assessed.confirmation_distances));
   }
   return text + '.';
 }
 
-std::string orders_text(const std::vector<const AgreementRow*>& members) {
+std::string orders_text(const std::vector<const SolutionAgreements*>& members) {
   Words orders;
-  for (const AgreementRow* row : members) {
+  for (const SolutionAgreements* row : members) {
     orders.push_back(fmt::format("{}", *row->identity->order));
   }
   return comma_separated(orders);
 }
 
-bool is_distinguished_by_order(const AgreementRow& row) {
-  return transform::is_distinguished_by_order(*row.identity);
+bool differs_by_order_in_family(const SolutionAgreements& row) {
+  return transform::differs_by_order_in_family(*row.identity);
 }
 
-int order_of(const AgreementRow* row) { return *row->identity->order; }
+int order_of(const SolutionAgreements* row) { return *row->identity->order; }
 
-std::vector<std::vector<const AgreementRow*>> closure_families(
-    const std::vector<AgreementRow>& all) {
-  std::vector<std::vector<const AgreementRow*>> families;
+std::vector<std::vector<const SolutionAgreements*>> closure_families(
+    const std::vector<SolutionAgreements>& all) {
+  std::vector<std::vector<const SolutionAgreements*>> families;
   for (const auto& row : all) {
-    if (!is_distinguished_by_order(row)) continue;
+    if (!differs_by_order_in_family(row)) continue;
     const auto same = std::ranges::find_if(families, [&](const auto& members) {
       return members.front()->identity->family == row.identity->family &&
              members.front()->identity->formulation == row.identity->formulation;
@@ -91,21 +91,22 @@ std::vector<std::vector<const AgreementRow*>> closure_families(
 }
 
 // The paper's closure has the impact condition to first order in 1-r.
-bool is_paper_closure(const AgreementRow& row) {
-  return is_distinguished_by_order(row) && !transform::is_external(*row.identity) &&
-         row.identity->impact == problem::Impact::delta;
+bool is_paper_closure(const SolutionAgreements& row) {
+  return differs_by_order_in_family(row) && !transform::is_external(*row.identity) &&
+         row.identity->impact == problem::ImpactCondition::delta;
 }
 
-bool is_single_external_density(const AgreementRow& row) {
-  return transform::is_external(*row.identity) && !is_distinguished_by_order(row);
+bool is_single_external_density(const SolutionAgreements& row) {
+  return transform::is_external(*row.identity) && !differs_by_order_in_family(row);
 }
 
 // Returns the text of the orders that reproduce the references: "epc-gaussian (the paper's closure)
 // at n = 6, not at n = 2, 4, 8".
 // @param any set to whether at least one order reproduces the references
-std::string reproducing_orders_text(const std::vector<const AgreementRow*>& members, bool& any) {
-  std::vector<const AgreementRow*> good, bad;
-  for (const AgreementRow* row : members) {
+std::string reproducing_orders_text(const std::vector<const SolutionAgreements*>& members,
+                                    bool& any) {
+  std::vector<const SolutionAgreements*> good, bad;
+  for (const SolutionAgreements* row : members) {
     (row->reproduced_case_count() == row->case_count() ? good : bad).push_back(row);
   }
   any = !good.empty();
@@ -117,7 +118,7 @@ std::string reproducing_orders_text(const std::vector<const AgreementRow*>& memb
                      bad.empty() ? "" : fmt::format(", not at n = {}", orders_text(bad)));
 }
 
-std::string reproduction_sentence(const std::vector<AgreementRow>& all, int cases) {
+std::string reproduction_sentence(const std::vector<SolutionAgreements>& all, int cases) {
   Words yes, no;
   for (const auto& row : all) {
     if (!is_single_external_density(row)) continue;
@@ -129,24 +130,24 @@ std::string reproduction_sentence(const std::vector<AgreementRow>& all, int case
     (any ? yes : no).push_back(text);
   }
   if (yes.empty() && no.empty()) return "";
-  const std::string within =
-      fmt::format("Within L1 {} of the reference{}", compare::kCloseL1, cases_phrase(cases, cases));
+  const std::string within = fmt::format("Within L1 {} of the reference{}", compare::kCloseL1,
+                                         case_count_phrase(cases, cases));
   if (yes.empty()) return fmt::format("{}: none of {}.", within, fmt::join(no, "; "));
   return fmt::format("{}: {}{}.", within, fmt::join(yes, "; "),
                      no.empty() ? "" : fmt::format("; not {}", fmt::join(no, "; ")));
 }
 
-VerdictLine verdict_line(const AgreementRow& row, const std::string& reference, int cases) {
+VerdictLine verdict_line(const SolutionAgreements& row, const std::string& reference, int cases) {
   return {row.identity->id, row.reproduced_case_count() == row.case_count(),
           outcome_text(row, reference, cases)};
 }
 
 // Returns the line with the largest distance for each order of a formulation: "n = 4 has L1
 // distance 0.0089, 8 has 0.0017".
-VerdictLine verdict_line(const std::vector<const AgreementRow*>& members, int cases) {
+VerdictLine verdict_line(const std::vector<const SolutionAgreements*>& members, int cases) {
   Words parts;
   bool all = true, first = true;
-  for (const AgreementRow* row : members) {
+  for (const SolutionAgreements* row : members) {
     all = all && row->reproduced_case_count() == row->case_count();
     const auto largest_l1 = row->largest_l1();
     const std::string order = fmt::format("{}{}", first ? "n = " : "", *row->identity->order);
@@ -171,11 +172,12 @@ std::vector<VerdictLine> verdict_lines(const RunAssessment& assessed, int cases)
     if (members.size() > 1 && !is_paper_closure(*members.front())) {
       lines.push_back(verdict_line(members, cases));
     } else {
-      for (const AgreementRow* row : members) lines.push_back(verdict_line(*row, reference, cases));
+      for (const SolutionAgreements* row : members)
+        lines.push_back(verdict_line(*row, reference, cases));
     }
   }
   for (const auto& row : all) {
-    const bool solves_it = std::ranges::any_of(row.entries, [](const AgreementEntry& entry) {
+    const bool solves_it = std::ranges::any_of(row.entries, [](const AgreementInCase& entry) {
       return entry.solution != nullptr && compare::is_solution_of_full_problem(*entry.solution);
     });
     const SolutionRole role = row.identity->role;
@@ -189,7 +191,8 @@ std::string confirmation_text(const RunAssessment& assessed, int cases) {
   const auto &confirming = assessed.confirming, &contradicting = assessed.contradicting;
   if (!contradicting.empty()) {
     return fmt::format("{} differs by more than the errors of both explain{}",
-                       ids_text(contradicting), cases_phrase(case_count(contradicting), cases));
+                       ids_text(contradicting),
+                       case_count_phrase(case_count(contradicting), cases));
   }
   if (confirming.empty()) return "no independent solution in this run confirms these values";
   std::string text = fmt::format("{} confirms these values", ids_text(confirming));
@@ -205,19 +208,19 @@ Words recommendation(const RunAssessment& assessed, int cases) {
     return {
         fmt::format("There is no reference{}: rely on the error estimate of each solution. Add "
                     "fd-kf and mcs to --methods, or raise their limits (--max-seconds, --time).",
-                    cases_phrase(cases - judged, cases))};
+                    case_count_phrase(cases - judged, cases))};
   }
   Words sentences{fmt::format(
       "For reference values use {}, the solution of the full problem (all jumps, exact impact) "
       "with the smallest error estimate; {}.",
       ids_text(assessed.references), confirmation_text(assessed, cases))};
   Words parts;
-  const AgreementRow* last = nullptr;
+  const SolutionAgreements* last = nullptr;
   for (const double accuracy : {0.01, 0.001}) {
-    const AgreementRow* found = assessed.fastest_row(accuracy);
+    const SolutionAgreements* found = assessed.fastest_accurate_solution(accuracy);
     if (found == nullptr || found == last) continue;
     parts.push_back(fmt::format("within L1 {}{}, {} ({:.2g} s)", accuracy,
-                                parts.empty() ? cases_phrase(cases, cases) : "",
+                                parts.empty() ? case_count_phrase(cases, cases) : "",
                                 found->identity->id, found->longest_seconds()));
     last = found;
   }
@@ -238,7 +241,7 @@ Verdict make_verdict(const results::Run& run) {
   for (const auto& case_result : run.cases) {
     if (!case_result.bounds) continue;
     for (const auto& outside :
-         compare::bound_contradictions(*case_result.bounds, case_result.solutions)) {
+         compare::violations_beyond_error_estimate(*case_result.bounds, case_result.solutions)) {
       run_verdict.answer.push_back(
           fmt::format("{}: {} is wrong, its {} contradicts the guaranteed bounds.",
                       case_result.name(), outside.solution->id(), outside.bound->functional));

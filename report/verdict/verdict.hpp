@@ -16,7 +16,7 @@ struct VerdictLine {
 
 /// The main result of a run, printed before all tables.
 struct Verdict {
-  std::vector<AgreementRow> agreement_rows;  ///< rows of the matrix for all solutions
+  std::vector<SolutionAgreements> agreement_rows;  ///< rows of the matrix for all solutions
   /// Paragraphs on contradictions with the guaranteed bounds, on the reference and its accuracy,
   /// and on the solutions that reproduce the reference.
   std::vector<std::string> answer;

@@ -135,7 +135,7 @@ std::vector<std::string> NetCdfReader::read_labels(const std::string& name) {
 }
 
 std::vector<double> NetCdfReader::read_cell_edges(const std::string& coordinate) {
-  const std::string bounds = text_attribute(coordinate, "bounds");
+  const std::string bounds = read_text_attribute(coordinate, "bounds");
   const auto lengths = dimension_lengths(bounds);
   const auto ends = read_values(bounds);
   if (lengths.size() != 2 || lengths[0] == 0 || lengths[1] != 2) {
@@ -152,8 +152,8 @@ std::vector<double> NetCdfReader::read_cell_edges(const std::string& coordinate)
   return edges;
 }
 
-std::string NetCdfReader::text_attribute(const std::string& name,
-                                         const std::string& attribute) const {
+std::string NetCdfReader::read_text_attribute(const std::string& name,
+                                              const std::string& attribute) const {
   const std::string what = fmt::format("{}:{}", name, attribute);
   const int id = variable_id(name);
   std::size_t length = 0;

@@ -27,7 +27,7 @@ class NetCdfReader {
   std::vector<std::string> read_labels(const std::string& variable);
   /// Reads the cell edges of a coordinate from its CF variable of cell bounds.
   std::vector<double> read_cell_edges(const std::string& coordinate);
-  std::string text_attribute(const std::string& variable, const std::string& attribute) const;
+  std::string read_text_attribute(const std::string& variable, const std::string& attribute) const;
 
  private:
   /// Returns the number of values of a variable, for checks before memory is allocated.

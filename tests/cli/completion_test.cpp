@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "cli/program.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "problem/case_file.hpp"
 
 namespace fpkcheck::cli {

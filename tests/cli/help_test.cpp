@@ -72,7 +72,7 @@ TEST(Help, IsCaptured) {
   options.add_options()("flame,f",
                         boost::program_options::value<int>()->value_name("F")->default_value(3),
                         "how hot");
-  const auto help = capture_help([&] { emit_help("usage: cook\n", options); });
+  const auto help = capture_help([&] { print_or_capture_help("usage: cook\n", options); });
   EXPECT_EQ(help.usage, "usage: cook\n");
   ASSERT_EQ(help.options.size(), 1u);
   EXPECT_EQ(help.options[0].name, "--flame");

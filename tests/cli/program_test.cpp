@@ -17,7 +17,7 @@
 
 #include "base/files/atomic_file.hpp"
 #include "base/process/stop_request.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "workflows/study/toy_methods.hpp"
 
 namespace fpkcheck::cli {
@@ -32,7 +32,7 @@ struct Outcome {
 };
 
 Outcome program(const std::vector<std::string>& arguments,
-                const methods::Registry& registry = methods::builtin_registry()) {
+                const methods::SolverRegistry& registry = methods::builtin_registry()) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const int exit_code = run_program(arguments, registry);
@@ -239,8 +239,8 @@ TEST_F(Program, CtrlCEndsARunWithOneLineAndNoDirectory) {
 }
 
 // Two methods in sequence; a stop is requested while the first solves the case of this name.
-methods::Registry registry_stopped_in(const std::string& case_name) {
-  methods::Registry registry;
+methods::SolverRegistry registry_stopped_in(const std::string& case_name) {
+  methods::SolverRegistry registry;
   for (const auto& toy : {tests::Toy{"plain", "plain", transform::SolutionRole::closure},
                           tests::Toy{"cells", "cells", transform::SolutionRole::equation}}) {
     auto solver = tests::toy_solver(toy);

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "cli/program.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "workflows/paper/claims.hpp"
@@ -32,7 +32,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 // Writes the files of a run, without report.html and figures.
 void save(const fs::path& directory, const results::Run& run) {
-  base::PendingFiles files;
+  base::FileTransaction files;
   results::add_run_files(files, directory, run);
   files.commit();
 }
@@ -58,7 +58,7 @@ TEST(ReportOfPaper, HasTheSummaryFirstAndClaimsAndFiguresOnItsPage) {
   const auto begin = page.find("<section id=\"claims\">");
   ASSERT_NE(begin, std::string::npos);
   const std::string section = page.substr(begin, page.find("</section>", begin) - begin);
-  for (const auto& row : paper::claim_rows(judgements)) {
+  for (const auto& row : paper::claim_table_rows(judgements)) {
     EXPECT_NE(section.find(">" + row.outcome + "<"), std::string::npos) << row.outcome;
   }
   EXPECT_EQ(count(section, "<span class=\"chip "), judgements.size());

@@ -6,7 +6,7 @@
 
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "temporary_directory.hpp"
 
 /// Output that a command adds to a run (Supplement), as `paper` does.

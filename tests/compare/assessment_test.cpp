@@ -9,8 +9,8 @@
 namespace fpkcheck::compare {
 namespace {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using tests::made_up_case;
 using tests::set_l1;
 using tests::solution_of;
@@ -52,14 +52,14 @@ TEST(Reference, SolvesTheFullProblem) {
   std::erase_if(solutions, [](const Solution& s) { return s.id() == "fd-kf" || s.id() == "mcs"; });
   EXPECT_EQ(reference_id(solutions), "");
   for (auto& s : solutions) {
-    s.identity.equation = Equation::kf;
-    s.identity.impact = Impact::delta;
+    s.identity.equation = DensityEquation::kf;
+    s.identity.impact = ImpactCondition::delta;
     s.error = {.y_l1 = 1e-9, .ydot_l1 = 1e-9};
   }
   EXPECT_EQ(reference_id(solutions), "");
-  find(solutions, "epc-gaussian-n6").identity.impact = Impact::map;
+  find(solutions, "epc-gaussian-n6").identity.impact = ImpactCondition::map;
   EXPECT_EQ(reference_id(solutions), "");
-  find(solutions, "fd-km4").identity.impact = Impact::map;
+  find(solutions, "fd-km4").identity.impact = ImpactCondition::map;
   EXPECT_EQ(reference_id(solutions), "fd-km4");
 }
 
@@ -74,13 +74,13 @@ TEST(Reference, RanksClosuresAndMarksIndistinguishableOnes) {
   EXPECT_EQ(ranks[1]->id, "epc-gaussian-n2");
   EXPECT_EQ(ranks[1]->rank, 2);
   EXPECT_EQ(ranks[0]->y, l1_distance_between(comparison.pairs, "fd-kf", "epc-gaussian-n6",
-                                             transform::Variable::y));
-  EXPECT_FALSE(assessment.are_indistinguishable(*ranks[0], *ranks[1]));
+                                             transform::StateVariable::y));
+  EXPECT_FALSE(assessment.are_closures_indistinguishable(*ranks[0], *ranks[1]));
   SolutionAssessment near = *ranks[0];
   *near.y += 4.9e-5;  // the error estimates of both marginals sum to 5e-5
-  EXPECT_TRUE(assessment.are_indistinguishable(*ranks[0], near));
+  EXPECT_TRUE(assessment.are_closures_indistinguishable(*ranks[0], near));
   *near.y += 0.2e-5;
-  EXPECT_FALSE(assessment.are_indistinguishable(*ranks[0], near));
+  EXPECT_FALSE(assessment.are_closures_indistinguishable(*ranks[0], near));
 }
 
 const SolutionAssessment& assessed(const results::CaseResult& case_result, const char* id) {
@@ -127,7 +127,7 @@ TEST(Agreement, IsUnknownWithoutAReference) {
   EXPECT_EQ(assessed(case_result, "epc-gaussian-n4").agreement, Agreement::no_density);
 }
 
-TEST(Confirmation, IsTheAgreementOfTheSecondSolutionOfTheFullProblem) {
+TEST(ReferenceConfirmation, IsTheAgreementOfTheSecondSolutionOfTheFullProblem) {
   auto case_result = made_up_case();
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-3, .ydot_l1 = 1e-3};
   set_l1(case_result, "fd-kf", "mcs", 1e-4, 1e-4);

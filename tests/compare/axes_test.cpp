@@ -11,7 +11,7 @@
 namespace fpkcheck::compare {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 problem::Problem with_impulses_per_decay_time(double number) {
   tests::Parameters parameters;
@@ -22,10 +22,10 @@ problem::Problem with_impulses_per_decay_time(double number) {
 TEST(ComparisonAxes, AreUniformForBoundedMarginals) {
   const auto axes = comparison_axes(with_impulses_per_decay_time(1.01));
   EXPECT_EQ(axes.divisions, 0);
-  for (const Variable variable : transform::kVariables) {
-    const auto& all = bin_edges(axes, variable);
+  for (const StateVariable variable : transform::kVariables) {
+    const auto& all = comparison_bin_edges(axes, variable);
     ASSERT_EQ(all.size(), 141u);
-    EXPECT_EQ(bin_edges(uniform_axes(axes), variable), all);
+    EXPECT_EQ(comparison_bin_edges(undivided_axes(axes), variable), all);
     const double width = (all.back() - all.front()) / 140;
     for (std::size_t k = 0; k < 140; ++k) EXPECT_NEAR(all[k + 1] - all[k], width, 1e-12 * width);
   }
@@ -47,9 +47,9 @@ TEST(ComparisonAxes, DivideTheBinsAtASpike) {
   }
   EXPECT_EQ(axes.v_edges[73], 0);
   for (std::size_t k = 0; k < 147; ++k) EXPECT_EQ(axes.v_edges[k], -axes.v_edges[146 - k]);
-  for (const Variable variable : transform::kVariables) {
-    EXPECT_TRUE(std::ranges::is_sorted(bin_edges(axes, variable)));
-    EXPECT_EQ(bin_edges(uniform_axes(axes), variable).size(), 141u);
+  for (const StateVariable variable : transform::kVariables) {
+    EXPECT_TRUE(std::ranges::is_sorted(comparison_bin_edges(axes, variable)));
+    EXPECT_EQ(comparison_bin_edges(undivided_axes(axes), variable).size(), 141u);
   }
 }
 
@@ -57,26 +57,27 @@ TEST(ComparisonAxes, HaveUniformBinsIndependentOfTheRate) {
   // The rate alone decides where bins are divided; the intensity and the extent are equal.
   const auto rare = comparison_axes(with_impulses_per_decay_time(0.5));
   const auto frequent = comparison_axes(with_impulses_per_decay_time(5));
-  for (const Variable variable : transform::kVariables) {
-    const auto even = bin_edges(uniform_axes(rare), variable);
-    ASSERT_EQ(even.size(), bin_edges(frequent, variable).size());
+  for (const StateVariable variable : transform::kVariables) {
+    const auto even = comparison_bin_edges(undivided_axes(rare), variable);
+    ASSERT_EQ(even.size(), comparison_bin_edges(frequent, variable).size());
     for (std::size_t k = 0; k < even.size(); ++k) {
-      EXPECT_NEAR(even[k], bin_edges(frequent, variable)[k], 1e-14 * even.back());
+      EXPECT_NEAR(even[k], comparison_bin_edges(frequent, variable)[k], 1e-14 * even.back());
     }
   }
 }
 
 TEST(ComparisonAxes, MergeDividedBinsByMass) {
   const auto axes = comparison_axes(with_impulses_per_decay_time(0.5));
-  for (const Variable variable : transform::kVariables) {
-    transform::Marginal marginal{bin_edges(axes, variable), {}, {}, {}};
+  for (const StateVariable variable : transform::kVariables) {
+    transform::Marginal marginal{comparison_bin_edges(axes, variable), {}, {}, {}};
     for (std::size_t b = 0; b + 1 < marginal.edges.size(); ++b) {
       marginal.density.push_back(1.0 / static_cast<double>(b + 3));
     }
     const auto even = merge_divided_bins(axes, variable, marginal);
-    ASSERT_EQ(even.edges, bin_edges(uniform_axes(axes), variable));
+    ASSERT_EQ(even.edges, comparison_bin_edges(undivided_axes(axes), variable));
     ASSERT_EQ(even.size(), 140u);
-    const std::size_t below = variable == Variable::y ? 0 : 69;  // uniform bins before those at 0
+    const std::size_t below =
+        variable == StateVariable::y ? 0 : 69;  // uniform bins before those at 0
     double mass = 0;
     for (std::size_t b = below; b < below + 4; ++b) mass += marginal.density[b] * marginal.width(b);
     EXPECT_NEAR(even.density[below] * even.width(below), mass, 1e-15);
@@ -89,7 +90,7 @@ TEST(ComparisonAxes, MergeDividedBinsByMass) {
 TEST(ComparisonAxes, MergeIntervalsForIndependentErrors) {
   const ComparisonAxes axes{{0, 1, 4, 8}, {}, 1};
   const transform::Marginal marginal{axes.y_edges, {5, 1, 2}, {2, 0, 1}, {8, 3, 2.5}};
-  const auto even = merge_divided_bins(axes, Variable::y, marginal);
+  const auto even = merge_divided_bins(axes, StateVariable::y, marginal);
   EXPECT_EQ(even.edges, (std::vector<double>{0, 4, 8}));
   EXPECT_EQ(even.density, (std::vector<double>{2, 2}));
   EXPECT_NEAR(even.lower[0], 2 - std::hypot(3, 3) / 4, 1e-15);  // parts of width 1 and 3

@@ -61,16 +61,16 @@ TEST(Contradictions, AreReportedForSolutionsOfTheFullProblemOnly) {
   for (auto& solution : solutions) {
     solution.status = transform::Status::ok;
     solution.identity.role = transform::SolutionRole::equation;
-    solution.identity.equation = problem::Equation::kf;
-    solution.identity.impact = problem::Impact::map;
+    solution.identity.equation = problem::DensityEquation::kf;
+    solution.identity.impact = problem::ImpactCondition::map;
   }
-  solutions[0].identity.equation = problem::Equation::white;
+  solutions[0].identity.equation = problem::DensityEquation::white;
   const GuaranteedBounds bounds = narrow();
-  const auto found = bound_contradictions(bounds, solutions);
+  const auto found = violations_beyond_error_estimate(bounds, solutions);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].solution->id(), "fd");
   solutions[1].error.emplace().moments.y2 = 0.2;
-  EXPECT_TRUE(bound_contradictions(bounds, solutions).empty());
+  EXPECT_TRUE(violations_beyond_error_estimate(bounds, solutions).empty());
 }
 
 TEST(BoundViolation, IsNotReportedForUnknownMoments) {

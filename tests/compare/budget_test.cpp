@@ -12,28 +12,28 @@
 namespace fpkcheck::compare {
 namespace {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using transform::Solution;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 constexpr std::size_t kOuterBins = 20;  // of y; of y' as many on either side
 constexpr double kPlateau = 1e-4;       // within the tail
 
 // Probability in the outer bins for exponent 0.
-double plateau_mass(const std::vector<double>& edges, Variable variable) {
-  const double sides = variable == Variable::y ? 1 : 2;
+double plateau_mass(const std::vector<double>& edges, StateVariable variable) {
+  const double sides = variable == StateVariable::y ? 1 : 2;
   return sides * kOuterBins * (edges[1] - edges[0]) * kPlateau;
 }
 
 /// A marginal that alternates by +-amplitude about a uniform density on the inner bins and equals
 /// 1e-4 * 10^exponent on the outer bins. Its mass is 1 for exponent 0.
-transform::Marginal alternating(const std::vector<double>& edges, Variable variable,
+transform::Marginal alternating(const std::vector<double>& edges, StateVariable variable,
                                 double amplitude, double exponent) {
   transform::Marginal m{edges, {}, {}, {}};
   const std::size_t bins = edges.size() - 1;
-  const std::size_t below = variable == Variable::ydot ? kOuterBins : 0;
+  const std::size_t below = variable == StateVariable::ydot ? kOuterBins : 0;
   const std::size_t inner = bins - below - kOuterBins;
   for (std::size_t k = 0; k < bins; ++k) {
     const double uniform =
@@ -51,15 +51,15 @@ struct Height {
   double exponent = 0;
 };
 
-transform::Marginal marginal_of(const ComparisonAxes& axes, Variable variable, Height height) {
-  const double factor = variable == Variable::y ? 1 : 2;
-  return alternating(bin_edges(axes, variable), variable, factor * height.amplitude,
+transform::Marginal marginal_of(const ComparisonAxes& axes, StateVariable variable, Height height) {
+  const double factor = variable == StateVariable::y ? 1 : 2;
+  return alternating(comparison_bin_edges(axes, variable), variable, factor * height.amplitude,
                      factor * height.exponent);
 }
 
 transform::GridDensity product(const ComparisonAxes& axes, double amplitude) {
-  const auto y = marginal_of(axes, Variable::y, {amplitude});
-  const auto v = marginal_of(axes, Variable::ydot, {amplitude});
+  const auto y = marginal_of(axes, StateVariable::y, {amplitude});
+  const auto v = marginal_of(axes, StateVariable::ydot, {amplitude});
   transform::GridDensity density{axes.y_edges, axes.v_edges, {}};
   for (const double p : y.density) {
     for (const double q : v.density) density.averages.push_back(p * q);
@@ -67,20 +67,20 @@ transform::GridDensity product(const ComparisonAxes& axes, double amplitude) {
   return density;
 }
 
-Solution made(const ComparisonAxes& axes, const std::string& id, Equation equation, Impact impact,
-              Height height) {
+Solution made(const ComparisonAxes& axes, const std::string& id, DensityEquation equation,
+              ImpactCondition impact, Height height) {
   Solution s{.identity = tests::identity(id, id.substr(0, id.find('-')), equation, impact)};
   s.status = Status::ok;
-  for (const auto variable : {Variable::y, Variable::ydot}) {
+  for (const auto variable : {StateVariable::y, StateVariable::ydot}) {
     s.estimated_marginals.emplace_back(variable, marginal_of(axes, variable, height));
   }
   return s;
 }
 
 /// A solution with two grids; its Richardson limit is fine + (fine - coarser) / 3.
-Solution with_grids(const ComparisonAxes& axes, const std::string& id, Equation equation,
+Solution with_grids(const ComparisonAxes& axes, const std::string& id, DensityEquation equation,
                     double fine, double coarser) {
-  Solution s = made(axes, id, equation, Impact::map, {fine});
+  Solution s = made(axes, id, equation, ImpactCondition::map, {fine});
   s.density = product(axes, fine);
   s.extrapolation = {product(axes, coarser), 1.0 / 3};
   return s;
@@ -89,11 +89,11 @@ Solution with_grids(const ComparisonAxes& axes, const std::string& id, Equation 
 /// A chain of models with known distances: amplitudes 0.1, 0.03, 0.02, 0.011 (limit 0.01), 0.
 std::vector<Solution> chain_of_models(const ComparisonAxes& axes) {
   std::vector<Solution> solutions{
-      made(axes, "epc-gaussian-n6", Equation::km4, Impact::delta, {0.1, 0.5}),
-      made(axes, "fd-km4-delta", Equation::km4, Impact::delta, {0.03, 0.2}),
-      with_grids(axes, "fd-km4", Equation::km4, 0.02, 0.026),
-      with_grids(axes, "fd-kf", Equation::kf, 0.011, 0.014),
-      made(axes, "mcs", Equation::kf, Impact::exact, {0, 0.03}),
+      made(axes, "epc-gaussian-n6", DensityEquation::km4, ImpactCondition::delta, {0.1, 0.5}),
+      made(axes, "fd-km4-delta", DensityEquation::km4, ImpactCondition::delta, {0.03, 0.2}),
+      with_grids(axes, "fd-km4", DensityEquation::km4, 0.02, 0.026),
+      with_grids(axes, "fd-kf", DensityEquation::kf, 0.011, 0.014),
+      made(axes, "mcs", DensityEquation::kf, ImpactCondition::exact, {0, 0.03}),
   };
   solutions.back().sampling = {.y = 0.012, .ydot = 0.013, .y_99 = 0.02, .ydot_99 = 0.021};
   return solutions;
@@ -140,14 +140,14 @@ TEST(Budget, PartsAreDistancesOfConsecutiveModels) {
   const auto budget = budget_of(chain_of_models(axes));
   ASSERT_EQ(budget.size(), 2u);
   for (const auto& row : budget) {
-    const double f = row.variable == Variable::y ? 1 : 2;
+    const double f = row.variable == StateVariable::y ? 1 : 2;
     EXPECT_EQ(row.reference, "mcs");
     EXPECT_EQ(names(row), (Names{"closure", "impact", "truncation", "discretisation", "sampling"}));
     // The closure, fd-km4-delta, fd-km4, fd-kf, its limit (0.011 - 0.003/3) and mcs.
     const double amplitudes[] = {0.1, 0.03, 0.02, 0.011, 0.01, 0};
     const double exponents[] = {0.5, 0.2, 0, 0, 0, 0.03};
     const Names ids{"epc-gaussian-n6", "fd-km4-delta", "fd-km4", "fd-kf", "fd-kf limit", "mcs"};
-    const double outer = plateau_mass(bin_edges(axes, row.variable), row.variable);
+    const double outer = plateau_mass(comparison_bin_edges(axes, row.variable), row.variable);
     const auto l1 = [&](std::size_t i, std::size_t j) {
       return f * std::abs(amplitudes[i] - amplitudes[j]) * (1 - outer) +
              outer * std::abs(std::pow(10, f * exponents[i]) - std::pow(10, f * exponents[j]));
@@ -160,7 +160,7 @@ TEST(Budget, PartsAreDistancesOfConsecutiveModels) {
       EXPECT_EQ(part.from, ids[k]);
       EXPECT_EQ(part.to, ids[k + 1]);
     }
-    EXPECT_EQ(row.tail_bins, row.variable == Variable::y ? 20 : 40);
+    EXPECT_EQ(row.tail_bins, row.variable == StateVariable::y ? 20 : 40);
     EXPECT_NEAR(row.total_tail, f * 0.47, 1e-9);
   }
   expect_the_parts_bound_the_total(budget);
@@ -170,7 +170,7 @@ TEST(Budget, PartsHaveTheDiscretisationErrorsOfTheirEndsAsUncertainty) {
   const auto budget = budget_of(chain_of_models());
   const auto& parts = budget[1].parts;  // y': twice the amplitudes
   const double inner =
-      1 - plateau_mass(comparison_axes(tests::paper_case(1)).v_edges, Variable::ydot);
+      1 - plateau_mass(comparison_axes(tests::paper_case(1)).v_edges, StateVariable::ydot);
   EXPECT_FALSE(parts[0].uncertainty);  // fd-km4-delta has no error estimate
   EXPECT_FALSE(parts[1].uncertainty);
   EXPECT_NEAR(parts[2].uncertainty.value(), 2 * inner * (0.002 + 0.001), 1e-12);
@@ -213,11 +213,12 @@ TEST(Budget, LinksAreJoinedIfASolutionIsMissingOrNotOk) {
 TEST(Budget, ChainDependsOnTheEquationOfTheClosure) {
   const auto axes = comparison_axes(tests::paper_case(1));
   auto solutions = chain_of_models(axes);
-  solutions.insert(solutions.begin(),
-                   {made(axes, "epc-moment-n4", Equation::kf, Impact::map, {0.05}),
-                    made(axes, "epc-moment-white-n4", Equation::white, Impact::map, {0.3}),
-                    made(axes, "epc-gaussian-kf-n4", Equation::kf, Impact::delta, {0.04}),
-                    made(axes, "fd-white", Equation::white, Impact::map, {0.25})});
+  solutions.insert(
+      solutions.begin(),
+      {made(axes, "epc-moment-n4", DensityEquation::kf, ImpactCondition::map, {0.05}),
+       made(axes, "epc-moment-white-n4", DensityEquation::white, ImpactCondition::map, {0.3}),
+       made(axes, "epc-gaussian-kf-n4", DensityEquation::kf, ImpactCondition::delta, {0.04}),
+       made(axes, "fd-white", DensityEquation::white, ImpactCondition::map, {0.25})});
   const auto budget = budget_of(solutions);
   EXPECT_EQ(names(budget[0]), (Names{"closure", "discretisation", "sampling"}));
   EXPECT_EQ(names(budget[2]), (Names{"closure", "white noise", "discretisation", "sampling"}));
@@ -272,7 +273,7 @@ TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
   const auto closures = closure_error_budgets(budget, solutions);
   ASSERT_EQ(closures.size(), 2u);
   EXPECT_EQ(closures[0].rows().size(), 2u);
-  EXPECT_EQ(closures[1].row(Variable::ydot), nullptr);
+  EXPECT_EQ(closures[1].row(StateVariable::ydot), nullptr);
   EXPECT_EQ(budget_part_names(closures), (Names{"closure", "impact", "truncation", "discretisation",
                                                 "closure + impact", "sampling"}));
   EXPECT_TRUE(budget[0].find("sampling")->is_reference_error());
@@ -283,8 +284,10 @@ TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
 TEST(Budget, ThePartsBoundTheTotalWhateverTheOrderOfTheModels) {
   const auto axes = comparison_axes(tests::paper_case(1));
   auto solutions = chain_of_models(axes);
-  solutions[0] = made(axes, "epc-gaussian-n6", Equation::km4, Impact::delta, {0.01, 0.01});
-  solutions[1] = made(axes, "fd-km4-delta", Equation::km4, Impact::delta, {0.2, -0.3});
+  solutions[0] =
+      made(axes, "epc-gaussian-n6", DensityEquation::km4, ImpactCondition::delta, {0.01, 0.01});
+  solutions[1] =
+      made(axes, "fd-km4-delta", DensityEquation::km4, ImpactCondition::delta, {0.2, -0.3});
   const auto budget = budget_of(solutions);
   expect_the_parts_bound_the_total(budget);
   EXPECT_LT(budget[0].total, 0.1 * budget[0].parts[0].l1);

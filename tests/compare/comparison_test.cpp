@@ -12,10 +12,10 @@
 namespace fpkcheck::compare {
 namespace {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 struct MadeUp {
   ComparisonAxes axes = comparison_axes(tests::paper_case(1));
@@ -30,14 +30,14 @@ TEST(Comparison, ContainsEveryPairOfSolutionsWithADensity) {
   ASSERT_EQ(comparison.pairs.size(), 2 * 21u);
   EXPECT_EQ(comparison.pairs.front().a, "epc-gaussian-n2");
   EXPECT_EQ(comparison.pairs.front().b, "epc-gaussian-n4");
-  EXPECT_EQ(comparison.pairs.front().variable, Variable::y);
+  EXPECT_EQ(comparison.pairs.front().variable, StateVariable::y);
   EXPECT_EQ(comparison.pairs.back().a, "fd-kf");
   EXPECT_EQ(comparison.pairs.back().b, "mcs");
-  EXPECT_EQ(comparison.pairs.back().variable, Variable::ydot);
+  EXPECT_EQ(comparison.pairs.back().variable, StateVariable::ydot);
   const auto& white = comparison.marginals[3];
   const auto& kf = comparison.marginals[5];
   ASSERT_EQ(white.solution + kf.solution, "fd-whitefd-kf");
-  const auto* pair = find_pair_distances(comparison.pairs, "fd-kf", "fd-white", Variable::y);
+  const auto* pair = find_pair_distances(comparison.pairs, "fd-kf", "fd-white", StateVariable::y);
   ASSERT_NE(pair, nullptr);
   EXPECT_EQ(pair->distances.kl, distances(white.marginal, kf.marginal).kl);
   EXPECT_NE(pair->distances.kl, distances(kf.marginal, white.marginal).kl);
@@ -64,7 +64,7 @@ TEST(Comparison, ClipsNegativeDensitiesOfOkSolutions) {
   auto solutions = tests::made_up_solutions(axes);
   const auto find = [](const std::vector<SolutionMarginal>& marginals, const std::string& id) {
     return std::ranges::find_if(marginals, [&](const auto& one) {
-      return one.solution == id && one.variable == Variable::y;
+      return one.solution == id && one.variable == StateVariable::y;
     });
   };
   const auto kf = std::ranges::find(solutions, "fd-kf", [](const Solution& s) { return s.id(); });
@@ -92,23 +92,23 @@ TEST(Comparison, UsesUniformBinsForDistances) {
   const auto comparison = compare_solutions(axes, tests::made_up_solutions(axes));
   const auto& one = comparison.marginals[0];
   const auto& other = comparison.marginals[2];
-  ASSERT_EQ(one.variable, Variable::y);
+  ASSERT_EQ(one.variable, StateVariable::y);
   EXPECT_EQ(one.marginal.edges, axes.y_edges);  // output keeps the divided bins
   const auto* pair =
-      find_pair_distances(comparison.pairs, one.solution, other.solution, Variable::y);
+      find_pair_distances(comparison.pairs, one.solution, other.solution, StateVariable::y);
   ASSERT_NE(pair, nullptr);
   EXPECT_EQ(pair->distances.l1,
-            transform::l1(merge_divided_bins(axes, Variable::y, one.marginal),
-                          merge_divided_bins(axes, Variable::y, other.marginal)));
+            transform::l1(merge_divided_bins(axes, StateVariable::y, one.marginal),
+                          merge_divided_bins(axes, StateVariable::y, other.marginal)));
 }
 
 TEST(Comparison, ComparesTheMarginalOfTheNamedVariable) {
   // Two solutions with the same p(y) and different p(y').
   std::vector<Solution> two;
   for (const double quartic : {0.0, 0.1}) {
-    two.push_back(tests::solution(
-        tests::identity(quartic > 0 ? "flat" : "normal", "fd", Equation::kf, Impact::map),
-        tests::smooth_density({2, 0, 2, quartic}, 5, 5)));
+    two.push_back(tests::solution(tests::identity(quartic > 0 ? "flat" : "normal", "fd",
+                                                  DensityEquation::kf, ImpactCondition::map),
+                                  tests::smooth_density({2, 0, 2, quartic}, 5, 5)));
   }
   const auto pairs = compare_solutions(comparison_axes(tests::paper_case(1)), two).pairs;
   ASSERT_EQ(pairs.size(), 2u);
@@ -119,11 +119,11 @@ TEST(Comparison, ComparesTheMarginalOfTheNamedVariable) {
 TEST(Comparison, PairsAreSymmetricAndEmptyWithoutADensity) {
   auto made_up = MadeUp();
   const auto& pairs = made_up.comparison.pairs;
-  EXPECT_EQ(l1_distance_between(pairs, "mcs", "fd-kf", Variable::y),
-            l1_distance_between(pairs, "fd-kf", "mcs", Variable::y));
-  EXPECT_FALSE(l1_distance_between(pairs, "mcs", "epc-gaussian-n8", Variable::y));
+  EXPECT_EQ(l1_distance_between(pairs, "mcs", "fd-kf", StateVariable::y),
+            l1_distance_between(pairs, "fd-kf", "mcs", StateVariable::y));
+  EXPECT_FALSE(l1_distance_between(pairs, "mcs", "epc-gaussian-n8", StateVariable::y));
   made_up.comparison.pairs.back().distances.l1 = std::nan("");
-  EXPECT_FALSE(l1_distance_between(pairs, "mcs", "fd-kf", Variable::ydot));
+  EXPECT_FALSE(l1_distance_between(pairs, "mcs", "fd-kf", StateVariable::ydot));
 }
 
 }  // namespace

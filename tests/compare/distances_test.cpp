@@ -149,8 +149,8 @@ TEST(ComparisonAxes, CoverSevenDeviationsWithAnEdgeAtZeroVelocity) {
   for (std::size_t k = 0; k < axes.v_edges.size(); ++k) {
     EXPECT_EQ(axes.v_edges[k], -axes.v_edges[axes.v_edges.size() - 1 - k]);
   }
-  EXPECT_EQ(&bin_edges(axes, transform::Variable::y), &axes.y_edges);
-  EXPECT_EQ(&bin_edges(axes, transform::Variable::ydot), &axes.v_edges);
+  EXPECT_EQ(&comparison_bin_edges(axes, transform::StateVariable::y), &axes.y_edges);
+  EXPECT_EQ(&comparison_bin_edges(axes, transform::StateVariable::ydot), &axes.v_edges);
 }
 
 }  // namespace

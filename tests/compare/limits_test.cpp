@@ -8,8 +8,8 @@ namespace fpkcheck::compare {
 namespace {
 
 using transform::Solution;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 ErrorBudgetPart part(Approximation approximation, const std::string& from, const std::string& to,
                      double l1) {
@@ -103,7 +103,7 @@ TEST(Limits, UseTheDiscretisationErrorWithoutASimulation) {
   one.add_solution("epc-polar-n8", Status::ok);
   one.rows.push_back(
       {.solution = "epc-polar-n8",
-       .variable = Variable::y,
+       .variable = StateVariable::y,
        .reference = "fd-kf limit",
        .total = 2e-5,
        .total_tail = 0,

@@ -8,16 +8,16 @@ namespace fpkcheck::compare {
 namespace {
 
 using transform::RestAtom;
-using transform::Variable;
+using transform::StateVariable;
 
 TEST(RestAtoms, OfDifferentWallsDifferInYOnly) {
   const std::vector<RestAtom> left{{-0.5, 0.3}}, right{{0.5, 0.2}}, both{{-0.5, 0.1}, {0.5, 0.2}};
-  EXPECT_DOUBLE_EQ(rest_atom_l1_distance(left, right, Variable::y), 0.5);
-  EXPECT_DOUBLE_EQ(rest_atom_l1_distance(left, right, Variable::ydot), 0.1);
-  EXPECT_DOUBLE_EQ(rest_atom_l1_distance(left, both, Variable::y), 0.4);
-  EXPECT_NEAR(rest_atom_l1_distance(left, both, Variable::ydot), 0, 1e-16);
-  EXPECT_DOUBLE_EQ(rest_atom_l1_distance({}, left, Variable::y), 0.3);
-  EXPECT_EQ(rest_atom_l1_distance({}, {}, Variable::y), 0);
+  EXPECT_DOUBLE_EQ(rest_atom_l1_distance(left, right, StateVariable::y), 0.5);
+  EXPECT_DOUBLE_EQ(rest_atom_l1_distance(left, right, StateVariable::ydot), 0.1);
+  EXPECT_DOUBLE_EQ(rest_atom_l1_distance(left, both, StateVariable::y), 0.4);
+  EXPECT_NEAR(rest_atom_l1_distance(left, both, StateVariable::ydot), 0, 1e-16);
+  EXPECT_DOUBLE_EQ(rest_atom_l1_distance({}, left, StateVariable::y), 0.3);
+  EXPECT_EQ(rest_atom_l1_distance({}, {}, StateVariable::y), 0);
 }
 
 // Equal densities of mass 1/2: only the atoms differ.

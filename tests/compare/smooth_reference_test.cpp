@@ -13,15 +13,15 @@
 namespace fpkcheck::compare {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 TEST(SmoothReference, IsTheSimulationWithSmoothEstimates) {
   auto one = tests::made_up_case_with_control_variates();
   auto& simulation = one.solutions.back();
   EXPECT_EQ(find_smooth_reference(one.solutions), &simulation);
-  simulation.identity.equation = problem::Equation::white;
+  simulation.identity.equation = problem::DensityEquation::white;
   EXPECT_EQ(find_smooth_reference(one.solutions), nullptr);
-  simulation.identity.equation = problem::Equation::kf;
+  simulation.identity.equation = problem::DensityEquation::kf;
   simulation.status = transform::Status::failed;
   EXPECT_EQ(find_smooth_reference(one.solutions), nullptr);
   EXPECT_EQ(find_smooth_reference(tests::made_up_case().solutions), nullptr);
@@ -33,7 +33,7 @@ TEST(SmoothReference, IsTheReferenceByItsSmoothSamplingError) {
   kf.error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
   one.assess();
   EXPECT_EQ(one.assessment.reference, "mcs");
-  EXPECT_EQ(l1_error_estimate(one.solutions.back(), Variable::y), 3e-6);
+  EXPECT_EQ(l1_error_estimate(one.solutions.back(), StateVariable::y), 3e-6);
   kf.error = {.y_l1 = 1e-6, .ydot_l1 = 1e-6};
   one.assess();
   EXPECT_EQ(one.assessment.reference, "fd-kf");
@@ -87,10 +87,11 @@ TEST(SmoothReference, HasDistancesOverSharpBinsToNoisySolutions) {
   solutions[5].sampling = {.y = 1e-3, .ydot = 1e-3};  // fd-km4, as if from a file
   const auto compared = compare_solutions(comparison_axes(one.problem), solutions);
   EXPECT_FALSE(
-      find_pair_distances(compared.pairs, "fd-km4", "mcs", Variable::y)->l1_standard_error);
-  EXPECT_EQ(*l1_distance_between(compared.pairs, "fd-km4", "mcs", Variable::y),
-            *l1_distance_between(tests::made_up_case().pairs, "fd-km4", "mcs", Variable::y));
-  EXPECT_TRUE(find_pair_distances(compared.pairs, "fd-kf", "mcs", Variable::y)->l1_standard_error);
+      find_pair_distances(compared.pairs, "fd-km4", "mcs", StateVariable::y)->l1_standard_error);
+  EXPECT_EQ(*l1_distance_between(compared.pairs, "fd-km4", "mcs", StateVariable::y),
+            *l1_distance_between(tests::made_up_case().pairs, "fd-km4", "mcs", StateVariable::y));
+  EXPECT_TRUE(
+      find_pair_distances(compared.pairs, "fd-kf", "mcs", StateVariable::y)->l1_standard_error);
 }
 
 TEST(SmoothReference, EndsTheChainWithTheDiscretisation) {
@@ -104,7 +105,7 @@ TEST(SmoothReference, EndsTheChainWithTheDiscretisation) {
     EXPECT_EQ(last.l1, *l1_distance_between(one.pairs, "fd-kf", "mcs", row.variable));
     EXPECT_EQ(last.standard_error,
               find_pair_distances(one.pairs, "fd-kf", "mcs", row.variable)->l1_standard_error);
-    EXPECT_EQ(*last.quantile_99, row.variable == Variable::y ? 5e-6 : 6e-6);
+    EXPECT_EQ(*last.quantile_99, row.variable == StateVariable::y ? 5e-6 : 6e-6);
     double sum = 0;
     for (const auto& part : row.parts) sum += part.l1;
     EXPECT_LE(row.total, sum * (1 + 1e-12));

@@ -14,7 +14,7 @@ int covered(const tests::PreparedCase& setup, int runs) {
     const Result r = setup.run(1e4, static_cast<std::uint64_t>(seed), 32);
     const auto holds = [&](const ControlledAndPlainEstimate& e, double truth) {
       return std::abs(e.controlled.mean - truth) <
-             r.estimates.interval_factor * e.controlled.standard_error;
+             r.estimates.confidence_interval_factor * e.controlled.standard_error;
     };
     count += holds(r.estimates.moments[1], tests::kTrueY2);
     count += holds(r.estimates.moments[4], tests::kTrueV2);

@@ -109,7 +109,8 @@ TEST(ControlVariates, HoldsForLossesRareImpulsesAndAMean) {
 }
 
 TEST(ControlVariates, IsPlainWithoutControlFunctions) {
-  const auto note = [](const problem::Problem& problem, mcs::Options options, ControlCells cells) {
+  const auto note = [](const problem::Problem& problem, mcs::Options options,
+                       ControlSplineCells cells) {
     options.controlled = true;
     options.streams = 8;
     const auto solution = solve(problem, {.simulation = options, .cells = cells});
@@ -119,7 +120,7 @@ TEST(ControlVariates, IsPlainWithoutControlFunctions) {
   };
   const std::string not_taken = "plain simulation without control variates: ";
   const auto problem = tests::paper_case(1);
-  EXPECT_EQ(note(problem, {.equation = mcs::Equation::white, .time = 2e3}, {20, 40}),
+  EXPECT_EQ(note(problem, {.equation = mcs::DensityEquation::white, .time = 2e3}, {20, 40}),
             not_taken + "control functions exist for impulses without splitting only");
   EXPECT_EQ(note(problem, {.time = 2e3, .tails = true}, {20, 40}),
             not_taken + "control functions exist for impulses without splitting only");
@@ -131,7 +132,7 @@ TEST(ControlVariates, IsPlainWithoutControlFunctions) {
 TEST(ControlVariates, LimitsTheGeneratorTestByTheNumberOfStreams) {
   const mcs::Options few{.time = 5e3, .streams = 8};
   const auto solution =
-      solve(tests::paper_case(1), {.simulation = few, .cells = ControlCells{20, 40}});
+      solve(tests::paper_case(1), {.simulation = few, .cells = ControlSplineCells{20, 40}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
   EXPECT_EQ(transform::metric_number(solution.metrics, "checks.generator.dimensions"), 4);
   const double p = *transform::metric_number(solution.metrics, "checks.generator.p_value");
@@ -143,7 +144,7 @@ TEST(ControlVariates, LimitsTheGeneratorTestByTheNumberOfStreams) {
 TEST(ControlVariates, SupportsProblemsWithoutImpacts) {
   const auto problem = tests::make_problem({.cubic = 0, .rate = 500, .mean = 0.01273});
   const auto solution = solve(problem, {.simulation = {.time = 2e3, .accuracy = 0.1, .streams = 16},
-                                        .cells = ControlCells{20, 40}});
+                                        .cells = ControlSplineCells{20, 40}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
   EXPECT_EQ(transform::metric_number(solution.metrics, "checks.impacts.restitution"), 0);
 }
@@ -160,7 +161,7 @@ TEST(ControlVariates, ReportsProgressAfterTheFit) {
                                                     [&](const mcs::Progress& at) {
                                                       fraction = std::max(fraction, at.fraction);
                                                     }},
-                                 .cells = ControlCells{60, 120}});
+                                 .cells = ControlSplineCells{60, 120}});
     return fraction;
   };
   EXPECT_EQ(furthest(2), 0);
@@ -170,7 +171,8 @@ TEST(ControlVariates, ReportsProgressAfterTheFit) {
 TEST(ControlVariates, SolvesInOneCall) {
   const auto problem = tests::paper_case(1);
   const mcs::Options simulation{.time = 5e4, .streams = 32};
-  const auto solution = solve(problem, {.simulation = simulation, .cells = ControlCells{24, 48}});
+  const auto solution =
+      solve(problem, {.simulation = simulation, .cells = ControlSplineCells{24, 48}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
   const double error = solution.standard_errors->moments.y2;
   EXPECT_LT(error, 1e-6);
@@ -183,7 +185,8 @@ TEST(ControlVariates, SolvesInOneCall) {
               4 * alone.standard_errors->moments.y2);
   EXPECT_EQ(solution.estimated_marginals[0].second.density,
             alone.estimated_marginals[0].second.density);
-  const auto* smooth = transform::find_smooth_bin_estimate(solution, transform::Variable::ydot);
+  const auto* smooth =
+      transform::find_smooth_bin_estimate(solution, transform::StateVariable::ydot);
   ASSERT_NE(smooth, nullptr);
   EXPECT_EQ(static_cast<int>(smooth->averages.size()), smooth->bins.count);
   EXPECT_GT(*solution.smooth_sampling->y_99, *solution.smooth_sampling->y);
@@ -192,8 +195,8 @@ TEST(ControlVariates, SolvesInOneCall) {
 
 constexpr transform::SmoothBins kBins{.first = -0.2, .spacing = 0.2, .count = 8};
 
-TEST(Functionals, AreWhatTheDepositHolds) {
-  const Functionals functionals{.y_bins = kBins, .v_bins = {-1, 0.5, 5}};
+TEST(EstimatedFunctionals, AreWhatTheDepositHolds) {
+  const EstimatedFunctionals functionals{.y_bins = kBins, .v_bins = {-1, 0.5, 5}};
   const auto functions = functionals.integrands();
   EXPECT_EQ(static_cast<int>(functions.size()), functionals.size());
   mcs::StreamDeposit stream;

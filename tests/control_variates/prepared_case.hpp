@@ -9,11 +9,11 @@ namespace fpkcheck::tests {
 /// A problem with coarse control functions, which several tests share.
 struct PreparedCase {
   problem::Problem problem;
-  control_variates::ControlSetup setup;
+  control_variates::ControlVariateSetup setup;
 
-  explicit PreparedCase(problem::Problem p, control_variates::ControlCells cells = {30, 64})
+  explicit PreparedCase(problem::Problem p, control_variates::ControlSplineCells cells = {30, 64})
       : problem(std::move(p)),
-        setup(control_variates::make_control_setup(
+        setup(control_variates::make_control_variate_setup(
             problem, control_variates::make_deposit_layout(problem, cells),
             mcs::make_simulation_plan(problem, mcs::Options{}).sampling_interval)) {}
 
@@ -25,7 +25,7 @@ struct PreparedCase {
   /// @param simulated simulated problem, which may differ from the problem of the control functions
   control_variates::Result run(const problem::Problem& simulated,
                                const mcs::Options& options) const {
-    return control_variates::make_result(setup, mcs::solve(simulated, options));
+    return control_variates::estimate_and_check(setup, mcs::solve(simulated, options));
   }
   control_variates::Result run(double time, std::uint64_t seed = 1, int streams = 64) const {
     return run(problem, options(time, seed, streams));

@@ -5,8 +5,8 @@
 
 #include "control_variates/solution.hpp"
 #include "mcs/deposit/deposit_simd.hpp"
+#include "mcs/scalar_trajectory.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
-#include "mcs/trajectory.hpp"
 #include "prepared_case.hpp"
 
 namespace fpkcheck::control_variates {

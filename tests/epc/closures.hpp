@@ -11,7 +11,7 @@
 namespace fpkcheck::tests {
 
 inline epc::Options closure(epc::Formulation formulation, int order,
-                            std::optional<problem::Equation> equation = {}) {
+                            std::optional<problem::DensityEquation> equation = {}) {
   return {.order = order, .formulation = formulation, .equation = equation};
 }
 

@@ -10,7 +10,7 @@
 #include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 #include "refusal.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 #include "transform/marginal.hpp"
 
 namespace fpkcheck::epc {

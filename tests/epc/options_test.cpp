@@ -18,7 +18,7 @@ Options non_default_options() {
   return {.order = 10,
           .formulation = Formulation::moment,
           .monomials = MonomialSet::general,
-          .equation = Equation::white,
+          .equation = DensityEquation::white,
           .tail = TailTreatment::cut,
           .tolerance = 3.1e-9,
           .accuracy = 0.3,
@@ -30,10 +30,11 @@ Options non_default_options() {
 std::vector<Options> named_options() {
   std::vector<Options> list;
   for (const int order : {2, 12}) {
-    for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
+    for (const auto equation :
+         {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
       list.push_back({.order = order, .equation = equation});
     }
-    for (const auto equation : {Equation::white, Equation::kf}) {
+    for (const auto equation : {DensityEquation::white, DensityEquation::kf}) {
       for (const auto tail : {TailTreatment::confined, TailTreatment::cut}) {
         list.push_back({.order = order,
                         .formulation = Formulation::moment,
@@ -76,22 +77,24 @@ TEST(ClosureOptions, OnTheCommandLineTheEquationIsOneThatAClosureMaySolve) {
 }
 
 TEST(ClosureOptions, AutomaticIsTheUsualEquationOfTheFormulation) {
-  EXPECT_EQ(equation_of({}), Equation::km4);
-  EXPECT_EQ(equation_of({.formulation = Formulation::moment}), Equation::kf);
-  EXPECT_EQ(equation_of({.formulation = Formulation::polar}), Equation::kf);
-  EXPECT_EQ(equation_of({.equation = Equation::white}), Equation::white);
+  EXPECT_EQ(effective_equation({}), DensityEquation::km4);
+  EXPECT_EQ(effective_equation({.formulation = Formulation::moment}), DensityEquation::kf);
+  EXPECT_EQ(effective_equation({.formulation = Formulation::polar}), DensityEquation::kf);
+  EXPECT_EQ(effective_equation({.equation = DensityEquation::white}), DensityEquation::white);
 }
 
 TEST(ClosureOptions, AreNamedByFormulationVariantAndOrder) {
   EXPECT_EQ(id({}), "epc-gaussian-n6");
-  EXPECT_EQ(id({.order = 4, .equation = Equation::white}), "epc-gaussian-white-n4");
-  EXPECT_EQ(id({.equation = Equation::kf}), "epc-gaussian-kf-n6");
-  EXPECT_EQ(id({.equation = Equation::km4}), "epc-gaussian-n6");
+  EXPECT_EQ(id({.order = 4, .equation = DensityEquation::white}), "epc-gaussian-white-n4");
+  EXPECT_EQ(id({.equation = DensityEquation::kf}), "epc-gaussian-kf-n6");
+  EXPECT_EQ(id({.equation = DensityEquation::km4}), "epc-gaussian-n6");
   EXPECT_EQ(id({.order = 8, .formulation = Formulation::moment, .tail = TailTreatment::cut}),
             "epc-moment-cut-n8");
-  EXPECT_EQ(id({.order = 4, .formulation = Formulation::moment, .equation = Equation::white}),
-            "epc-moment-white-n4");
-  EXPECT_EQ(id({.formulation = Formulation::moment, .equation = Equation::kf}), "epc-moment-n6");
+  EXPECT_EQ(
+      id({.order = 4, .formulation = Formulation::moment, .equation = DensityEquation::white}),
+      "epc-moment-white-n4");
+  EXPECT_EQ(id({.formulation = Formulation::moment, .equation = DensityEquation::kf}),
+            "epc-moment-n6");
   EXPECT_EQ(id({.formulation = Formulation::polar}), "epc-polar-n6");
 }
 
@@ -105,7 +108,7 @@ TEST(ClosureOptions, SurviveARoundTripThroughTheirId) {
     EXPECT_EQ(id(*again), id(options));
     EXPECT_EQ(again->formulation, options.formulation);
     EXPECT_EQ(again->tail, options.tail);
-    EXPECT_EQ(equation_of(*again), equation_of(options));
+    EXPECT_EQ(effective_equation(*again), effective_equation(options));
     EXPECT_EQ(again->order, options.order);
     EXPECT_EQ(again->monomials, MonomialSet::point_symmetric);
   }
@@ -127,14 +130,14 @@ TEST(ClosureOptions, IdentityStatesWhatIsSolved) {
   EXPECT_EQ(gaussian.method, "epc");
   EXPECT_EQ(gaussian.formulation, "gaussian");
   EXPECT_EQ(gaussian.order, 6);
-  EXPECT_EQ(gaussian.equation, Equation::km4);
-  EXPECT_EQ(gaussian.impact, Impact::delta);
+  EXPECT_EQ(gaussian.equation, DensityEquation::km4);
+  EXPECT_EQ(gaussian.impact, ImpactCondition::delta);
   EXPECT_EQ(gaussian.role, transform::SolutionRole::closure);
   const auto cut = identity(non_default_options());
   EXPECT_EQ(cut.id, "epc-moment-cut-white-n10");
   EXPECT_EQ(cut.formulation, "moment-cut-white");
-  EXPECT_EQ(cut.equation, Equation::white);
-  EXPECT_EQ(cut.impact, Impact::map);
+  EXPECT_EQ(cut.equation, DensityEquation::white);
+  EXPECT_EQ(cut.impact, ImpactCondition::map);
 }
 
 TEST(ClosureOptions, HaveErrorsOfOneLine) {
@@ -164,12 +167,13 @@ TEST(ClosureOptions, EveryEvenOrderUpToTheGreatestIsAllowed) {
 }
 
 TEST(ClosureOptions, WhatAFormulationCannotSolveIsRefused) {
-  EXPECT_NE(error_message({.equation = Equation::km4_pade}).find("epc equation = km4-pade"),
+  EXPECT_NE(error_message({.equation = DensityEquation::km4_pade}).find("epc equation = km4-pade"),
             std::string::npos);
-  for (const auto equation : {Equation::km4, Equation::km4_pade}) {
+  for (const auto equation : {DensityEquation::km4, DensityEquation::km4_pade}) {
     EXPECT_NE(error_message({.formulation = Formulation::moment, .equation = equation}), "");
   }
-  for (const auto equation : {Equation::white, Equation::km4, Equation::km4_pade}) {
+  for (const auto equation :
+       {DensityEquation::white, DensityEquation::km4, DensityEquation::km4_pade}) {
     EXPECT_NE(error_message({.formulation = Formulation::polar, .equation = equation}), "");
   }
 }

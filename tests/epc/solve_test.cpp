@@ -90,7 +90,7 @@ TEST(Applicability, GaussianNeedsOneWallOrNone) {
                      {.left = -0.5, .left_restitution = 0.9});
   EXPECT_NE(unsupported_reason_of(Formulation::gaussian, tests::with_impulses(cycle, impulses)),
             "");
-  const auto with_jumps = tests::closure(Formulation::gaussian, 4, Equation::kf);
+  const auto with_jumps = tests::closure(Formulation::gaussian, 4, DensityEquation::kf);
   EXPECT_NE(unsupported_reason(tests::with_noise(well, 0.1), with_jumps), "");
 }
 

@@ -42,19 +42,19 @@ TEST(Exact, WhiteNoiseDensityMeetsTheEnergyBalance) {
       tests::trapezoid([&](double v) { return v * v * density.velocity_marginal(v); }, -9, 9, 400);
   EXPECT_NEAR(v2, mean_square_velocity(p), 1e-12);
   EXPECT_NEAR(
-      energy_residual(p, Impact::map,
+      energy_residual(p, ImpactCondition::map,
                       {.mean_velocity = 0, .mean_square_velocity = v2, .impact_energy_flux = 3}),
       0.0, 1e-12);
 }
 
 TEST(Exact, EnergyResidualUsesTheImpactCondition) {
   const Problem p = tests::make_problem({.restitution = 0.8});
-  const EnergyTerms terms{
+  const PowerBalanceTerms terms{
       .mean_velocity = 0, .mean_square_velocity = 0.3, .impact_energy_flux = 0.05};
   // input 0.05; map: 0.03 + 0.18 * 0.05; delta: 0.03 + 0.2 * 0.05
-  EXPECT_NEAR(energy_residual(p, Impact::map, terms), (0.05 - 0.039) / 0.05, 1e-14);
-  EXPECT_NEAR(energy_residual(p, Impact::exact, terms), (0.05 - 0.039) / 0.05, 1e-14);
-  EXPECT_NEAR(energy_residual(p, Impact::delta, terms), (0.05 - 0.040) / 0.05, 1e-14);
+  EXPECT_NEAR(energy_residual(p, ImpactCondition::map, terms), (0.05 - 0.039) / 0.05, 1e-14);
+  EXPECT_NEAR(energy_residual(p, ImpactCondition::exact, terms), (0.05 - 0.039) / 0.05, 1e-14);
+  EXPECT_NEAR(energy_residual(p, ImpactCondition::delta, terms), (0.05 - 0.040) / 0.05, 1e-14);
 }
 
 TEST(Exact, LinearCumulantsAgreeWithKnownFourthMoments) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/input_error.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::exact {

@@ -10,7 +10,7 @@ namespace fpkcheck::exact {
 /// which are invariant under v -> s v, y -> s^3 y. The root beta = 2 exists for every r and is
 /// spurious. The other root increases from 0 at r = 1 over 1 at r = 1/2 to 2 at the collapse
 /// restitution r = exp(-pi / sqrt 3), below which impacts accumulate
-/// (problem/features.hpp).
+/// (problem/problem_features.hpp).
 ///
 /// S. J. Cornell, M. R. Swift, A. J. Bray, Phys. Rev. Lett. 81, 1142 (1998); T. W. Burkhardt,
 /// J. Phys. A 33, L429 (2000).

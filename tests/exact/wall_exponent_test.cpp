@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/input_error.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::exact {
 namespace {

@@ -9,8 +9,8 @@
 #include "distances.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/linear_density.hpp"
-#include "fd_fpk/linear/eigenvectors.hpp"
 #include "fd_fpk/linear/gmres.hpp"
+#include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
@@ -59,13 +59,14 @@ struct Solved {
   Grid grid;
   Eigen::VectorXd averages;
 };
-Solved stationary(const problem::Problem& p, Equation equation, int order, int nx, int nv,
+Solved stationary(const problem::Problem& p, DensityEquation equation, int order, int nx, int nv,
                   double x1_max, double x2_max) {
   Grid grid = make_grid(nx, nv, x1_max, x2_max);
-  const Excitation excitation = equation == Equation::kf ? jump_excitation(p.impulses, grid.x2)
-                                                         : white_noise_excitation(p.impulses);
-  const auto op = fokker_planck_operator(p.system, excitation, Impact::map, grid, order);
-  Preconditioner preconditioner(p, excitation, Impact::map, grid);
+  const Excitation excitation = equation == DensityEquation::kf
+                                    ? jump_excitation(p.impulses, grid.x2)
+                                    : white_noise_excitation(p.impulses);
+  const auto op = fokker_planck_operator(p.system, excitation, ImpactCondition::map, grid, order);
+  Preconditioner preconditioner(p, excitation, ImpactCondition::map, grid);
   auto solution = null_vector(op, preconditioner, initial_gaussian(grid, problem::scales(p)));
   EXPECT_TRUE(solution.averages.has_value()) << solution.failure;
   return {std::move(grid), *solution.averages};
@@ -80,7 +81,8 @@ TEST_P(ObservedOrder, JointDensityUnderWhiteNoiseHasTheOrderOfTheScheme) {
   const auto p = tests::make_problem({.restitution = 1});
   const exact::WhiteNoiseDensity exact(p);
   const auto error = [&](int nx) {
-    const auto [grid, averages] = stationary(p, Equation::white, order, nx, 2 * nx, 4.6, 5.0);
+    const auto [grid, averages] =
+        stationary(p, DensityEquation::white, order, nx, 2 * nx, 4.6, 5.0);
     return l1(grid,
               averages - cell_averages(grid, [&](double x, double v) { return 2 * exact(x, v); }));
   };
@@ -95,7 +97,7 @@ TEST_P(ObservedOrder, MarginalsAndJointDensityUnderJumpsHaveTheOrderOfTheScheme)
     double joint, y, v;
   };
   const auto errors = [&](int nx) {
-    const auto [grid, averages] = stationary(p, Equation::kf, order, nx, 2 * nx, 5.4, 5.6);
+    const auto [grid, averages] = stationary(p, DensityEquation::kf, order, nx, 2 * nx, 5.4, 5.6);
     const auto joint = exact.joint_averages(grid.x1.faces(), grid.x2.faces());
     const auto y = exact.displacement_averages(grid.x1.faces());
     const auto v = exact.velocity_averages(grid.x2.faces());
@@ -162,7 +164,8 @@ TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
     const auto error = [&](int nx) {
       const Grid grid = make_grid(nx, 4 * nx, 5.0, 5.5);
       const Excitation excitation = white_noise_excitation(p.impulses);
-      const auto op = fokker_planck_operator(p.system, excitation, Impact::map, grid, order);
+      const auto op =
+          fokker_planck_operator(p.system, excitation, ImpactCondition::map, grid, order);
       const Eigen::VectorXd density =
           cell_averages(grid, [&](double x, double v) { return exact.density(x, v); });
       Eigen::VectorXd source =
@@ -171,8 +174,8 @@ TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
       // the truncation by the box.
       Eigen::VectorXd defect = source - op * density;
       defect.array() -= op.total_mass(defect) / op.areas.sum();
-      Preconditioner preconditioner(p, excitation, Impact::map, grid);
-      EXPECT_TRUE(preconditioner.factor_stationary());
+      Preconditioner preconditioner(p, excitation, ImpactCondition::map, grid);
+      EXPECT_TRUE(preconditioner.factorise_stationary());
       const auto correction =
           gmres([&](const Eigen::VectorXd& q) { return op * q; },
                 [&](Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }, defect,

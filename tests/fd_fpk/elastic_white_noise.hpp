@@ -18,7 +18,7 @@ inline fd_fpk::Options elastic_white_noise_exponent(const problem::Problem& p, i
                                                     int nv) {
   constexpr double kDeviations = 5.5;
   const double v2 = exact::mean_square_velocity(p) * kDeviations * kDeviations;
-  return {.equation = problem::Equation::white,
+  return {.equation = problem::DensityEquation::white,
           .stepper = fd_fpk::StationarySolver::direct,
           .order = order,
           .nx = nx,
@@ -44,9 +44,9 @@ inline MarginalErrors errors_of(const transform::Solution& solution, const probl
   };
   const auto& grid = std::get<transform::GridDensity>(*solution.density);
   const exact::WhiteNoiseDensity exact(p);
-  return {l1(marginal(solution, transform::Variable::y, grid.y_edges),
+  return {l1(marginal(solution, transform::StateVariable::y, grid.y_edges),
              [&](double y) { return exact.displacement_marginal(y); }),
-          l1(marginal(solution, transform::Variable::ydot, grid.v_edges),
+          l1(marginal(solution, transform::StateVariable::ydot, grid.v_edges),
              [&](double v) { return exact.velocity_marginal(v); })};
 }
 

@@ -144,7 +144,7 @@ TEST(ExactLaws, OfTheRateOfImpactsOfTheLinearOscillatorAtItsEquilibrium) {
   const auto p =
       tests::make_problem({.damping = 0.3, .stiffness = k, .cubic = 0, .restitution = 1});
   Options options = direct_options();
-  options.equation = Equation::white;
+  options.equation = DensityEquation::white;
   const double y2 = 0.1 / (2 * 0.3 * k);
   expect_law(p, options,
              {.impact_rate = std::sqrt(k) / std::numbers::pi,

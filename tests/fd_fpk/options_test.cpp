@@ -11,8 +11,8 @@ namespace {
 
 // Every option differs from its default and from every other option.
 Options changed() {
-  return {.equation = Equation::km4,
-          .impact = Impact::delta,
+  return {.equation = DensityEquation::km4,
+          .impact = ImpactCondition::delta,
           .stepper = StationarySolver::direct,
           .transport = TransportScheme::upwind,
           .order = 7,
@@ -47,7 +47,7 @@ TEST(Options, RoundTripThroughTheirValues) {
 }
 
 TEST(Options, EquationsRoundTripThroughTheirNames) {
-  for (const auto& [equation, name, meaning] : enumerator_names(Equation{})) {
+  for (const auto& [equation, name, meaning] : enumerator_names(DensityEquation{})) {
     const auto values = description().values({.equation = equation});
     EXPECT_EQ(description().read(values, "options").equation, equation) << name;
   }
@@ -89,7 +89,7 @@ TEST(Options, InvalidValuesAreRefusedByName) {
   EXPECT_EQ(refusal({.order = 9}), "fd order = 9 (must be between 2 and 8)");
   EXPECT_EQ(refusal({.nv = 31}),
             "fd nv = 31 (must be an even number from 16 to 2000: y' = 0 lies between two cells)");
-  EXPECT_NE(refusal({.impact = Impact::exact}), "");
+  EXPECT_NE(refusal({.impact = ImpactCondition::exact}), "");
   EXPECT_NE(refusal({.refinement = 0}), "");
   EXPECT_NE(refusal({.origin_refinement = 0.5}), "");
   EXPECT_NE(refusal({.nx = 3}), "");
@@ -106,8 +106,8 @@ TEST(Options, ContradictoryOptionsAreRefused) {
   EXPECT_EQ(
       refusal({.regularisation_length = 0.3}),
       "regularisation length with equation kf: only km4 has this length; leave out the length");
-  EXPECT_EQ(refusal({.equation = Equation::km4, .regularisation_length = 0.0}), "");
-  EXPECT_NE(refusal({.equation = Equation::km4, .regularisation_length = -0.3}), "");
+  EXPECT_EQ(refusal({.equation = DensityEquation::km4, .regularisation_length = 0.0}), "");
+  EXPECT_NE(refusal({.equation = DensityEquation::km4, .regularisation_length = -0.3}), "");
   EXPECT_NE(refusal({.nx = 40, .tolerance = 1e-4}), "");
 }
 
@@ -118,20 +118,20 @@ TEST(Options, AnIdDeterminesEquationAndImpact) {
     ASSERT_TRUE(options) << wanted;
     EXPECT_EQ(solution_id(*options), wanted);
   }
-  EXPECT_EQ(options_of("fd-km4-delta")->equation, Equation::km4);
-  EXPECT_EQ(options_of("fd-km4-delta")->impact, Impact::delta);
+  EXPECT_EQ(options_of("fd-km4-delta")->equation, DensityEquation::km4);
+  EXPECT_EQ(options_of("fd-km4-delta")->impact, ImpactCondition::delta);
   for (const auto* unknown : {"fd", "fd-", "kf", "fd-kf-exact", "fd-kf-map", "epc-gaussian-n4"}) {
     EXPECT_FALSE(options_of(unknown)) << unknown;
   }
 }
 
 TEST(Options, DetermineTheIdentityOfTheSolution) {
-  const auto identity =
-      fd_fpk::solution_identity({.equation = Equation::km4, .impact = Impact::delta});
+  const auto identity = fd_fpk::solution_identity(
+      {.equation = DensityEquation::km4, .impact = ImpactCondition::delta});
   EXPECT_EQ(identity.id, "fd-km4-delta");
   EXPECT_EQ(identity.method, "fd");
-  EXPECT_EQ(identity.equation, Equation::km4);
-  EXPECT_EQ(identity.impact, Impact::delta);
+  EXPECT_EQ(identity.equation, DensityEquation::km4);
+  EXPECT_EQ(identity.impact, ImpactCondition::delta);
   EXPECT_EQ(identity.role, transform::SolutionRole::equation);
 }
 

@@ -8,8 +8,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-const RegularisationRow& row_of(const RegularisationStudy& study, const std::string& scheme,
-                                double division) {
+const RegularisationSchemeResult& row_of(const RegularisationStudy& study,
+                                         const std::string& scheme, double division) {
   for (const auto& row : study.rows) {
     if (row.scheme == scheme && std::abs(row.step * division / study.default_length - 1) < 1e-9) {
       return row;
@@ -82,7 +82,7 @@ TEST(RegularisationStudy, PadeApproximantDecaysOnFineSteps) {
   // The kernel extends far outside a stencil: a truncated axis would show a spurious instability.
   const auto p = tests::make_problem();
   Options pade;
-  pade.equation = Equation::km4_pade;
+  pade.equation = DensityEquation::km4_pade;
   for (const double step : {0.1, 0.04, 0.02}) {
     EXPECT_FALSE(is_unstable(fastest_growing_wave(p, pade, step), p.impulses)) << step;
   }

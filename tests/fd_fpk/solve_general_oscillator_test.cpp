@@ -10,7 +10,7 @@
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/solve.hpp"
 #include "general_oscillators.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -18,10 +18,10 @@ namespace {
 using problem::Problem;
 using problem::System;
 using problem::WallParameters;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
-Options quick(Equation equation = Equation::kf) {
+Options quick(DensityEquation equation = DensityEquation::kf) {
   return {.equation = equation, .stepper = StationarySolver::direct, .error_estimate = false};
 }
 
@@ -36,7 +36,7 @@ template <class Law>
 double marginal_error(const transform::Solution& solution, const Law& law) {
   using Rule = boost::math::quadrature::gauss<double, 7>;
   const auto& grid = std::get<transform::GridDensity>(*solution.density);
-  const auto l1 = [&](Variable variable, const std::vector<double>& edges, const auto& exact) {
+  const auto l1 = [&](StateVariable variable, const std::vector<double>& edges, const auto& exact) {
     const auto m = marginal(solution, variable, edges);
     double sum = 0;
     for (std::size_t b = 0; b < m.size(); ++b) {
@@ -45,8 +45,8 @@ double marginal_error(const transform::Solution& solution, const Law& law) {
     return sum;
   };
   return std::max(
-      l1(Variable::y, grid.y_edges, [&](double y) { return law.displacement_marginal(y); }),
-      l1(Variable::ydot, grid.v_edges, [&](double v) { return law.velocity_marginal(v); }));
+      l1(StateVariable::y, grid.y_edges, [&](double y) { return law.displacement_marginal(y); }),
+      l1(StateVariable::ydot, grid.v_edges, [&](double v) { return law.velocity_marginal(v); }));
 }
 
 struct ExactCase {
@@ -128,7 +128,7 @@ problem::ImpulseTrain skew_impulses(const char* law, double skewness, double mea
 // E[(v - E[v])^3], with v uniform in each cell.
 double third_central_moment(const transform::Solution& solution) {
   const auto& grid = std::get<transform::GridDensity>(*solution.density);
-  const auto p = marginal(solution, Variable::ydot, grid.v_edges);
+  const auto p = marginal(solution, StateVariable::ydot, grid.v_edges);
   double sum = 0;
   for (std::size_t b = 0; b < p.size(); ++b) {
     const double low = grid.v_edges[b] - solution.moments.v1;
@@ -196,10 +196,11 @@ TEST(SolveGeneralOscillator, WithoutImpulsesAllEquationsAreTheSame) {
   const Problem p = tests::with_noise(System({.damping = 0.2, .stiffness = 1},
                                              WallParameters{.left = -0.5, .left_restitution = 0.8}),
                                       0.4);
-  Options options = quick(Equation::white);
+  Options options = quick(DensityEquation::white);
   options.refinement = 0.5;
   const auto white = solve_in_frame(p, options);
-  for (const Equation equation : {Equation::km4, Equation::km4_pade, Equation::kf}) {
+  for (const DensityEquation equation :
+       {DensityEquation::km4, DensityEquation::km4_pade, DensityEquation::kf}) {
     options.equation = equation;
     const auto other = solve_in_frame(p, options);
     EXPECT_EQ(other.moments.y1, white.moments.y1);
@@ -214,10 +215,11 @@ TEST(SolveGeneralOscillator, FrequentImpulsesAndNoiseAddUp) {
   Problem p = tests::with_impulses(system, tests::gaussian_impulses(400, 0.2));
   p.noise = {0.2};
   const exact::EnergyLaw law(p);
-  for (const Equation equation : {Equation::white, Equation::km4, Equation::kf}) {
+  for (const DensityEquation equation :
+       {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
     const auto solution = solve_in_frame(p, quick(equation));
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
-    EXPECT_LT(marginal_error(solution, law), equation == Equation::white ? 2e-5 : 1e-3);
+    EXPECT_LT(marginal_error(solution, law), equation == DensityEquation::white ? 2e-5 : 1e-3);
   }
 }
 
@@ -274,7 +276,7 @@ TEST(SolveGeneralOscillator, ErrorOfTheFirstOrderImpactIsQuadraticInTheLoss) {
                              tests::gaussian_impulses(2, 0.4));
     Options map = quick(), delta = quick();
     map.origin_refinement = delta.origin_refinement = 4;
-    delta.impact = Impact::delta;
+    delta.impact = ImpactCondition::delta;
     const auto exact = solve_in_frame(p, map), first_order = solve_in_frame(p, delta);
     EXPECT_TRUE(first_order.is_ok()) << first_order.reason;
     return first_order.moments.v2 - exact.moments.v2;
@@ -288,8 +290,8 @@ TEST(SolveGeneralOscillator, ErrorOfTheFirstOrderImpactIsQuadraticInTheLoss) {
 TEST(FdApplicability, RefusesUnsupportedProblems) {
   const auto wall = [](double r) { return WallParameters{.left = -0.5, .left_restitution = r}; };
   const problem::SystemCoefficients linear{.damping = 0.2, .stiffness = 1};
-  const Options kf, white{.equation = Equation::white},
-      delta{.equation = Equation::km4, .impact = Impact::delta},
+  const Options kf, white{.equation = DensityEquation::white},
+      delta{.equation = DensityEquation::km4, .impact = ImpactCondition::delta},
       along{.transport = TransportScheme::characteristics};
   const Problem noisy = tests::with_noise(System(linear, wall(0.16)), 0.4);
   EXPECT_NE(unsupported_reason(tests::in_wall_coordinates(noisy), kf), "");
@@ -314,9 +316,9 @@ TEST(FdApplicability, RefusesUnsupportedProblems) {
       tests::gaussian_impulses(1, 0.5));
   EXPECT_EQ(unsupported_reason(tests::in_wall_coordinates(pressed), kf), "");
   EXPECT_NE(unsupported_reason(tests::in_wall_coordinates(pressed), delta), "");
-  EXPECT_NE(
-      unsupported_reason(tests::in_wall_coordinates(pressed), {.equation = Equation::km4_pade}),
-      "");
+  EXPECT_NE(unsupported_reason(tests::in_wall_coordinates(pressed),
+                               {.equation = DensityEquation::km4_pade}),
+            "");
   EXPECT_EQ(unsupported_reason(tests::in_wall_coordinates(pressed), white), "");
 }
 

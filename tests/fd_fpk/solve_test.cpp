@@ -15,11 +15,11 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 using tests::uniform_edges;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 // A single grid: error estimates have their own tests.
-Options direct(Equation equation) {
+Options direct(DensityEquation equation) {
   return {.equation = equation, .stepper = StationarySolver::direct, .error_estimate = false};
 }
 
@@ -28,7 +28,7 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
   const exact::WhiteNoiseDensity exact(p);
   const auto y_edges = uniform_edges(0, 4, 50), v_edges = uniform_edges(-4, 4, 80);
   const auto error = [&](int cells) {
-    Options options = direct(Equation::white);
+    Options options = direct(DensityEquation::white);
     options.nx = cells;
     options.nv = 2 * cells;
     options.x1_max = 4.6;
@@ -36,14 +36,14 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
     const auto solution = solve(p, options).solution;
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     double sum = 0;
-    for (const auto variable : {Variable::y, Variable::ydot}) {
-      const auto& edges = variable == Variable::y ? y_edges : v_edges;
+    for (const auto variable : {StateVariable::y, StateVariable::ydot}) {
+      const auto& edges = variable == StateVariable::y ? y_edges : v_edges;
       const auto m = marginal(solution, variable, edges);
       for (std::size_t b = 0; b < m.size(); ++b) {
         // Average of the exact density over the bin, by Simpson's rule.
         const auto density = [&](double x) {
-          return variable == Variable::y ? exact.displacement_marginal(x)
-                                         : exact.velocity_marginal(x);
+          return variable == StateVariable::y ? exact.displacement_marginal(x)
+                                              : exact.velocity_marginal(x);
         };
         const double average =
             (density(edges[b]) + 4 * density(m.centre(b)) + density(edges[b + 1])) / 6;
@@ -64,8 +64,8 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
 
 TEST(Solve, StatesIdentityErrorsAndMetrics) {
   const auto p = tests::paper_case(1);
-  Options options{.equation = Equation::km4,
-                  .impact = Impact::delta,
+  Options options{.equation = DensityEquation::km4,
+                  .impact = ImpactCondition::delta,
                   .stepper = StationarySolver::direct,
                   .error_estimate = false};
   const auto plain = solve(p, options);
@@ -84,7 +84,7 @@ TEST(Solve, StatesIdentityErrorsAndMetrics) {
 }
 
 TEST(Solve, StatesIdentityAndMetricsWithoutADensity) {
-  const Options literal{.equation = Equation::km4, .regularisation_length = 0};
+  const Options literal{.equation = DensityEquation::km4, .regularisation_length = 0};
   const auto [solution, summary] = solve(tests::paper_case(1), literal);
   EXPECT_EQ(solution.id(), "fd-km4");
   EXPECT_EQ(solution.metrics, metrics(summary));
@@ -93,7 +93,7 @@ TEST(Solve, StatesIdentityAndMetricsWithoutADensity) {
 
 TEST(Solve, JumpsReproduceTheExactCumulantsOfTheLinearOscillator) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
-  const auto solution = solve(p, direct(Equation::kf)).solution;
+  const auto solution = solve(p, direct(DensityEquation::kf)).solution;
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   const auto fourth = [&](double k4, double k2) { return k4 + 3 * k2 * k2; };
   const double x2 = exact::linear_cumulant(p, 2, 0);
@@ -116,7 +116,7 @@ TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
                          Row{.1, .1, 10, 36, 100, .44410, .55904, .7558, 2e-4, 3e-4}}) {
     const auto p = tests::make_problem(
         {.cubic = row.cubic, .restitution = 1, .rate = row.rate, .intensity = row.intensity});
-    Options options = direct(Equation::kf);
+    Options options = direct(DensityEquation::kf);
     options.nx = row.nx;
     options.nv = row.nv;
     const auto solution = solve(p, options).solution;
@@ -130,7 +130,8 @@ TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
 
 TEST(Solve, SteppingMeetsTheLimitsOfMassEnergyAndStationarityForThePapersCases) {
   for (const int number : {1, 4}) {
-    for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
+    for (const auto equation :
+         {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
       // The time limit is generous, because the solver skips time steps if time is short, and the
       // machine may be slow.
       const auto [solution, summary] =
@@ -152,10 +153,11 @@ TEST(Solve, SteppingMeetsTheLimitsOfMassEnergyAndStationarityForThePapersCases) 
 TEST(Solve, CasesTwoAndThreeAreOneProblem) {
   // p_3(y) = a p_2(a y) with a = sqrt(10); likewise for y'.
   const double a = std::sqrt(10.0);
-  const auto two = solve(tests::paper_case(2), direct(Equation::kf)).solution;
-  const auto three = solve(tests::paper_case(3), direct(Equation::kf)).solution;
-  for (const auto variable : {Variable::y, Variable::ydot}) {
-    const auto edges = variable == Variable::y ? uniform_edges(0, 2, 40) : uniform_edges(-2, 2, 80);
+  const auto two = solve(tests::paper_case(2), direct(DensityEquation::kf)).solution;
+  const auto three = solve(tests::paper_case(3), direct(DensityEquation::kf)).solution;
+  for (const auto variable : {StateVariable::y, StateVariable::ydot}) {
+    const auto edges =
+        variable == StateVariable::y ? uniform_edges(0, 2, 40) : uniform_edges(-2, 2, 80);
     auto scaled_edges = edges;
     for (double& e : scaled_edges) e *= a;
     const auto p3 = marginal(three, variable, edges), p2 = marginal(two, variable, scaled_edges);
@@ -166,18 +168,18 @@ TEST(Solve, CasesTwoAndThreeAreOneProblem) {
 
 TEST(Solve, TruncationErrorIsSmallAndWhiteNoiseErrorLarge) {
   const auto p = tests::paper_case(1);
-  const auto kf = solve(p, direct(Equation::kf)).solution;
-  const auto km4 = solve(p, direct(Equation::km4)).solution;
-  const auto white = solve(p, direct(Equation::white)).solution;
+  const auto kf = solve(p, direct(DensityEquation::kf)).solution;
+  const auto km4 = solve(p, direct(DensityEquation::km4)).solution;
+  const auto white = solve(p, direct(DensityEquation::white)).solution;
   const auto edges = uniform_edges(-4.5, 4.5, 120);
-  const auto reference = marginal(kf, Variable::ydot, edges);
-  EXPECT_LT(l1(marginal(km4, Variable::ydot, edges), reference), 1.5e-3);
-  EXPECT_GT(l1(marginal(white, Variable::ydot, edges), reference), 2e-2);
+  const auto reference = marginal(kf, StateVariable::ydot, edges);
+  EXPECT_LT(l1(marginal(km4, StateVariable::ydot, edges), reference), 1.5e-3);
+  EXPECT_GT(l1(marginal(white, StateVariable::ydot, edges), reference), 2e-2);
 }
 
 TEST(Solve, LiteralTruncationOnAFineGridIsIllPosedAndNotSolved) {
   const auto [solution, summary] =
-      solve(tests::paper_case(1), {.equation = Equation::km4, .regularisation_length = 0});
+      solve(tests::paper_case(1), {.equation = DensityEquation::km4, .regularisation_length = 0});
   EXPECT_EQ(solution.status, Status::ill_posed);
   EXPECT_FALSE(solution.density.has_value());
   EXPECT_GT(summary.growth_rate, 1.0);
@@ -190,7 +192,7 @@ TEST(Solve, LiteralTruncationOnAFineGridIsIllPosedAndNotSolved) {
 
 TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
   const auto p = tests::make_problem({.restitution = 0.9, .mean = 0.1});
-  for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
+  for (const auto equation : {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
     const auto solution = solve(p, direct(equation)).solution;
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_LT(std::abs(solution.energy_residual), 3e-4);
@@ -203,9 +205,10 @@ TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
 TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
   for (const double mean : {0.1, -0.1}) {
     const auto p = tests::make_problem({.restitution = 0.9, .mean = mean});
-    for (const auto impact : {Impact::map, Impact::delta}) {
-      if ((mean > 0) != (impact == Impact::map) && !tests::is_thorough()) continue;
-      for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
+    for (const auto impact : {ImpactCondition::map, ImpactCondition::delta}) {
+      if ((mean > 0) != (impact == ImpactCondition::map) && !tests::is_thorough()) continue;
+      for (const auto equation :
+           {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
         SCOPED_TRACE(std::string(name(equation)) + "/" + std::string(name(impact)));
         Options options = direct(equation);
         options.impact = impact;
@@ -221,7 +224,8 @@ TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
 }
 
 TEST(Solve, WidensItsBoxForHeavyTails) {
-  const auto [solution, summary] = solve(tests::make_problem({.rate = 0.3}), direct(Equation::kf));
+  const auto [solution, summary] =
+      solve(tests::make_problem({.rate = 0.3}), direct(DensityEquation::kf));
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_GT(summary.x2_max, 7.5 * std::sqrt(solution.moments.v2));
   EXPECT_LT(summary.wall.x2, 1e-5);
@@ -232,7 +236,7 @@ TEST(Solve, WidensItsBoxForHeavyTails) {
 TEST(Solve, AnUnresolvedDensityIsInadmissible) {
   for (const auto& p :
        {tests::make_problem({.damping = 3, .cubic = 0}), tests::make_problem({.rate = 0.02})}) {
-    Options free = direct(Equation::kf);
+    Options free = direct(DensityEquation::kf);
     free.error_estimate = true;
     Options upwind = free;
     upwind.transport = TransportScheme::upwind;
@@ -247,7 +251,7 @@ TEST(Solve, AnUnresolvedDensityIsInadmissible) {
 }
 
 TEST(Solve, DoesNotDependOnTheUnitOfTime) {
-  const Options white{.equation = Equation::white, .error_estimate = false};
+  const Options white{.equation = DensityEquation::white, .error_estimate = false};
   const auto reference = solve(tests::paper_case(1), white);
   for (const double t : {1e8, 1e-6}) {
     // y(t/T): c/T, k/T^2, mu/T^2, lambda/T, lambda E[Y^2]/T^3; velocities scale with 1/T.
@@ -270,17 +274,17 @@ TEST(Solve, FrequentImpulsesTendToWhiteNoiseByTheirFourthCumulant) {
   const auto problem = [](double rate, double cubic) {
     return tests::make_problem({.cubic = cubic, .restitution = 1, .rate = rate});
   };
-  const auto of = [&](double rate, double cubic, Equation equation) {
+  const auto of = [&](double rate, double cubic, DensityEquation equation) {
     return solve(problem(rate, cubic), direct(equation)).solution.moments;
   };
-  const auto linear = of(1e4, 0, Equation::white);
+  const auto linear = of(1e4, 0, DensityEquation::white);
   for (const double rate : {1e3, 1e4, 1e5}) {
     const double cumulant = exact::linear_cumulant(problem(rate, 0), 0, 4);
-    EXPECT_NEAR((of(rate, 0, Equation::kf).v4 - linear.v4) / cumulant, 1, 1e-2) << rate;
+    EXPECT_NEAR((of(rate, 0, DensityEquation::kf).v4 - linear.v4) / cumulant, 1, 1e-2) << rate;
   }
-  const double white = of(1e4, 0.1, Equation::white).y2;
-  const double at_1e3 = of(1e3, 0.1, Equation::kf).y2 - white,
-               at_1e4 = of(1e4, 0.1, Equation::kf).y2 - white;
+  const double white = of(1e4, 0.1, DensityEquation::white).y2;
+  const double at_1e3 = of(1e3, 0.1, DensityEquation::kf).y2 - white,
+               at_1e4 = of(1e4, 0.1, DensityEquation::kf).y2 - white;
   EXPECT_NEAR(at_1e3 / at_1e4, 10, 0.1);
 }
 
@@ -290,27 +294,27 @@ TEST(Solve, FrequentImpulsesHaveTheGridOfWhiteNoise) {
   const auto p = [](double rate) {
     return tests::make_problem({.restitution = 0.5, .rate = rate});
   };
-  const auto white = solve(p(1), direct(Equation::white));
-  const auto kf = solve(p(1e8), direct(Equation::kf));
+  const auto white = solve(p(1), direct(DensityEquation::white));
+  const auto kf = solve(p(1e8), direct(DensityEquation::kf));
   ASSERT_EQ(kf.solution.status, Status::ok) << kf.solution.reason;
   EXPECT_EQ(kf.summary.nx, white.summary.nx);
   EXPECT_NEAR(kf.solution.moments.y2, white.solution.moments.y2, 1e-7);
 }
 
 TEST(Solve, RefusesGridsThatAreTooLargeOrTooCoarse) {
-  Options many = direct(Equation::kf);
+  Options many = direct(DensityEquation::kf);
   many.refinement = 10;
   const auto huge = solve(tests::paper_case(1), many).solution;
   EXPECT_EQ(huge.status, Status::failed);
   EXPECT_NE(huge.reason.find("cells"), std::string::npos) << huge.reason;
 
-  Options long_step{.equation = Equation::km4, .stepper = StationarySolver::direct};
+  Options long_step{.equation = DensityEquation::km4, .stepper = StationarySolver::direct};
   long_step.regularisation_length = 1e10;
   EXPECT_EQ(solve(tests::paper_case(1), long_step).solution.status, Status::failed);
 }
 
 TEST(Solve, ReportsABoxThatIsTooSmall) {
-  Options options = direct(Equation::kf);
+  Options options = direct(DensityEquation::kf);
   options.x1_max = 1.0;
   options.x2_max = 1.2;
   const auto solution = solve(tests::paper_case(1), options).solution;
@@ -320,7 +324,7 @@ TEST(Solve, ReportsABoxThatIsTooSmall) {
 
 TEST(Solve, ReportsAResidualAboveItsThreshold) {
   for (const auto stepper : {StationarySolver::cvode, StationarySolver::direct}) {
-    const auto solution = solve(tests::paper_case(1), {.equation = Equation::white,
+    const auto solution = solve(tests::paper_case(1), {.equation = DensityEquation::white,
                                                        .stepper = stepper,
                                                        .nx = 20,
                                                        .nv = 40,

@@ -11,7 +11,7 @@
 #include "fd_fpk/solve.hpp"
 #include "fd_fpk/transient.hpp"
 #include "general_oscillators.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -19,8 +19,8 @@ namespace {
 using problem::Problem;
 using problem::System;
 using problem::WallParameters;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 const problem::SystemCoefficients kLinear{.damping = 0.1, .stiffness = 1};
 
@@ -57,7 +57,7 @@ TEST(TransientGeneralOscillator, HasTheExactMeansAndCovariancesOfTheLinearOscill
   ASSERT_EQ(result.snapshots.size(), 3u);
   const exact::MeanAndCovariance start{.z = 0.7, .v = -0.3, .var_z = 0.36, .var_v = 0.64};
   constexpr double kBar = 1e-5;  // for motion of amplitude 1
-  for (const Snapshot& s : result.snapshots) {
+  for (const DensitySnapshot& s : result.snapshots) {
     SCOPED_TRACE(s.time);
     const auto exact = exact::linear_moments_at(p, start, s.time);
     EXPECT_NEAR(s.moments.y1, exact.z, kBar);
@@ -85,7 +85,7 @@ TEST(TransientGeneralOscillator, KeepsMassAndTheBalanceOfPowerBetweenTwoLossyWal
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     double work = 0;  // the integral of the power, by Simpson's rule
     for (int n = 0; n <= kSnapshots; ++n) {
-      const Snapshot& s = result.snapshots[n];
+      const DensitySnapshot& s = result.snapshots[n];
       EXPECT_NEAR(s.mass, 1, 1e-10);
       EXPECT_LT(std::abs(s.power_residual), 2e-3) << s.time;
       const double weight = n == 0 || n == kSnapshots ? 1 : n % 2 == 1 ? 4 : 2;
@@ -117,17 +117,17 @@ TEST(TransientGeneralOscillator, TendsToTheStationaryDensity) {
     const auto stationary = transform::to_physical_coordinates(
         seen.frame,
         solve(seen, {.stepper = StationarySolver::direct, .error_estimate = false}).solution);
-    const Snapshot& end = over_time.snapshots.back();
+    const DensitySnapshot& end = over_time.snapshots.back();
     EXPECT_NEAR(end.moments.y2, stationary.moments.y2, bar * stationary.moments.y2);
     EXPECT_NEAR(end.moments.v2, stationary.moments.v2, bar * stationary.moments.v2);
     EXPECT_NEAR(end.moments.v1, 0, bar);
     EXPECT_NEAR(end.yv, 0, bar);
-    const auto far = [&](Variable variable, const std::vector<double>& edges,
+    const auto far = [&](StateVariable variable, const std::vector<double>& edges,
                          const std::vector<double>& density) {
       return transform::l1(marginal(stationary, variable, edges), {edges, density, {}, {}});
     };
-    EXPECT_LT(far(Variable::y, over_time.y_edges, end.y), bar);
-    EXPECT_LT(far(Variable::ydot, over_time.v_edges, end.v), bar);
+    EXPECT_LT(far(StateVariable::y, over_time.y_edges, end.y), bar);
+    EXPECT_LT(far(StateVariable::ydot, over_time.v_edges, end.v), bar);
   }
 }
 
@@ -178,7 +178,7 @@ TEST(TransientGeneralOscillator, IsInPhysicalCoordinates) {
   EXPECT_LT(a.snapshots.front().moments.y1, -0.5);
   constexpr double kRounding = 1e-9;
   for (std::size_t n = 0; n < a.snapshots.size(); ++n) {
-    const Snapshot &s = a.snapshots[n], &t = b.snapshots[n];
+    const DensitySnapshot &s = a.snapshots[n], &t = b.snapshots[n];
     SCOPED_TRACE(s.time);
     EXPECT_NEAR(s.moments.y1, -t.moments.y1, kRounding);
     EXPECT_NEAR(s.moments.y2, t.moments.y2, kRounding);
@@ -209,9 +209,9 @@ TEST(TransientGeneralOscillator, IsRefusedWhereTheMassComesToRest) {
                            tests::gaussian_impulses(1, 0.5));
   EXPECT_THROW(solve_transient(pressed, {}, {.until = 1}), InputError);
   // Diffusion ends the contact at once.
-  EXPECT_EQ(transient_unsupported_reason(pressed, {.equation = Equation::white}), "");
-  EXPECT_NE(transient_unsupported_reason(pressed, {.equation = Equation::kf}), "");
-  EXPECT_NE(transient_unsupported_reason(pressed, {.equation = Equation::km4_pade}), "");
+  EXPECT_EQ(transient_unsupported_reason(pressed, {.equation = DensityEquation::white}), "");
+  EXPECT_NE(transient_unsupported_reason(pressed, {.equation = DensityEquation::kf}), "");
+  EXPECT_NE(transient_unsupported_reason(pressed, {.equation = DensityEquation::km4_pade}), "");
 }
 
 TEST(TransientGeneralOscillator, DoesNotStartBehindAWall) {

@@ -29,14 +29,14 @@ TransientOptions breathing(double until, int snapshots, double tolerance) {
 }
 
 // Coarse cells, for speed.
-Options coarse(Equation equation) { return {.equation = equation, .refinement = 0.6}; }
+Options coarse(DensityEquation equation) { return {.equation = equation, .refinement = 0.6}; }
 
 // The largest error of E[y^2], E[y'^2] against the exact moments of the linear oscillator.
 double largest_error(const problem::Problem& problem, const TransientResult& result) {
   const exact::MeanAndCovariance start{.var_z = std::pow(result.start_displacement, 2),
                                        .var_v = std::pow(result.start_velocity, 2)};
   double largest = 0;
-  for (const Snapshot& s : result.snapshots) {
+  for (const DensitySnapshot& s : result.snapshots) {
     const auto exact = exact::linear_moments_at(problem, start, s.time);
     largest =
         std::max({largest, std::abs(s.moments.y2 - exact.zz), std::abs(s.moments.v2 - exact.vv)});
@@ -46,7 +46,7 @@ double largest_error(const problem::Problem& problem, const TransientResult& res
 
 TEST(Transient, HasTheExactMomentsOfTheLinearOscillatorAtAllTimes) {
   const auto problem = linear();
-  for (const auto equation : {Equation::white, Equation::kf}) {
+  for (const auto equation : {DensityEquation::white, DensityEquation::kf}) {
     SCOPED_TRACE(name(equation));
     const auto result = solve_transient(problem, coarse(equation), breathing(3, 6, 3e-8));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
@@ -61,7 +61,8 @@ TEST(Transient, HasTheExactMomentsOfTheLinearOscillatorAtAllTimes) {
 // For accurate time steps the operator itself must be stable, without eigenvalues of positive real
 // part. Operators with longer stencils have such eigenvalues, and are refused.
 TEST(Transient, PermittedOrdersHaveNoGrowingModes) {
-  const auto largest_real_part = [](const problem::Problem& problem, Equation equation, int order) {
+  const auto largest_real_part = [](const problem::Problem& problem, DensityEquation equation,
+                                    int order) {
     const Options options{
         .equation = equation, .order = order, .origin_refinement = 1, .nx = 16, .nv = 28};
     const auto on = discretise(problem, options, initial_box(problem, options));
@@ -72,9 +73,9 @@ TEST(Transient, PermittedOrdersHaveNoGrowingModes) {
   for (const double restitution : {1.0, 0.7}) {
     const auto problem = tests::make_problem({.restitution = restitution});
     for (const int order : {3, 5}) {
-      EXPECT_LT(largest_real_part(problem, Equation::kf, order), kRounding) << order;
+      EXPECT_LT(largest_real_part(problem, DensityEquation::kf, order), kRounding) << order;
     }
-    EXPECT_GT(largest_real_part(problem, Equation::kf, 7), 1);
+    EXPECT_GT(largest_real_part(problem, DensityEquation::kf, 7), 1);
   }
 }
 
@@ -84,7 +85,7 @@ TEST(Transient, ImpactRateUnderNoiseWithLossesTendsToTheStationaryRate) {
   const auto p = tests::make_problem({.restitution = 0.5});
   const double s = 0.3, v = 0.35;
   const auto result =
-      solve_transient(p, coarse(Equation::white),
+      solve_transient(p, coarse(DensityEquation::white),
                       {.until = 30, .snapshots = 2, .start_displacement = s, .start_velocity = v});
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   EXPECT_NEAR(result.snapshots.front().impact_rate, v / (std::numbers::pi * s), 1e-3);
@@ -96,7 +97,8 @@ TEST(Transient, ErrorsInTimeFallWithTheTolerance) {
   const auto problem = linear();
   double last = HUGE_VAL;
   for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
-    const auto result = solve_transient(problem, coarse(Equation::kf), breathing(2, 2, tolerance));
+    const auto result =
+        solve_transient(problem, coarse(DensityEquation::kf), breathing(2, 2, tolerance));
     const double error = largest_error(problem, result);
     EXPECT_LT(error, last / 2) << "tolerance " << tolerance;
     last = error;
@@ -104,7 +106,8 @@ TEST(Transient, ErrorsInTimeFallWithTheTolerance) {
 }
 
 TEST(Transient, StartsWithTheRequestedGaussian) {
-  const auto result = solve_transient(linear(), coarse(Equation::kf), breathing(0.1, 1, 1e-4));
+  const auto result =
+      solve_transient(linear(), coarse(DensityEquation::kf), breathing(0.1, 1, 1e-4));
   const auto& start = result.snapshots.front();
   EXPECT_EQ(start.time, 0);
   EXPECT_NEAR(start.moments.y1, 0.5 * std::sqrt(2 / M_PI), 1e-5);
@@ -142,23 +145,23 @@ TEST(Transient, KeepsMassAndTheBalanceOfPowerUnderLosses) {
 
 TEST(Transient, TendsToTheStationaryDensity) {
   const auto problem = tests::make_problem({.damping = 0.6, .restitution = 0.95});
-  const auto transient = solve_transient(problem, coarse(Equation::kf),
+  const auto transient = solve_transient(problem, coarse(DensityEquation::kf),
                                          {.until = 40, .snapshots = 1, .relative_tolerance = 1e-5});
   ASSERT_EQ(transient.status, Status::ok) << transient.reason;
-  const auto stationary = solve(problem, coarse(Equation::kf)).solution;
+  const auto stationary = solve(problem, coarse(DensityEquation::kf)).solution;
   const auto& end = transient.snapshots.back();
   // The grids differ because of the narrow initial density.
   EXPECT_NEAR(end.moments.y2, stationary.moments.y2, 5e-4 * stationary.moments.y2);
   EXPECT_NEAR(end.moments.v2, stationary.moments.v2, 5e-4 * stationary.moments.v2);
   EXPECT_NEAR(end.moments.v1, 0, 1e-4);
-  const auto y = marginal(stationary, transform::Variable::y, transient.y_edges);
+  const auto y = marginal(stationary, transform::StateVariable::y, transient.y_edges);
   EXPECT_LT(transform::l1(y, {transient.y_edges, end.y, {}, {}}), 1e-3);
 }
 
 TEST(Transient, BoxContainsTheStatesAccessibleFromAWideStart) {
   // At large displacements of a hardening spring: later velocities exceed the stationary range.
   const auto problem = tests::make_problem({.cubic = 0.5, .restitution = 1});
-  const auto result = solve_transient(problem, coarse(Equation::white),
+  const auto result = solve_transient(problem, coarse(DensityEquation::white),
                                       {.until = 1,
                                        .snapshots = 4,
                                        .start_displacement = 1.0,
@@ -178,7 +181,7 @@ TEST(Transient, ReportsABoxThatIsTooSmall) {
 
 TEST(Transient, DoesNotStepTheIllPosedEquation) {
   const auto result = solve_transient(
-      linear(), {.equation = Equation::km4, .regularisation_length = 0.0}, {.until = 1});
+      linear(), {.equation = DensityEquation::km4, .regularisation_length = 0.0}, {.until = 1});
   EXPECT_EQ(result.status, Status::ill_posed);
   EXPECT_TRUE(result.snapshots.empty());
 }

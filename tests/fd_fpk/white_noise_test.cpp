@@ -57,8 +57,9 @@ Exponents exponents_at(const transform::GridDensity& grid, double speed) {
 
 // A single grid suffices: error estimates have their own tests.
 Options white() {
-  return {
-      .equation = Equation::white, .stepper = StationarySolver::direct, .error_estimate = false};
+  return {.equation = DensityEquation::white,
+          .stepper = StationarySolver::direct,
+          .error_estimate = false};
 }
 
 const transform::GridDensity& grid_of(const Result& result) {
@@ -80,7 +81,7 @@ TEST(WhiteNoise, WithLossesHasTheExactExponentAtTheWall) {
 }
 
 Grid cells_of(const transform::GridDensity& density) {
-  return {Axis(density.y_edges, EndCondition::boundary), Axis(density.v_edges)};
+  return {Axis(density.y_edges, AxisEndCondition::boundary), Axis(density.v_edges)};
 }
 
 // Impacts slower than h contribute int_0^h u^(1 - beta) du to the flux: order 2 - beta in the speed
@@ -102,7 +103,7 @@ TEST(WhiteNoise, ImpactFluxConvergesWithOrderTwoMinusBeta) {
       const auto& density = grid_of(result);
       const Eigen::Map<const Eigen::VectorXd> averages(density.averages.data(),
                                                        std::ssize(density.averages));
-      *found = {impact_flux(cells_of(density), averages, transport_order(options), 1),
+      *found = {wall_speed_moment(cells_of(density), averages, transport_order(options), 1),
                 result.summary.impact_rate};
     }
     const double observed = std::log2((middle.flux - coarse.flux) / (fine.flux - middle.flux));
@@ -156,7 +157,7 @@ TEST(WhiteNoise, DisplacementMarginalHasNoRippleUnderLosses) {
   options.refine_unresolved = false;
   const auto coarse = solve(p, options);
   const auto& grid = grid_of(coarse);
-  const auto y = transform::marginal(grid, transform::Variable::y, grid.y_edges);
+  const auto y = transform::marginal(grid, transform::StateVariable::y, grid.y_edges);
   for (std::size_t k = 1; k < y.size() && y.edges[k + 1] < 1; ++k) {
     EXPECT_LT(y.density[k], y.density[k - 1]) << k << " of " << y.size();
   }
@@ -165,8 +166,9 @@ TEST(WhiteNoise, DisplacementMarginalHasNoRippleUnderLosses) {
 // Number of factorisations: 4 on uniform cells; 17 when the errors of narrow cells had the same
 // weight as the errors of wide cells.
 TEST(WhiteNoise, SteppingUnderLossesNeedsFewFactorisations) {
-  const auto [solution, summary] = solve(tests::make_problem({.restitution = 0.6}),
-                                         {.equation = Equation::white, .error_estimate = false});
+  const auto [solution, summary] =
+      solve(tests::make_problem({.restitution = 0.6}),
+            {.equation = DensityEquation::white, .error_estimate = false});
   EXPECT_EQ(solution.status, transform::Status::ok) << solution.reason;
   EXPECT_LE(summary.factorisations, 10);
   EXPECT_LT(summary.stepped_against_direct, 1e-8);
@@ -198,7 +200,7 @@ TEST(WhiteNoise, IsRefusedWhereImpactsAccumulate) {
   const auto problem = tests::make_problem({.restitution = 0.15});
   for (const auto stepper : {StationarySolver::cvode, StationarySolver::direct}) {
     const auto solution =
-        solve(problem, {.equation = Equation::white, .stepper = stepper}).solution;
+        solve(problem, {.equation = DensityEquation::white, .stepper = stepper}).solution;
     EXPECT_EQ(solution.status, transform::Status::failed);
     EXPECT_FALSE(solution.has_density());
     EXPECT_NE(solution.reason.find("inelastic collapse"), std::string::npos) << solution.reason;

@@ -4,16 +4,16 @@
 
 #include "epc/closed_form_density.hpp"
 #include "fuzz_helpers.hpp"
-#include "methods/external/between_walls.hpp"
 #include "methods/external/density_file.hpp"
 #include "methods/external/joint_table.hpp"
+#include "methods/external/range_between_walls.hpp"
 #include "problem/case_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
   static const problem::Problem problem = problem::load_case("case1");
-  static const methods::DensityPoints points(compare::comparison_axes(problem),
-                                             problem.system.walls());
+  static const methods::DensityQuadratureGrid points(compare::comparison_axes(problem),
+                                                     problem.system.walls());
   return fuzz::catch_input_errors([&] {
     const std::string text(fuzz::as_text(data, size));
     if (text.starts_with('{')) {
@@ -26,7 +26,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::istringstream csv(text);
     const auto table = methods::read_number_table(csv, "given.csv");
     if (!methods::is_joint_density(table)) return;
-    const auto values = methods::evaluate_at(methods::make_joint_table(table), points);
+    const auto values =
+        methods::evaluate_at_quadrature_points(methods::make_joint_table(table), points);
     fuzz::require(values.size() == points.y_points().size() * points.v_points().size());
   });
 }

@@ -5,7 +5,7 @@
 #include "backward/bounds/options.hpp"
 #include "fd_fpk/options.hpp"
 #include "fuzz_helpers.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 
 namespace {
 
@@ -28,7 +28,7 @@ Owner parse_options(const base::Description<Owner>& description,
 }
 
 void select_methods(const std::string& list, const std::vector<Setting>& settings) {
-  static const methods::Registry registry = methods::builtin_registry();
+  static const methods::SolverRegistry registry = methods::builtin_registry();
   base::Values values;
   for (const auto& solver : registry.solvers()) {
     for (const auto& [name, text] : settings) {

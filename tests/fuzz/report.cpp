@@ -2,17 +2,17 @@
 #include <sstream>
 
 #include "fuzz_helpers.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "report/table.hpp"
 #include "results/run_json.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
-  static const methods::Registry registry = methods::builtin_registry();
+  static const methods::SolverRegistry registry = methods::builtin_registry();
   return fuzz::catch_input_errors([&] {
     std::istringstream json{std::string(fuzz::as_text(data, size))};
-    results::Run run = results::read_summary(json, "summary.json");
-    registry.complete_identities(run);
+    results::Run run = results::read_run_summary(json, "summary.json");
+    registry.complete_solution_identities(run);
     report::table(run);
   });
 }

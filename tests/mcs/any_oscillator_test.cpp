@@ -12,8 +12,8 @@
 #include "general_oscillators.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
-#include "statistics.hpp"
-#include "transform/change_of_frame.hpp"
+#include "simulate_and_compare.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -53,7 +53,7 @@ void expect_the_law(const Problem& problem, const Result& result) {
   expect_near(m.v2, law.moment(0, 2), e.v2, "E[v^2]");
   expect_near(m.v4, law.moment(0, 4), e.v4, "E[v^4]");
   for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
-    const bool is_y = variable == transform::Variable::y;
+    const bool is_y = variable == transform::StateVariable::y;
     double distance = 0;
     for (std::size_t b = 0; b < estimate.size(); ++b) {
       const double x = estimate.centre(b);
@@ -120,7 +120,7 @@ TEST(AnyOscillator, IsSimulatedUnderWhiteNoiseInPlaceOfItsImpulses) {
       with_impulses(System({.damping = 0.2, .stiffness = 1, .cubic = 0.5}, left_wall(-0.5, 1)),
                     gaussian_impulses(2, 0.3, 0.1));
   const Result result =
-      solve(tests::in_wall_coordinates(problem), {.equation = Equation::white, .time = 1e5});
+      solve(tests::in_wall_coordinates(problem), {.equation = DensityEquation::white, .time = 1e5});
   const exact::EnergyLaw law(problem);
   const auto& e = result.solution.standard_errors->moments;
   expect_near(result.solution.moments.y1, law.moment(1, 0), e.y1, "E[y]");
@@ -333,8 +333,9 @@ TEST(AnyOscillator, IsNotSupportedWhereImpactsAccumulateUnderNoise) {
   const Problem gap = tests::in_wall_coordinates(with_impulses(
       System({.damping = 0.1, .stiffness = 1}, left_wall(-0.5, 0.1)), gaussian_impulses(1, 0.1)));
   EXPECT_EQ(unsupported_reason(gap, {}), "");
-  EXPECT_NE(unsupported_reason(gap, {.equation = Equation::white}).find("inelastic collapse"),
-            std::string::npos);
+  EXPECT_NE(
+      unsupported_reason(gap, {.equation = DensityEquation::white}).find("inelastic collapse"),
+      std::string::npos);
   Problem noisy = gap;
   noisy.noise.intensity = 0.1;
   EXPECT_NE(unsupported_reason(noisy, {}).find("inelastic collapse"), std::string::npos);

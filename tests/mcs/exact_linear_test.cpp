@@ -8,7 +8,7 @@
 #include "mcs/solve.hpp"
 #include "mcs/streams/stream.hpp"
 #include "paper_cases.hpp"
-#include "statistics.hpp"
+#include "simulate_and_compare.hpp"
 #include "uniform_edges.hpp"
 
 // Compares all estimates with the exact stationary density of the linear oscillator with r = 1
@@ -101,7 +101,7 @@ TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
       of_moments.add(std::abs(mean - truth[n]) < kStudent * error);
     }
     for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
-      const bool is_y = variable == transform::Variable::y;
+      const bool is_y = variable == transform::StateVariable::y;
       const auto& averages = is_y ? p_y : p_v;
       for (std::size_t b = 0; b < averages.size(); ++b) {
         if (averages[b] < 0.02) continue;  // only bins with samples in every stream
@@ -183,7 +183,7 @@ TEST(ExactLinear, SplittingResolvesTheTailsDownTo1eMinus8OfThePeak) {
   const Result result = solve(problem, options);
   EXPECT_GT(result.summary.thresholds.size(), 10u);
   for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
-    const auto truth = variable == transform::Variable::y
+    const auto truth = variable == transform::StateVariable::y
                            ? density.displacement_averages(estimate.edges)
                            : density.velocity_averages(estimate.edges);
     const double peak = *std::ranges::max_element(truth);

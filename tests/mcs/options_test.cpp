@@ -28,7 +28,7 @@ void expect_refused(Change change, const std::string& key) {
 
 TEST(Options, OutOfRangeAreRefusedByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expect_refused([](auto& o) { o.equation = Equation::km4; }, "equation");
+  expect_refused([](auto& o) { o.equation = DensityEquation::km4; }, "equation");
   expect_refused([](auto& o) { o.time = -1; }, "time");
   expect_refused([](auto& o) { o.time = 0; }, "time");
   expect_refused([&](auto& o) { o.time = nan; }, "time");
@@ -61,7 +61,7 @@ TEST(Options, OutOfRangeAreRefusedByName) {
 }
 
 TEST(Options, ComeBackFromTheirValues) {
-  const Options changed{.equation = Equation::white,
+  const Options changed{.equation = DensityEquation::white,
                         .time = 12345.5,
                         .samples = 2e6,
                         .target_error = 1e-3,
@@ -113,7 +113,7 @@ TEST(Options, OfTheCommandLineAreRefusedByTheirFlag) {
 
 TEST(Options, HaveAnIdThatLeadsBackToThem) {
   EXPECT_EQ(id({}), "mcs");
-  EXPECT_EQ(id({.equation = Equation::white}), "mcs-white");
+  EXPECT_EQ(id({.equation = DensityEquation::white}), "mcs-white");
   for (const char* name : {"mcs", "mcs-white"}) {
     const auto options = options_of(name);
     ASSERT_TRUE(options) << name;
@@ -122,7 +122,7 @@ TEST(Options, HaveAnIdThatLeadsBackToThem) {
     EXPECT_EQ(who.id, name);
     EXPECT_EQ(who.method, "mcs");
     EXPECT_EQ(who.equation, options->equation);
-    EXPECT_EQ(who.impact, problem::Impact::exact);
+    EXPECT_EQ(who.impact, problem::ImpactCondition::exact);
     EXPECT_EQ(who.role, transform::SolutionRole::simulation);
   }
   EXPECT_FALSE(options_of("mcs-km4"));

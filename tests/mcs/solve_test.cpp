@@ -9,18 +9,18 @@
 #include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
-#include "statistics.hpp"
+#include "simulate_and_compare.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 const transform::GridDensity& joint(const Result& result) {
   return std::get<transform::GridDensity>(*result.solution.density);
 }
 
-const transform::Marginal& estimated(const Result& result, Variable variable) {
+const transform::Marginal& estimated(const Result& result, StateVariable variable) {
   for (const auto& [which, marginal] : result.solution.estimated_marginals) {
     if (which == variable) return marginal;
   }
@@ -73,8 +73,8 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
   EXPECT_NEAR(result.summary.outside_fraction, 1 - mass, 1e-15);
   EXPECT_GT(result.summary.outside_fraction, 0.1);
   // A marginal density counts all samples of its variable, for any value of the other variable.
-  const double inside_y = integral(estimated(result, Variable::y));
-  const double inside_v = integral(estimated(result, Variable::ydot));
+  const double inside_y = integral(estimated(result, StateVariable::y));
+  const double inside_v = integral(estimated(result, StateVariable::ydot));
   EXPECT_GT(inside_y, mass + 0.02);
   EXPECT_GT(inside_v, mass + 0.02);
   EXPECT_LT(std::max(inside_y, inside_v), 1.0);
@@ -88,11 +88,13 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
 
 TEST(Solve, HistogramMomentsAndMarginalsAgree) {
   const Result result = tests::simulate(tests::paper_case(4), 1e5);
-  const auto y = transform::marginal(*result.solution.density, Variable::y, joint(result).y_edges);
+  const auto y =
+      transform::marginal(*result.solution.density, StateVariable::y, joint(result).y_edges);
   const auto v =
-      transform::marginal(*result.solution.density, Variable::ydot, joint(result).v_edges);
-  EXPECT_LT(transform::l1(y, estimated(result, Variable::y)), 1e-6);  // samples beyond the bins
-  EXPECT_LT(transform::l1(v, estimated(result, Variable::ydot)), 1e-6);
+      transform::marginal(*result.solution.density, StateVariable::ydot, joint(result).v_edges);
+  EXPECT_LT(transform::l1(y, estimated(result, StateVariable::y)),
+            1e-6);  // samples beyond the bins
+  EXPECT_LT(transform::l1(v, estimated(result, StateVariable::ydot)), 1e-6);
   double y1 = 0, v2 = 0;
   for (std::size_t b = 0; b < y.size(); ++b) {
     const double c = v.centre(b), w = v.width(b);
@@ -109,8 +111,8 @@ TEST(Solve, ElasticUnderFrequentSmallImpulsesApproachesTheWhiteNoiseDensity) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 1, .rate = 200});
   const Result result = tests::simulate(problem, 3e4);
   const exact::WhiteNoiseDensity exact(problem);
-  const auto& y = estimated(result, Variable::y);
-  const auto& v = estimated(result, Variable::ydot);
+  const auto& y = estimated(result, StateVariable::y);
+  const auto& v = estimated(result, StateVariable::ydot);
   double y_distance = 0, v_distance = 0;
   for (std::size_t b = 0; b < y.size(); ++b) {
     y_distance += std::abs(y.density[b] - exact.displacement_marginal(y.centre(b))) * y.width(b);
@@ -125,15 +127,16 @@ TEST(Solve, SamplingErrorPredictsTheDistanceOfTwoRuns) {
   const Result b = tests::simulate(tests::paper_case(1), 2e5, 12);
   // The distance of two runs is sqrt(2) times the error of one run. Errors of neighbouring bins are
   // correlated, so the distance scatters by some tens of per cent.
-  const double y = transform::l1(estimated(a, Variable::y), estimated(b, Variable::y));
-  const double v = transform::l1(estimated(a, Variable::ydot), estimated(b, Variable::ydot));
+  const double y = transform::l1(estimated(a, StateVariable::y), estimated(b, StateVariable::y));
+  const double v =
+      transform::l1(estimated(a, StateVariable::ydot), estimated(b, StateVariable::ydot));
   EXPECT_NEAR(y / (std::sqrt(2) * *a.solution.sampling->y), 1.0, 0.4);
   EXPECT_NEAR(v / (std::sqrt(2) * *a.solution.sampling->ydot), 1.0, 0.4);
 }
 
 TEST(Solve, AnEmptyBinHasAnUpperBound) {
   const Result result = tests::simulate(tests::paper_case(1), 1e4);
-  const auto& v = estimated(result, Variable::ydot);
+  const auto& v = estimated(result, StateVariable::ydot);
   EXPECT_EQ(v.density.front(), 0.0);
   EXPECT_EQ(v.lower.front(), 0.0);
   EXPECT_GT(v.upper.front(), 0.0);
@@ -238,11 +241,11 @@ TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
   const auto alone = solve(problem, options).solution;
   std::vector<std::string> parts;
   for (const int part : {1, 2, 0}) {
-    options.team = {.part = part, .parts = 3, .gather = [&](const std::string& own) {
-                      if (part == 0) return parts;
-                      parts.push_back(own);
-                      return std::vector<std::string>();
-                    }};
+    options.process_group = {.part = part, .parts = 3, .gather = [&](const std::string& own) {
+                               if (part == 0) return parts;
+                               parts.push_back(own);
+                               return std::vector<std::string>();
+                             }};
     const auto [solution, summary] = solve(problem, options);
     if (part > 0) {
       EXPECT_FALSE(solution.density);
@@ -257,7 +260,7 @@ TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
 
 TEST(Solve, ProcessesThatShareTheStreamsNeedAFixedTime) {
   Options options{.target_error = 1e-3};
-  options.team.parts = 2;
+  options.process_group.parts = 2;
   EXPECT_THROW(require_solvable(tests::paper_case(1), options), InputError);
 }
 

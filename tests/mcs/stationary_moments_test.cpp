@@ -7,7 +7,7 @@
 #include "exact/closed_forms.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
-#include "statistics.hpp"
+#include "simulate_and_compare.hpp"
 
 namespace fpkcheck::mcs {
 namespace {

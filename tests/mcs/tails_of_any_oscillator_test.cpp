@@ -10,7 +10,7 @@
 #include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
-#include "statistics.hpp"
+#include "simulate_and_compare.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::mcs {
@@ -83,7 +83,8 @@ TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
       SCOPED_TRACE(transform::name(variable));
       EXPECT_GT(seen.bins, 60);
       // Between two walls y has no tail.
-      const bool has_tail = variable == transform::Variable::ydot || !problem.system.right_wall();
+      const bool has_tail =
+          variable == transform::StateVariable::ydot || !problem.system.right_wall();
       EXPECT_GT(seen.in_tail, has_tail ? 10 : -1);
       // The bins are correlated: a ratio of 1.6, above 1 + sqrt(2 / bins), is still consistent.
       EXPECT_LT(seen.chi_square / seen.bins, 1.6);
@@ -161,7 +162,7 @@ TEST(TailsOfAnyOscillator, AreExactDownTo1eMinus8OfThePeakWithoutAWall) {
   const Result result = solve(problem, {.time = 1.6e5, .seed = 5, .tails = true});
   EXPECT_GT(result.summary.thresholds.size(), 10u);
   const auto& [variable, estimate] = result.solution.estimated_marginals.back();
-  ASSERT_EQ(variable, transform::Variable::ydot);
+  ASSERT_EQ(variable, transform::StateVariable::ydot);
   // Average of both halves of the (z, z') plane, which are mirror images.
   const auto half = density.velocity_averages(estimate.edges);
   std::vector<double> truth = half;
@@ -201,7 +202,7 @@ TEST(TailsOfAnyOscillator, AreNotSupportedWhereTheEnergyRisesBetweenImpulses) {
   const Options tails{.tails = true};
   for (const Problem& problem : {gap(), two_walls(), preload()}) {
     EXPECT_EQ(unsupported_reason(problem, tails), "");
-    EXPECT_NE(unsupported_reason(problem, {.equation = Equation::white, .tails = true}), "");
+    EXPECT_NE(unsupported_reason(problem, {.equation = DensityEquation::white, .tails = true}), "");
   }
   Problem noisy = gap();
   noisy.noise.intensity = 0.1;

@@ -6,14 +6,14 @@
 #include "exact/closed_forms.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
-#include "statistics.hpp"
+#include "simulate_and_compare.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
 Result under_white_noise(const problem::Problem& problem, double time,
                          std::optional<double> step = {}) {
-  return solve(problem, {.equation = Equation::white, .time = time, .white_step = step});
+  return solve(problem, {.equation = DensityEquation::white, .time = time, .white_step = step});
 }
 
 TEST(WhiteNoise, WithoutLossesHasItsExactDensity) {
@@ -22,11 +22,11 @@ TEST(WhiteNoise, WithoutLossesHasItsExactDensity) {
     const auto problem = tests::make_problem({.cubic = 1, .restitution = 1, .mean = mean});
     const Result result = under_white_noise(problem, 2e5);
     EXPECT_EQ(result.solution.id(), "mcs-white");
-    EXPECT_EQ(result.solution.identity.equation, Equation::white);
+    EXPECT_EQ(result.solution.identity.equation, DensityEquation::white);
     const exact::WhiteNoiseDensity exact(problem);
     double distances[2] = {0, 0};
     for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
-      const bool is_y = variable == transform::Variable::y;
+      const bool is_y = variable == transform::StateVariable::y;
       for (std::size_t b = 0; b < estimate.size(); ++b) {
         const double x = estimate.centre(b);
         const double p = is_y ? exact.displacement_marginal(x) : exact.velocity_marginal(x);

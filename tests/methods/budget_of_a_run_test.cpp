@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 
@@ -42,7 +42,7 @@ results::CaseResult case_1(bool controlled) {
           .select_methods("mcs", {{"time", 200000.0}, {"controlled", controlled}})
           .front();
   auto solutions = without_simulation();
-  solutions.push_back(solve_with(simulation, problem, {axes, {}}));
+  solutions.push_back(solve_with_method(simulation, problem, {axes, {}}));
   return results::make_case_result(problem, axes, std::move(solutions));
 }
 

@@ -6,7 +6,7 @@
 
 #include "exact/energy_law.hpp"
 #include "general_oscillators.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "uniform_edges.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "thorough.hpp"
@@ -11,7 +11,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 /// Closures compared with finite volumes for the full jump equation.
 class Closures {
@@ -21,11 +21,11 @@ class Closures {
                   .front()) {}
 
   bool is_ok(const std::string& id) const { return case_.find(id)->is_ok(); }
-  double l1(const std::string& id, Variable variable) const {
+  double l1(const std::string& id, StateVariable variable) const {
     return case_.l1(id, "fd-kf", variable).value_or(NAN);
   }
   /// Mean difference of log10 p over reference densities 1e-5 .. 1e-4.
-  double tail(const std::string& id, Variable variable) const {
+  double tail(const std::string& id, StateVariable variable) const {
     const auto* pair = compare::find_pair_distances(case_.pairs, id, "fd-kf", variable);
     return pair->distances.log10_tail.at(4).mean_abs;
   }
@@ -47,13 +47,13 @@ TEST(MomentClosure, ErrorDecreasesWithOrder) {
       SCOPED_TRACE("case " + std::to_string(number) + ", n = " + std::to_string(order));
       const std::string id = "epc-moment-n" + std::to_string(order);
       EXPECT_TRUE(closures.is_ok(id));
-      EXPECT_LT(closures.l1(id, Variable::y), bar.first);
-      EXPECT_LT(closures.l1(id, Variable::ydot), bar.second);
+      EXPECT_LT(closures.l1(id, StateVariable::y), bar.first);
+      EXPECT_LT(closures.l1(id, StateVariable::ydot), bar.second);
       // Identical computations would agree to rounding.
-      EXPECT_GT(closures.l1(id, Variable::ydot), 1e-4);
+      EXPECT_GT(closures.l1(id, StateVariable::ydot), 1e-4);
       if (order == 8) {
-        EXPECT_LT(closures.tail(id, Variable::y), 0.1);
-        EXPECT_LT(closures.tail(id, Variable::ydot), 0.1);
+        EXPECT_LT(closures.tail(id, StateVariable::y), 0.1);
+        EXPECT_LT(closures.tail(id, StateVariable::ydot), 0.1);
       }
     }
   }
@@ -69,10 +69,10 @@ TEST(MomentClosure, FollowsEveryImpulseLawAndMean) {
       const Closures closures(p, "epc-moment-n2,epc-moment-n8");
       SCOPED_TRACE(std::string(law) + ", mean " + std::to_string(mean));
       EXPECT_TRUE(closures.is_ok("epc-moment-n8"));
-      EXPECT_LT(closures.l1("epc-moment-n8", Variable::y), 0.005);
-      EXPECT_LT(closures.l1("epc-moment-n8", Variable::ydot), 0.008);
-      EXPECT_LT(closures.l1("epc-moment-n8", Variable::ydot),
-                closures.l1("epc-moment-n2", Variable::ydot) / 3);
+      EXPECT_LT(closures.l1("epc-moment-n8", StateVariable::y), 0.005);
+      EXPECT_LT(closures.l1("epc-moment-n8", StateVariable::ydot), 0.008);
+      EXPECT_LT(closures.l1("epc-moment-n8", StateVariable::ydot),
+                closures.l1("epc-moment-n2", StateVariable::ydot) / 3);
     }
   }
 }
@@ -98,11 +98,11 @@ TEST(PolarClosure, RepresentsTheJumpAtTheOrigin) {
                  ", lambda = " + std::to_string(parameters.rate));
     const Closures closures(tests::make_problem(parameters), "epc-moment-n6,epc-polar-n6");
     EXPECT_TRUE(closures.is_ok("epc-polar-n6"));
-    EXPECT_LT(closures.l1("epc-polar-n6", Variable::y), y);
-    EXPECT_LT(closures.l1("epc-polar-n6", Variable::ydot), ydot);
-    EXPECT_GT(
-        closures.l1("epc-moment-n6", Variable::ydot) / closures.l1("epc-polar-n6", Variable::ydot),
-        advantage);
+    EXPECT_LT(closures.l1("epc-polar-n6", StateVariable::y), y);
+    EXPECT_LT(closures.l1("epc-polar-n6", StateVariable::ydot), ydot);
+    EXPECT_GT(closures.l1("epc-moment-n6", StateVariable::ydot) /
+                  closures.l1("epc-polar-n6", StateVariable::ydot),
+              advantage);
   }
 }
 

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "general_oscillators.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
 using problem::System;
 using problem::WallParameters;
-using transform::Variable;
+using transform::StateVariable;
 
 WallParameters between(double left, double right) {
   return {.left = left, .left_restitution = 0.9, .right = right, .right_restitution = 0.8};
@@ -40,7 +40,7 @@ TEST(SolveInWallCoordinates, MarginalsOfASimulationHaveTheExactAxes) {
     SCOPED_TRACE(problem::parameters_text(problem));
     for (const auto variable : transform::kVariables) {
       const auto marginal =
-          transform::marginal(solution, variable, compare::bin_edges(axes, variable));
+          transform::marginal(solution, variable, compare::comparison_bin_edges(axes, variable));
       EXPECT_EQ(marginal.lower.size(), marginal.size()) << transform::name(variable);
       EXPECT_EQ(marginal.upper.size(), marginal.size()) << transform::name(variable);
     }

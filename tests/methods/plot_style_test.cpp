@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -69,7 +69,7 @@ struct NamedStyle {
 };
 std::vector<NamedStyle> all_styles() {
   std::vector<NamedStyle> all;
-  const Registry registry = builtin_registry();
+  const SolverRegistry registry = builtin_registry();
   for (const auto* family : registry.families()) {
     for (const auto& id : family->default_ids) {
       const auto method = registry.method_by_id(id);
@@ -77,7 +77,7 @@ std::vector<NamedStyle> all_styles() {
     }
   }
   for (std::size_t rank = 0; rank < 3; ++rank) {
-    all.push_back({"file-" + std::to_string(rank), "file", external_style(rank)});
+    all.push_back({"file-" + std::to_string(rank), "file", external_density_style(rank)});
   }
   return all;
 }
@@ -117,8 +117,8 @@ TEST(PlotStyle, PairsAreDistinguishableInGreyAndInDeuteranopia) {
 TEST(PlotStyle, SchemesHaveTheMarkerOfEquations) {
   std::set<std::string> dashes;
   for (std::size_t rank = 0; rank < 4; ++rank) {
-    EXPECT_EQ(scheme_style(rank).symbol, equation_style({}).symbol);
-    EXPECT_TRUE(dashes.insert(scheme_style(rank).dash).second) << rank;
+    EXPECT_EQ(finite_volume_scheme_style(rank).symbol, density_equation_style({}).symbol);
+    EXPECT_TRUE(dashes.insert(finite_volume_scheme_style(rank).dash).second) << rank;
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include "compare/comparison_axes.hpp"
 #include "mcs/solve.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "random_problem.hpp"
@@ -13,8 +13,8 @@
 namespace fpkcheck::methods {
 namespace {
 
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
   const auto closures_too = builtin_registry().select_methods("epc-gaussian-n2,epc-moment-n4,fd-kf",
@@ -31,7 +31,7 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
   for (const std::uint64_t number : numbers) {
     const auto p = tests::random_problem(number);
     SCOPED_TRACE(p.name + ": " + problem::parameters_text(p));
-    const auto axes = compare::uniform_axes(compare::comparison_axes(p));
+    const auto axes = compare::undivided_axes(compare::comparison_axes(p));
     const double decay = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
     const auto judge =
         mcs::solve(p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
@@ -40,25 +40,25 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
     // Closures for every other problem, since each requires a fit.
     for (const auto& method : ++solved % 2 == 0 ? closures_too : differences) {
       SCOPED_TRACE(method.id());
-      const auto solution = solve_with(method, p, {axes, {}, &residuals});
+      const auto solution = solve_with_method(method, p, {axes, {}, &residuals});
       const bool closure = solution.identity.role == transform::SolutionRole::closure;
       EXPECT_TRUE(closure || solution.is_ok()) << solution.reason;
       if (!solution.density) continue;
       ASSERT_TRUE(solution.error);
-      const auto apart = [&](Variable variable) {
-        const auto& edges = compare::bin_edges(axes, variable);
+      const auto apart = [&](StateVariable variable) {
+        const auto& edges = compare::comparison_bin_edges(axes, variable);
         return transform::l1(transform::marginal(solution, variable, edges),
                              transform::marginal(judge, variable, edges));
       };
       // Twice the error estimate, plus the 99 % quantile of the sampling error.
-      EXPECT_LT(apart(Variable::y), 2 * solution.error->y_l1 + *judge.sampling->y_99);
-      EXPECT_LT(apart(Variable::ydot), 2 * solution.error->ydot_l1 + *judge.sampling->ydot_99);
+      EXPECT_LT(apart(StateVariable::y), 2 * solution.error->y_l1 + *judge.sampling->y_99);
+      EXPECT_LT(apart(StateVariable::ydot), 2 * solution.error->ydot_l1 + *judge.sampling->ydot_99);
       if (!closure) continue;
       ++closures;
       inaccurate += solution.status == Status::inaccurate;
       if (solution.is_ok()) {
-        EXPECT_LT(apart(Variable::y), 0.02 + *judge.sampling->y_99);
-        EXPECT_LT(apart(Variable::ydot), 0.02 + *judge.sampling->ydot_99);
+        EXPECT_LT(apart(StateVariable::y), 0.02 + *judge.sampling->y_99);
+        EXPECT_LT(apart(StateVariable::ydot), 0.02 + *judge.sampling->ydot_99);
       }
     }
   }
@@ -82,15 +82,15 @@ TEST(RandomProblems, DividedBinsCloseToRestAreAccurate) {
         mcs::solve(p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
             .solution;
     const ResidualErrorEstimator residuals(p);
-    const auto solution = solve_with(method, p, {axes, {}, &residuals});
+    const auto solution = solve_with_method(method, p, {axes, {}, &residuals});
     ASSERT_TRUE(solution.is_ok()) << solution.reason;
-    const auto apart = [&](Variable variable) {
-      const auto& edges = compare::bin_edges(axes, variable);
+    const auto apart = [&](StateVariable variable) {
+      const auto& edges = compare::comparison_bin_edges(axes, variable);
       return transform::l1(transform::marginal(solution, variable, edges),
                            transform::marginal(judge, variable, edges));
     };
-    EXPECT_LT(apart(Variable::y), 2 * solution.error->y_l1 + *judge.sampling->y_99);
-    EXPECT_LT(apart(Variable::ydot), 2 * solution.error->ydot_l1 + *judge.sampling->ydot_99);
+    EXPECT_LT(apart(StateVariable::y), 2 * solution.error->y_l1 + *judge.sampling->y_99);
+    EXPECT_LT(apart(StateVariable::ydot), 2 * solution.error->ydot_l1 + *judge.sampling->ydot_99);
   }
 }
 

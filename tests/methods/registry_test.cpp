@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "base/input_error.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 
@@ -23,26 +23,26 @@ std::vector<std::string> ids(const std::string& list) {
 
 using Ids = std::vector<std::string>;
 
-TEST(Registry, FamiliesSelectTheirMembersByIncreasingTrust) {
+TEST(SolverRegistry, FamiliesSelectTheirMembersByIncreasingTrust) {
   EXPECT_EQ(ids("mcs,fd,epc"),
             (Ids{"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8",
                  "epc-moment-n4", "epc-moment-n8", "epc-moment-n12", "epc-polar-n4", "epc-polar-n6",
                  "epc-polar-n8", "fd-white", "fd-km4-delta", "fd-km4", "fd-kf", "mcs"}));
 }
 
-TEST(Registry, ItemsAreSelectedOnceInTheOrderOfTrust) {
+TEST(SolverRegistry, ItemsAreSelectedOnceInTheOrderOfTrust) {
   EXPECT_EQ(ids("epc-gaussian-n12,fd-kf,epc-gaussian-n2,fd-kf,fd-km4,epc-gaussian-n02"),
             (Ids{"epc-gaussian-n2", "epc-gaussian-n12", "fd-km4", "fd-kf"}));
 }
 
-TEST(Registry, AFormulationSelectsItsOrders) {
+TEST(SolverRegistry, AFormulationSelectsItsOrders) {
   EXPECT_EQ(ids("epc-moment"), (Ids{"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}));
   EXPECT_EQ(
       ids("epc-moment-cut-n6,epc-gaussian-white-n4,epc-moment-white-n6,epc-moment-n6"),
       (Ids{"epc-gaussian-white-n4", "epc-moment-cut-n6", "epc-moment-n6", "epc-moment-white-n6"}));
 }
 
-TEST(Registry, UnknownMethodsAreRefused) {
+TEST(SolverRegistry, UnknownMethodsAreRefused) {
   for (const std::string bad :
        {"", "fdm", "fd-kf2", "epc-gaussian-n", "epc-gaussian-n6x", "epc,,mcs", "mcs2"}) {
     EXPECT_THROW(ids(bad), InputError) << bad;
@@ -52,7 +52,7 @@ TEST(Registry, UnknownMethodsAreRefused) {
   EXPECT_THROW(ids("epc-moment-km4-n6"), InputError);  // km4 is the equation of no process
 }
 
-TEST(Registry, SolutionsHaveTheIdentityOfTheirMethod) {
+TEST(SolverRegistry, SolutionsHaveTheIdentityOfTheirMethod) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
   for (const auto& method : builtin_registry().select_methods(
@@ -69,16 +69,16 @@ TEST(Registry, SolutionsHaveTheIdentityOfTheirMethod) {
   }
 }
 
-TEST(Registry, SimulationUsesTheComparisonAxes) {
+TEST(SolverRegistry, SimulationUsesTheComparisonAxes) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
   const auto solution =
       builtin_registry().method_by_id("mcs", {{"time", 5000.0}})->solve(problem, {axes, {}});
-  const auto m = marginal(solution, transform::Variable::y, axes.y_edges);
+  const auto m = marginal(solution, transform::StateVariable::y, axes.y_edges);
   EXPECT_FALSE(m.lower.empty());  // estimated by the simulation, with intervals
 }
 
-TEST(Registry, EveryMethodHasAMeaningAndADistinctStyle) {
+TEST(SolverRegistry, EveryMethodHasAMeaningAndADistinctStyle) {
   std::set<std::pair<std::string, std::string>> looks;  // colour and dash
   const auto methods = builtin_registry().select_methods("epc,fd,mcs", {});
   for (const auto& method : methods) {
@@ -94,7 +94,7 @@ TEST(Registry, EveryMethodHasAMeaningAndADistinctStyle) {
   EXPECT_EQ(looks.size(), methods.size());
 }
 
-TEST(Registry, OverridesReplaceExistingOptions) {
+TEST(SolverRegistry, OverridesReplaceExistingOptions) {
   const base::Values given{{"time", 123.0}, {"seed", std::int64_t{9}}};
   const auto option = [&](const Method& method, const std::string& name) {
     const auto found = std::ranges::find(method.options, name, &base::NamedParameterValue::name);
@@ -106,8 +106,8 @@ TEST(Registry, OverridesReplaceExistingOptions) {
   EXPECT_EQ(option(*builtin_registry().method_by_id("fd-kf"), "error_estimate"), "true");
 }
 
-TEST(Registry, FindsTheMethodOfASolution) {
-  const Registry registry = builtin_registry();
+TEST(SolverRegistry, FindsTheMethodOfASolution) {
+  const SolverRegistry registry = builtin_registry();
   for (const auto& method :
        registry.select_methods("epc-moment-n8,epc-gaussian-kf-n4,fd,mcs", {})) {
     transform::Solution saved{.identity = {.id = method.id(), .method = method.identity.method},
@@ -125,19 +125,19 @@ TEST(Registry, FindsTheMethodOfASolution) {
   }
 }
 
-TEST(Registry, AnnotatesTheSolutionsOfAnOlderRun) {
-  const Registry registry = builtin_registry();
+TEST(SolverRegistry, AnnotatesTheSolutionsOfAnOlderRun) {
+  const SolverRegistry registry = builtin_registry();
   results::Run run{{}, {{tests::paper_case(1), {}, {}, {}, {}, {}, {}}}};
   run.cases[0].solutions = {{.identity = {.id = "epc-moment-n8", .method = "epc"}},
                             {.identity = {.id = "stranger", .method = "magic"}}};
-  registry.complete_identities(run);
+  registry.complete_solution_identities(run);
   EXPECT_EQ(run.cases[0].solutions[0].identity.family, "epc-moment");
   EXPECT_EQ(run.cases[0].solutions[0].identity.role, transform::SolutionRole::closure);
   EXPECT_EQ(run.cases[0].solutions[1].identity.family, "");
 }
 
-TEST(Registry, RefusesDuplicateNames) {
-  Registry registry = builtin_registry();
+TEST(SolverRegistry, RefusesDuplicateNames) {
+  SolverRegistry registry = builtin_registry();
   EXPECT_THROW(registry.add(epc_solver()), std::logic_error);
   Solver same_families = epc_solver();
   same_families.name = "another";

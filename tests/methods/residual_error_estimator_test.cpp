@@ -9,22 +9,22 @@
 
 #include "exact/energy_law.hpp"
 #include "general_oscillators.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
 using transform::Solution;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 Solution solved(const std::string& id, const base::Values& given = {}) {
   const auto p = tests::paper_case(1);
   const auto axes = compare::comparison_axes(p);
-  return solve_with(*builtin_registry().method_by_id(id, given), p, {axes, {}});
+  return solve_with_method(*builtin_registry().method_by_id(id, given), p, {axes, {}});
 }
 
 TEST(ResidualErrorEstimate, AgreesWithTheDistanceFromTheJumpEquation) {
@@ -37,7 +37,7 @@ TEST(ResidualErrorEstimate, AgreesWithTheDistanceFromTheJumpEquation) {
     const auto closure = solved(id);
     ASSERT_TRUE(closure.error) << id;
     for (const auto variable : transform::kVariables) {
-      const auto& edges = compare::bin_edges(axes, variable);
+      const auto& edges = compare::comparison_bin_edges(axes, variable);
       const double apart = transform::l1(transform::marginal(closure, variable, edges),
                                          transform::marginal(reference, variable, edges));
       EXPECT_NEAR(transform::l1(*closure.error, variable) / apart, 1.6, 0.3) << id << apart;
@@ -165,8 +165,8 @@ TEST(ResidualErrorEstimate, IsReplacedByTheDistanceFromTheReference) {
   methods[0].options = {{"accuracy", 0.02}};
   best.id = "best";
   best.role = transform::SolutionRole::equation;
-  best.equation = problem::Equation::kf;
-  best.impact = problem::Impact::map;
+  best.equation = problem::DensityEquation::kf;
+  best.impact = problem::ImpactCondition::map;
   std::vector<Solution> solutions{wells.solution(closure), wells.solution(best)};
   solutions[1].error = transform::ErrorEstimate{.y_l1 = 0.004, .ydot_l1 = 0.003};
   const ResidualErrorEstimator residuals(wells.problem);

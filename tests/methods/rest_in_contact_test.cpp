@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "compare/pair_distances.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/case_results.hpp"
 #include "problem/case_file.hpp"
 
@@ -14,8 +14,8 @@ namespace fpkcheck::methods {
 namespace {
 
 using transform::Solution;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 results::CaseResult run(const std::string& case_name, const std::vector<std::string>& overrides,
                         const std::string& methods) {

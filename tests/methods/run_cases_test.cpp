@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "base/input_error.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::methods {

@@ -6,7 +6,7 @@
 #include "compare/rest_atoms.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/case_file.hpp"
@@ -17,13 +17,13 @@ namespace fpkcheck::methods {
 namespace {
 
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 Solution solved(const problem::Problem& problem, const std::string& id,
                 const base::Values& options = {}) {
   const auto registry = builtin_registry();
   const auto method = registry.select_methods(id, options).front();
-  return solve_with(method, problem, {compare::comparison_axes(problem), {}});
+  return solve_with_method(method, problem, {compare::comparison_axes(problem), {}});
 }
 
 class ExactSystems : public testing::TestWithParam<const char*> {};
@@ -35,13 +35,14 @@ TEST_P(ExactSystems, AreSolvedByFiniteVolumes) {
   const exact::EnergyLaw law(problem);
   const auto axes = compare::comparison_axes(problem);
   for (const auto variable : transform::kVariables) {
-    const auto marginal = transform::marginal(solution, variable, bin_edges(axes, variable));
+    const auto marginal =
+        transform::marginal(solution, variable, comparison_bin_edges(axes, variable));
     double l1 = 0;
     for (std::size_t k = 0; k < marginal.size(); ++k) {
-      const double exact = numerics::gauss_average(
+      const double exact = numerics::gauss_legendre_average(
           [&](double x) {
-            return variable == Variable::y ? law.displacement_marginal(x)
-                                           : law.velocity_marginal(x);
+            return variable == StateVariable::y ? law.displacement_marginal(x)
+                                                : law.velocity_marginal(x);
           },
           marginal.edges[k], marginal.edges[k + 1]);
       l1 += std::abs(marginal.density[k] - exact) * marginal.width(k);
@@ -79,7 +80,7 @@ TEST_P(OtherSystems, AgreeBetweenFiniteVolumesAndSimulation) {
   ASSERT_TRUE(simulated.is_ok()) << simulated.reason;
   const auto axes = compare::comparison_axes(problem);
   for (const auto variable : transform::kVariables) {
-    const auto& bins = bin_edges(axes, variable);
+    const auto& bins = comparison_bin_edges(axes, variable);
     const double l1 = transform::l1(transform::marginal(differences, variable, bins),
                                     transform::marginal(simulated, variable, bins)) +
                       compare::rest_atom_l1_distance(differences.atoms, simulated.atoms, variable);

@@ -11,7 +11,7 @@
 namespace fpkcheck {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 /// Expects L1 distances of the simulated marginals from those of another solution that agree with
 /// the expected sampling error. The ratio varies by some tens of per cent.
@@ -20,7 +20,7 @@ void expect_within_chance(const mcs::Result& simulated, const transform::Solutio
     const auto reference = transform::marginal(other, variable, estimate.edges);
     const double l1 = transform::l1(estimate, reference);
     const auto& sampling = simulated.solution.sampling;
-    const double chance = (variable == Variable::y ? sampling->y : sampling->ydot).value();
+    const double chance = (variable == StateVariable::y ? sampling->y : sampling->ydot).value();
     EXPECT_LT(l1, 1.6 * chance) << transform::name(variable);
     EXPECT_GT(l1, 0.5 * chance) << transform::name(variable);
   }
@@ -82,10 +82,10 @@ TEST(SimulationAgainstFiniteVolumes, ImpactRateEqualsTheFluxAtTheWall) {
 
 TEST(SimulationAgainstFiniteVolumes, WhiteNoiseHasTheDensityOfItsEquation) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.9});
-  const auto fd = fd_fpk::solve(
-      problem, {.equation = problem::Equation::white, .stepper = fd_fpk::StationarySolver::direct});
-  expect_within_chance(mcs::solve(problem, {.equation = problem::Equation::white, .time = 2e5}),
-                       fd.solution);
+  const auto fd = fd_fpk::solve(problem, {.equation = problem::DensityEquation::white,
+                                          .stepper = fd_fpk::StationarySolver::direct});
+  expect_within_chance(
+      mcs::solve(problem, {.equation = problem::DensityEquation::white, .time = 2e5}), fd.solution);
 }
 
 TEST(SimulationAgainstFiniteVolumes, TailsAgreeDownTo1eMinus8OfThePeak) {

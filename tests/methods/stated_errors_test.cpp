@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "exact/closed_forms.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "rate_scan.hpp"
@@ -21,7 +21,7 @@ using transform::Status;
 Solution solution_without_estimate(const problem::Problem& problem) {
   const Method method = *builtin_registry().method_by_id("epc-polar-n4", {});
   const auto axes = compare::comparison_axes(problem);
-  auto solution = solve_with(method, problem, {axes, {}});
+  auto solution = solve_with_method(method, problem, {axes, {}});
   solution.error = {};
   return solution;
 }
@@ -30,8 +30,8 @@ Solution solution_without_estimate(const problem::Problem& problem) {
 Method method_without_estimate(SolutionRole role, const std::string& id = "silent") {
   Method method{.identity = {.id = id,
                              .method = "probe",
-                             .equation = problem::Equation::kf,
-                             .impact = problem::Impact::map,
+                             .equation = problem::DensityEquation::kf,
+                             .impact = problem::ImpactCondition::map,
                              .role = role},
                 .solve = [](const problem::Problem& problem, const SolveContext&) {
                   return solution_without_estimate(problem);

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "gunzip_base64.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -46,8 +46,8 @@ transform::SolutionIdentity bell_identity(const Bell& bell) {
           .method = "toy",
           .formulation = "bell",
           .order = bell.order,
-          .equation = problem::Equation::kf,
-          .impact = problem::Impact::map};
+          .equation = problem::DensityEquation::kf,
+          .impact = problem::ImpactCondition::map};
 }
 
 std::optional<Bell> bell_of(std::string_view id) {
@@ -70,14 +70,14 @@ transform::Solution solve_bell(const problem::Problem& problem, const Bell& bell
                                    8 * a, 8 * b};
   transform::Solution solution{.identity = bell_identity(bell)};
   solution.status = transform::Status::ok;
-  const auto marginals = transform::panel_marginals(density, density.y_max, density.v_max);
+  const auto marginals = transform::quadrature_marginals(density, density.y_max, density.v_max);
   solution.moments = marginals.moments;
   solution.mass = marginals.mass;
   solution.density = density;
   solution.metrics = transform::MetricBuilder()
                          .add_result("width.y", a)
                          .add_result("width.ydot", b)
-                         .add_work("strokes", std::int64_t{1})
+                         .add_diagnostic("strokes", std::int64_t{1})
                          .take_metrics();
   return solution;
 }
@@ -94,7 +94,7 @@ methods::Solver toy_solver() {
                                         return transform::PlotStyle{.colour = "#12AB34",
                                                                     .dash = "(1,1)"};
                                       }}}};
-  return methods::with_traits<Bell>(
+  return methods::with_solver_traits<Bell>(
       std::move(entry),
       {.description = bell_description(),
        .validate = [](const Bell& bell) { bell_description().validate(bell); },
@@ -104,8 +104,8 @@ methods::Solver toy_solver() {
                    const methods::SolveContext&) { return solve_bell(problem, bell); }});
 }
 
-methods::Registry with_toy() {
-  methods::Registry registry = methods::builtin_registry();
+methods::SolverRegistry with_toy() {
+  methods::SolverRegistry registry = methods::builtin_registry();
   registry.add(toy_solver());
   return registry;
 }
@@ -115,13 +115,13 @@ class ToyClosure : public testing::Test {
   // Solved once for all tests of a process.
   static const results::Run& solved_run() {
     static const results::Run run{
-        results::this_program("fpkcheck run"),
+        results::current_program("fpkcheck run"),
         methods::run_cases({tests::paper_case(1)},
                            with_toy().select_methods("toy,epc-gaussian-n2,fd-kf", {}), 1, {})};
     return run;
   }
 
-  const methods::Registry registry_ = with_toy();
+  const methods::SolverRegistry registry_ = with_toy();
   const results::Run& run_ = solved_run();
   const results::CaseResult& case_ = run_.cases.front();
 };
@@ -164,13 +164,13 @@ TEST_F(ToyClosure, AppearsInTheStudyOfOrders) {
   EXPECT_NE(std::ranges::find(names, "toy-bell"), names.end());
   const auto found =
       study::study_closure_orders(tests::paper_case(1), {{"toy-bell"}, {2, 4, 6}}, registry_, {});
-  const auto output = study::make_report(found, "fpkcheck study", {});
+  const auto output = study::make_study_report(found, "fpkcheck study", {});
   EXPECT_TRUE(contains(output.csv, "\ntoy-bell,6,ok,")) << output.csv;
 }
 
 TEST_F(ToyClosure, IsCheckedForChanges) {
   const tests::TemporaryDirectory directory;
-  base::PendingFiles files;
+  base::FileTransaction files;
   results::add_run_files(files, directory.path(), run_);
   files.commit();
   const auto baseline = check::load_baseline(directory.path(), registry_, {});

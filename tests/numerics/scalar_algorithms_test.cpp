@@ -42,7 +42,7 @@ TEST(GaussRule, IntegratesPolynomialsUpToItsDegreeExactly) {
   expect_exact_up_to_degree<7>();
   expect_exact_up_to_degree<10>();
   for (int power = 0; power <= 5; ++power) {
-    EXPECT_NEAR(gauss_average([&](double x) { return std::pow(x, power); }, -1, 2),
+    EXPECT_NEAR(gauss_legendre_average([&](double x) { return std::pow(x, power); }, -1, 2),
                 power_integral(-1, 2, power) / 3, 1e-13);
   }
 }

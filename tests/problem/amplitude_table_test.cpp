@@ -36,8 +36,9 @@ TEST(AmplitudeTable, RoundTripsAsLiteral) {
   for (const char* text : {tests::kAtoms, tests::kDensity}) {
     const AmplitudeTable table = parse_amplitude_table_literal(text);
     EXPECT_EQ(amplitude_table_literal(table), text);
-    EXPECT_EQ(amplitude_table_literal(table.mirror_image().mirror_image()), text);
-    EXPECT_NEAR(table.mirror_image().mean(), -table.mean(), 1e-15);
+    EXPECT_EQ(amplitude_table_literal(table.with_negated_amplitudes().with_negated_amplitudes()),
+              text);
+    EXPECT_NEAR(table.with_negated_amplitudes().mean(), -table.mean(), 1e-15);
   }
   // A table that was already normalised is not normalised a second time.
   const auto thirds = parse_amplitude_csv("amplitude,probability\n0,.3333\n1,.3333\n2,.3333", "t");

@@ -37,12 +37,13 @@ TEST(ImpulseTrain, MirroredTwiceIsItself) {
   for (const std::string& name : tests::law_names_without_table()) {
     ImpulseParameters parameters = train(2.0, 0.6, 0.3);
     parameters.law = name;
-    const ImpulseTrain impulses(parameters), mirrored = impulses.mirror_image();
+    const ImpulseTrain impulses(parameters), mirrored = impulses.with_negated_amplitudes();
     for (int j = 0; j < kMomentCount; ++j) {
       EXPECT_EQ(mirrored.rate_times_moment(j),
                 (j % 2 == 0 ? 1 : -1) * impulses.rate_times_moment(j))
           << name;
-      EXPECT_EQ(mirrored.mirror_image().rate_times_moment(j), impulses.rate_times_moment(j))
+      EXPECT_EQ(mirrored.with_negated_amplitudes().rate_times_moment(j),
+                impulses.rate_times_moment(j))
           << name;
     }
     // The mirrored parameters describe the mirrored law.

@@ -4,7 +4,7 @@
 
 #include "problem/case_file.hpp"
 #include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 #include "refusal.hpp"
 
 namespace fpkcheck::problem {

@@ -34,7 +34,8 @@ const std::vector<ImpulseLaw> kLaws{
     ImpulseLaw::from_name("gamma", 0.2, 0.6),
     ImpulseLaw::from_name("tabulated", 0.2, 0.6, {.table = tests::kAtoms}),
     ImpulseLaw::from_name("tabulated", -0.1, 0.5, {.table = tests::kDensity}),
-    ImpulseLaw::from_name("tabulated", -0.1, 0.5, {.table = tests::kDensity}).mirror_image()};
+    ImpulseLaw::from_name("tabulated", -0.1, 0.5, {.table = tests::kDensity})
+        .with_negated_amplitudes()};
 
 std::string label(const ImpulseLaw& law) {
   return std::string(law.name()) + " about " + std::to_string(law.mean());
@@ -126,7 +127,7 @@ TEST(ImpulseLaw, CumulativeIsTheIntegralOfTheDensity) {
 
 TEST(ImpulseLaw, TheMirroredLawIsThatOfTheOtherSign) {
   for (const auto& law : kLaws) {
-    const ImpulseLaw mirrored = law.mirror_image();
+    const ImpulseLaw mirrored = law.with_negated_amplitudes();
     EXPECT_EQ(mirrored.name(), law.name());
     EXPECT_EQ(mirrored.deviation(), law.deviation()) << label(law);
     EXPECT_EQ(mirrored.is_symmetric(), law.is_symmetric());
@@ -139,14 +140,15 @@ TEST(ImpulseLaw, TheMirroredLawIsThatOfTheOtherSign) {
         EXPECT_NEAR(mirrored.cumulative_probability(y), 1 - law.cumulative_probability(-y), 1e-14)
             << label(law);
       }
-      EXPECT_EQ(mirrored.mirror_image().density(y), law.density(y)) << label(law);
-      EXPECT_EQ(mirrored.mirror_image().cumulative_probability(y), law.cumulative_probability(y))
+      EXPECT_EQ(mirrored.with_negated_amplitudes().density(y), law.density(y)) << label(law);
+      EXPECT_EQ(mirrored.with_negated_amplitudes().cumulative_probability(y),
+                law.cumulative_probability(y))
           << label(law);
     }
     EXPECT_LT(std::abs(exact::characteristic_function(mirrored, 1.7) -
                        std::conj(exact::characteristic_function(law, 1.7))),
               1e-15);
-    EXPECT_EQ(mirrored.mirror_image().density_breakpoints(), law.density_breakpoints());
+    EXPECT_EQ(mirrored.with_negated_amplitudes().density_breakpoints(), law.density_breakpoints());
   }
 }
 

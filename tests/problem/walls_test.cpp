@@ -59,12 +59,12 @@ double g(double y) {
   return 0.4 + 0.5 * y + 0.6 * y * y + 0.7 * y * y * y + 0.8 * y * y * y * y * y;
 }
 
-TEST(Frame, OfTheLeftWallShiftsForceAndDamping) {
+TEST(WallFrame, OfTheLeftWallShiftsForceAndDamping) {
   const System system(
       kAll, {.left = -0.5, .left_restitution = 0.7, .right = 2, .right_restitution = 0.9});
   const Problem seen =
       tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
-  EXPECT_EQ(seen.frame, (Frame{-0.5, false}));
+  EXPECT_EQ(seen.frame, (WallFrame{-0.5, false}));
   EXPECT_EQ(seen.system.left_wall(), (Wall{0, 0.7}));
   EXPECT_EQ(seen.system.right_wall(), (Wall{2.5, 0.9}));
   for (const double x : {0.0, 0.3, 1.7}) {
@@ -77,11 +77,11 @@ TEST(Frame, OfTheLeftWallShiftsForceAndDamping) {
   EXPECT_EQ(seen.impulses.law().mean(), 0.3);
 }
 
-TEST(Frame, OfARightWallAloneIsMirrored) {
+TEST(WallFrame, OfARightWallAloneIsMirrored) {
   const System system(kAll, {.right = 2, .right_restitution = 0.9});
   const Problem seen =
       tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
-  EXPECT_EQ(seen.frame, (Frame{2, true}));
+  EXPECT_EQ(seen.frame, (WallFrame{2, true}));
   EXPECT_EQ(seen.system.left_wall(), (Wall{0, 0.9}));
   EXPECT_FALSE(seen.system.right_wall());
   for (const double x : {0.0, 0.3, 1.7}) {
@@ -94,7 +94,7 @@ TEST(Frame, OfARightWallAloneIsMirrored) {
   EXPECT_EQ(seen.frame.physical_velocity(1), -1);
 }
 
-TEST(Frame, OfThePapersClassIsTheIdentity) {
+TEST(WallFrame, OfThePapersClassIsTheIdentity) {
   const Problem problem{"test",
                         System({.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.9}),
                         tests::gaussian_impulses(1, 1)};
@@ -103,7 +103,7 @@ TEST(Frame, OfThePapersClassIsTheIdentity) {
             problem.system.restoring_force().coefficients());
 }
 
-TEST(Frame, OfAProblemInItsFrameChangesNothing) {
+TEST(WallFrame, OfAProblemInItsFrameChangesNothing) {
   const System system(kAll, {.right = 2, .right_restitution = 0.9});
   const Problem seen =
       tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
@@ -115,9 +115,9 @@ TEST(Frame, OfAProblemInItsFrameChangesNothing) {
   EXPECT_EQ(again.impulses.law().mean(), -0.3);
 }
 
-TEST(Frame, InverseRoundTrips) {
-  for (const Frame frame : {Frame{-0.5, false}, Frame{2, true}, Frame{}}) {
-    const Frame back = frame.inverse();
+TEST(WallFrame, InverseRoundTrips) {
+  for (const WallFrame frame : {WallFrame{-0.5, false}, WallFrame{2, true}, WallFrame{}}) {
+    const WallFrame back = frame.inverse();
     for (const double x : {0.0, 0.3, 1.7}) {
       EXPECT_NEAR(back.physical_y(frame.physical_y(x)), x, 1e-15);
       EXPECT_NEAR(back.wall_x(x), frame.physical_y(x), 1e-15);

@@ -10,8 +10,8 @@
 namespace fpkcheck::report {
 namespace {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using tests::contains;
 using tests::made_up_case;
 using tests::set_l1;
@@ -112,8 +112,8 @@ TEST(Findings, ClampTheNumberOfDigits) {
 TEST(Findings, ComparesEquationsOfOneMethodThatDifferInOneRespectAlone) {
   auto case_result = made_up_case();
   auto& white = solution_of(case_result, "fd-white").identity;
-  white.equation = Equation::km4;
-  white.impact = Impact::delta;
+  white.equation = DensityEquation::km4;
+  white.impact = ImpactCondition::delta;
   set_l1(case_result, "fd-white", "fd-km4", 0.021, 0.022);
   const auto text = sentence_with(case_result, "error of each approximation");
   EXPECT_TRUE(contains(text,
@@ -262,7 +262,7 @@ TEST(Findings, StateDistancesOfAFileToFullProblemSolutions) {
 TEST(Findings, AssessAFileInItsMarginalsOnly) {
   auto case_result = with_a_file();
   std::erase_if(case_result.pairs, [](const auto& pair) {
-    return pair.a == "epc-gaussian-n2" && pair.variable == transform::Variable::ydot;
+    return pair.a == "epc-gaussian-n2" && pair.variable == transform::StateVariable::ydot;
   });
   solution_of(case_result, "epc-gaussian-n2").sampling = {.y = 0.0011};
   case_result.assess();

@@ -16,7 +16,7 @@ using tests::contains;
 using tests::made_up_case;
 
 std::string legend_of(const results::CaseResult& case_result, std::size_t width) {
-  const std::string text = table({results::this_program(""), {case_result}}, width);
+  const std::string text = table({results::current_program(""), {case_result}}, width);
   return collapse_whitespace(text.substr(text.find("\n\n")));
 }
 

@@ -20,7 +20,7 @@ inline void set_l1(results::CaseResult& case_result, const std::string& a, const
                    double y, double ydot) {
   for (auto& pair : case_result.pairs) {
     if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) {
-      pair.distances.l1 = pair.variable == transform::Variable::y ? y : ydot;
+      pair.distances.l1 = pair.variable == transform::StateVariable::y ? y : ydot;
     }
   }
   case_result.assess();

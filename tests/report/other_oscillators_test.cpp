@@ -62,7 +62,7 @@ results::CaseResult with_not_offered() {
 TEST(Table, UnsupportedMethodsWithEqualReasonsShareALine) {
   const auto case_result = with_not_offered();
   const std::string text =
-      collapse_whitespace(table({results::this_program("fpkcheck run"), {case_result}}));
+      collapse_whitespace(table({results::current_program("fpkcheck run"), {case_result}}));
   EXPECT_TRUE(contains(text, "fd-white, fd-kf not_offered: this wall is not supported")) << text;
   EXPECT_FALSE(contains(text, "fd-white white/map")) << text;  // no row
   EXPECT_TRUE(contains(reasons_html(case_result), "fd-white, fd-kf not_offered"));
@@ -70,7 +70,7 @@ TEST(Table, UnsupportedMethodsWithEqualReasonsShareALine) {
 
 TEST(Verdict, OmitsMethodsThatApplyToNoCase) {
   const auto row_count = [](const std::vector<results::CaseResult>& cases) {
-    const results::Run run{results::this_program("fpkcheck run"), cases};
+    const results::Run run{results::current_program("fpkcheck run"), cases};
     return results::assess_run(run).rows.size();
   };
   const auto all = row_count({made_up_case()});
@@ -81,13 +81,14 @@ TEST(Verdict, OmitsMethodsThatApplyToNoCase) {
 TEST(Table, HasTheProbabilityOfRestAtEachWall) {
   results::CaseResult case_result = made_up_case();
   solution_of(case_result, "fd-kf").atoms = {{.y = -0.5, .probability = 0.25}};
-  EXPECT_EQ(walls_with_atoms(case_result), std::vector<double>{-0.5});
-  EXPECT_TRUE(contains(table({results::this_program("fpkcheck run"), {case_result}}), "P(rest)"));
+  EXPECT_EQ(walls_with_rest_atoms(case_result), std::vector<double>{-0.5});
+  EXPECT_TRUE(
+      contains(table({results::current_program("fpkcheck run"), {case_result}}), "P(rest)"));
   EXPECT_TRUE(contains(results_table(case_result), "0.25"));
   solution_of(case_result, "mcs").atoms = {{.y = 0.5, .probability = 0.125}};
-  EXPECT_EQ(atom_header(case_result, 0.5), "P(rest at 0.5)");
-  EXPECT_EQ(atom_probability(solution_of(case_result, "mcs"), 0.5), 0.125);
-  EXPECT_TRUE(std::isnan(atom_probability(solution_of(case_result, "mcs"), -0.5)));
+  EXPECT_EQ(rest_probability_header(case_result, 0.5), "P(rest at 0.5)");
+  EXPECT_EQ(rest_atom_probability(solution_of(case_result, "mcs"), 0.5), 0.125);
+  EXPECT_TRUE(std::isnan(rest_atom_probability(solution_of(case_result, "mcs"), -0.5)));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using tests::set_l1;
 using tests::solution_of;
 
 std::string table_of(const results::CaseResult& case_result, const TextFormat& format = {}) {
-  return table({results::this_program("fpkcheck run"), {case_result}}, format);
+  return table({results::current_program("fpkcheck run"), {case_result}}, format);
 }
 
 std::vector<std::string> lines(const std::string& text) {
@@ -147,7 +147,8 @@ TEST(Table, HasTheErrorBudgetAndTheFindings) {
 }
 
 TEST(Table, OfSeveralCasesExplainsItsColumnsOnce) {
-  const auto run = results::Run{results::this_program(""), {made_up_case("a"), made_up_case("b")}};
+  const auto run =
+      results::Run{results::current_program(""), {made_up_case("a"), made_up_case("b")}};
   const std::string text = table(run);
   EXPECT_TRUE(contains(text, "\na: c = ") || text.starts_with("a: c = "));
   EXPECT_TRUE(contains(text, "\nb: c = "));

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/files/atomic_file.hpp"
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "refusal.hpp"
 #include "temporary_directory.hpp"
 
@@ -41,7 +41,7 @@ TEST(RunDirectory, IsRemovedIfEmpty) {
   EXPECT_TRUE(parent.entries().empty());
   {
     const auto made = prepare_output_directory(parent.path() / "a" / "b");
-    base::write_file(parent.path() / "a" / "f", "text");
+    base::write_file_atomically(parent.path() / "a" / "f", "text");
   }
   EXPECT_FALSE(fs::exists(parent.path() / "a" / "b"));
   EXPECT_TRUE(fs::exists(parent.path() / "a" / "f"));
@@ -76,13 +76,13 @@ TEST(RunDirectory, RemainsWhileAnotherRunUsesIt) {
     const auto made = prepare_output_directory(directory);
     second = run_in_child([&] {
       const auto found = prepare_output_directory(directory);
-      base::write_file(holds, "");
+      base::write_file_atomically(holds, "");
       while (!fs::exists(first_ended)) usleep(1000);
-      base::write_file(directory / "f", "text");
+      base::write_file_atomically(directory / "f", "text");
     });
     while (!fs::exists(holds)) usleep(1000);
   }
-  base::write_file(first_ended, "");
+  base::write_file_atomically(first_ended, "");
   EXPECT_TRUE(has_succeeded(second));
   EXPECT_EQ(tests::contents(directory / "f"), "text");
   EXPECT_EQ(std::distance(fs::directory_iterator(directory), fs::directory_iterator()), 1);
@@ -113,7 +113,7 @@ TEST(RunDirectory, RefusesAnImpossiblePathAndLeavesNothing) {
 
 TEST(RunDirectory, RefusesAnExistingFile) {
   const tests::TemporaryDirectory parent;
-  base::write_file(parent.path() / "file", "text");
+  base::write_file_atomically(parent.path() / "file", "text");
   EXPECT_NE(refusal_to_write(parent.path() / "file").find("Not a directory"), std::string::npos);
   EXPECT_NE(refusal_to_write(parent.path() / "file" / "below").find("ot a directory"),
             std::string::npos);

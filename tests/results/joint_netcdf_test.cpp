@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "made_up_solutions.hpp"
 #include "opened_netcdf.hpp"
@@ -24,7 +24,7 @@ transform::Solution named(const std::string& id) { return {.identity = {.id = id
 
 // Two cases with different cells and distinct numbers; the solution "b" is in the first case only.
 results::Run small_run() {
-  results::Run run{this_program("fpkcheck run"), {}};
+  results::Run run{current_program("fpkcheck run"), {}};
   auto problem = tests::paper_case(1);
   problem.name = "it's a-1";
   run.cases.push_back({problem,
@@ -45,7 +45,7 @@ results::Run small_run() {
 }
 
 void write(const fs::path& file, const results::Run& run) {
-  base::write_file(file, joint_netcdf(run));
+  base::write_file_atomically(file, joint_netcdf(run));
 }
 
 void expect_same(const JointDensity& read, const JointDensity& written) {
@@ -112,7 +112,7 @@ TEST(JointNetCdf, RefusesCorruptFiles) {
   const std::string whole = contents(file);
   for (const std::string& broken :
        {std::string(), std::string("not netCDF"), whole.substr(0, whole.size() / 2)}) {
-    base::write_file(file, broken);
+    base::write_file_atomically(file, broken);
     try {
       read_joint_netcdf(file);
       ADD_FAILURE() << "accepted " << broken.size() << " bytes of " << whole.size();
@@ -198,7 +198,7 @@ TEST(JointNetCdf, IsReadFromDirectoriesWithAnyName) {
   }
 }
 
-using transform::Variable;
+using transform::StateVariable;
 
 const compare::ComparisonAxes kAxes = compare::comparison_axes(tests::paper_case(1));
 
@@ -232,11 +232,11 @@ TEST(JointDensities, HaveMassOneAndTheMarginalsOfTheRun) {
     ASSERT_EQ(density.nv(), 140u);
     EXPECT_NEAR(mass(density), 1, 1e-6) << solution;
     for (const auto variable : transform::kVariables) {
-      const auto& bins = variable == Variable::y ? density.y_edges : density.v_edges;
+      const auto& bins = variable == StateVariable::y ? density.y_edges : density.v_edges;
       const auto own = transform::marginal(density, variable, bins);
       const auto& p = one.curve(solution, variable)->density;
       for (std::size_t b = 0; b < own.size(); ++b) {
-        const double expected = variable == Variable::y ? (p[2 * b] + p[2 * b + 1]) / 2 : p[b];
+        const double expected = variable == StateVariable::y ? (p[2 * b] + p[2 * b + 1]) / 2 : p[b];
         EXPECT_NEAR(own.density[b], expected, kSinglePrecision) << solution << " bin " << b;
       }
     }

@@ -12,10 +12,11 @@
 namespace fpkcheck::results {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 /// The curves of a synthetic run with one case, and of cases that have only such curves.
-std::vector<CaseResult> cases_with(std::vector<std::pair<std::string, std::vector<Curve>>> curves) {
+std::vector<CaseResult> cases_with(
+    std::vector<std::pair<std::string, std::vector<DensityCurve>>> curves) {
   std::vector<CaseResult> cases;
   for (auto& [name, own] : curves) {
     auto problem = tests::paper_case(1);
@@ -62,17 +63,17 @@ TEST(MarginalsCsv, IsReadWithTheLineEndsOfOtherSystems) {
 
 TEST(MarginalsCsv, SeparatesConsecutiveCurves) {
   const auto cases = cases_with({{"a",
-                                  {{"s", Variable::y, {0.5}, {1}, {}, {}},
-                                   {"s", Variable::ydot, {0.5}, {2}, {}, {}},
-                                   {"t", Variable::ydot, {0.5}, {3}, {}, {}}}},
-                                 {"b", {{"t", Variable::ydot, {0.5}, {4}, {}, {}}}}});
+                                  {{"s", StateVariable::y, {0.5}, {1}, {}, {}},
+                                   {"s", StateVariable::ydot, {0.5}, {2}, {}, {}},
+                                   {"t", StateVariable::ydot, {0.5}, {3}, {}, {}}}},
+                                 {"b", {{"t", StateVariable::ydot, {0.5}, {4}, {}, {}}}}});
   expect_read_back(written(cases), cases);
 }
 
 TEST(MarginalsCsv, LeavesMissingIntervalsEmpty) {
   EXPECT_EQ(written(cases_with({{"c",
-                                 {{"s", Variable::y, {0.5}, {0.25}, {}, {}},
-                                  {"t", Variable::y, {0.5}, {0.25}, {0.125}, {1}}}}})),
+                                 {{"s", StateVariable::y, {0.5}, {0.25}, {}, {}},
+                                  {"t", StateVariable::y, {0.5}, {0.25}, {0.125}, {1}}}}})),
             "case,solution,variable,abscissa,density,lower,upper\n"
             "c,s,y,0.5,0.25,,\n"
             "c,t,y,0.5,0.25,0.125,1\n");

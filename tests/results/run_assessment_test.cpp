@@ -39,8 +39,8 @@ TEST(AgreementRows, HaveTheLargestDistanceOverCases) {
   const results::Run run{{}, {first, second}};
   for (const auto& row : assess_run(run).rows) {
     if (row.identity->id == "epc-gaussian-n6") {
-      EXPECT_DOUBLE_EQ(*row.largest_l1_of(&AgreementEntry::y), 0.005);
-      EXPECT_DOUBLE_EQ(*row.largest_l1_of(&AgreementEntry::ydot), 0.004);
+      EXPECT_DOUBLE_EQ(*row.largest_l1_of_marginal(&AgreementInCase::y), 0.005);
+      EXPECT_DOUBLE_EQ(*row.largest_l1_of_marginal(&AgreementInCase::ydot), 0.004);
       EXPECT_DOUBLE_EQ(*row.largest_l1(), 0.005);
     }
     if (row.identity->id == "epc-gaussian-n4") {

@@ -22,11 +22,11 @@ using transform::MetricKind;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Json summary_of(const results::Run& run) { return Json::parse(summary_text(run)); }
+Json summary_of(const results::Run& run) { return Json::parse(run_summary_text(run)); }
 
 results::Run read(const std::string& text) {
   std::istringstream in(text);
-  return read_summary(in, "summary.json");
+  return read_run_summary(in, "summary.json");
 }
 
 std::string refusal(const std::string& text) {
@@ -37,8 +37,8 @@ TEST(RunJson, ContainsTheStopMessage) {
   const results::Run whole{{"fpkcheck", "1", "fpkcheck run"}, {}};
   EXPECT_FALSE(summary_of(whole).contains("stopped"));
   const results::Run stopped{{"fpkcheck", "1", "fpkcheck run"}, {}, "Stopped. Missing: case2."};
-  EXPECT_EQ(read(summary_text(stopped)).stopped, stopped.stopped);
-  EXPECT_EQ(read(summary_text(whole)).stopped, "");
+  EXPECT_EQ(read(run_summary_text(stopped)).stopped, stopped.stopped);
+  EXPECT_EQ(read(run_summary_text(whole)).stopped, "");
 }
 
 // A run with a value in every field.
@@ -48,7 +48,7 @@ results::Run full_run() {
   solutions[0].options = {{"order", std::int64_t{2}}, {"tail", std::string("cut")}, {"nx", {}}};
   solutions[0].metrics = MetricBuilder()
                              .add_result("order", std::int64_t{2})
-                             .add_work("iterations", std::int64_t{7})
+                             .add_diagnostic("iterations", std::int64_t{7})
                              .add_result("coefficients[0].x1", std::int64_t{2})
                              .add_result("coefficients[0].a", -0.25)
                              .add_result("coefficients[1].x1", std::int64_t{0})
@@ -69,11 +69,11 @@ results::Run full_run() {
 }
 
 TEST(Summary, BoundsAreReadBack) {
-  const auto bounds = read(summary_text(full_run())).cases[0].bounds;
+  const auto bounds = read(run_summary_text(full_run())).cases[0].bounds;
   ASSERT_TRUE(bounds);
   EXPECT_EQ(bounds->reason, "wider than asked for");
   EXPECT_EQ(bounds->each, full_run().cases[0].bounds->each);
-  EXPECT_FALSE(read(summary_text(tests::made_up_run())).cases[0].bounds);
+  EXPECT_FALSE(read(run_summary_text(tests::made_up_run())).cases[0].bounds);
 }
 
 TEST(Summary, AtomsAreReadBack) {
@@ -82,7 +82,7 @@ TEST(Summary, AtomsAreReadBack) {
   EXPECT_FALSE(summary_of(run)["cases"][0]["solutions"].back().contains("atoms"));
   solution.atoms = {{.y = -0.5, .probability = 0.25, .standard_error = 0.01},
                     {.y = 0.5, .probability = 0.125, .error_estimate = 0.02}};
-  const auto again = read(summary_text(run)).cases[0].solutions.back().atoms;
+  const auto again = read(run_summary_text(run)).cases[0].solutions.back().atoms;
   ASSERT_EQ(again.size(), 2u);
   EXPECT_EQ(again[0].y, -0.5);
   EXPECT_EQ(again[0].probability, 0.25);
@@ -101,7 +101,7 @@ TEST(Summary, OfAnotherOscillatorIsReadBack) {
   EXPECT_FALSE(json.contains("impulse"));
   EXPECT_EQ(json["noise"].dump(), R"({"intensity":0.4})");
   EXPECT_EQ(json["wall"].dump(), R"({"right":2.0,"right_restitution":0.9})");
-  const auto again = read(summary_text(run)).cases[0].problem;
+  const auto again = read(run_summary_text(run)).cases[0].problem;
   EXPECT_EQ(problem::parameters_text(again), problem::parameters_text(run.cases[0].problem));
 }
 
@@ -110,8 +110,8 @@ TEST(Summary, HasEveryFieldOfTheContract) {
   EXPECT_EQ(json.at("schema"), 1);
   EXPECT_EQ(json.at("program").at("name"), "fpkcheck");
   EXPECT_EQ(json.at("program").at("command"), "fpkcheck run");
-  EXPECT_EQ(json.at("program").at("version"), this_program("").version);
-  EXPECT_NE(this_program("").version.find('.'), std::string::npos);
+  EXPECT_EQ(json.at("program").at("version"), current_program("").version);
+  EXPECT_NE(current_program("").version.find('.'), std::string::npos);
   const Json& c = json.at("cases").at(0);
   EXPECT_EQ(c.at("name"), "case1");
   EXPECT_EQ(c.at("system").dump(),
@@ -211,9 +211,9 @@ TEST(Summary, HasTheStoredAssessment) {
 }
 
 TEST(Summary, IsReadBackAsItWas) {
-  const std::string text = summary_text(full_run());
+  const std::string text = run_summary_text(full_run());
   const results::Run run = read(text);
-  EXPECT_EQ(summary_text(run), text);
+  EXPECT_EQ(run_summary_text(run), text);
   const auto& solution = run.cases[0].solutions[0];
   EXPECT_TRUE(solution.has_density());
   EXPECT_FALSE(solution.density);
@@ -243,7 +243,7 @@ TEST(Summary, NonFiniteAndUnknownNumbersAreNull) {
   ASSERT_EQ(c["solutions"][3]["id"], "epc-gaussian-n8");
   EXPECT_TRUE(c["solutions"][3]["moments"].is_null());
   EXPECT_TRUE(c["solutions"][3]["mass"].is_null());
-  const results::Run again = read(summary_text(run));
+  const results::Run again = read(run_summary_text(run));
   EXPECT_TRUE(std::isnan(again.cases[0].solutions[0].energy_residual));
   EXPECT_EQ(again.cases[0].pairs[0].distances.kl, kInfinity);
   EXPECT_TRUE(std::isnan(again.cases[0].budget[0].total_tail));
@@ -253,15 +253,15 @@ TEST(Summary, MetricsMustNotReuseKeys) {
   for (const char* path : {"status", "moments.y2", "sampling_l1.y"}) {
     results::Run run = full_run();
     run.cases[0].solutions[0].metrics = MetricBuilder().add_result(path, 1.0).take_metrics();
-    EXPECT_THROW(summary_text(run), std::logic_error) << path;
+    EXPECT_THROW(run_summary_text(run), std::logic_error) << path;
   }
   results::Run run = full_run();
   run.cases[0].solutions[0].metrics =
       MetricBuilder().add_result("nx", 1.0).add_result("nx", 2.0).take_metrics();
-  EXPECT_THROW(summary_text(run), std::logic_error);
+  EXPECT_THROW(run_summary_text(run), std::logic_error);
   run.cases[0].solutions[0].metrics =
       MetricBuilder().add_result("nx", 1.0).add_result("nx.more", 2.0).take_metrics();
-  EXPECT_THROW(summary_text(run), std::logic_error);
+  EXPECT_THROW(run_summary_text(run), std::logic_error);
 }
 
 TEST(Summary, OfAnOlderVersionHasSolutionsWithoutAFamily) {
@@ -274,7 +274,7 @@ TEST(Summary, OfAnOlderVersionHasSolutionsWithoutAFamily) {
 }
 
 TEST(Summary, RefusesCorruptFiles) {
-  const std::string text = summary_text(full_run());
+  const std::string text = run_summary_text(full_run());
   EXPECT_TRUE(contains(refusal(text.substr(0, 1000)), "is not JSON: error at byte"));
   EXPECT_TRUE(contains(refusal("[]"), "\"schema\" is missing"));
   EXPECT_TRUE(
@@ -307,12 +307,12 @@ TEST(Summary, RefusesCorruptFiles) {
 TEST(Summary, RefusesNonIntegers) {
   for (const Json& wrong : {Json(1e300), Json(-1e300), Json(3000000000), Json(1.5), Json("6")}) {
     for (const char* place : {"/order", "/trust", "/look/layer"}) {
-      Json json = Json::parse(summary_text(full_run()));
+      Json json = Json::parse(run_summary_text(full_run()));
       json["cases"][0]["solutions"][0]["identity"][Json::json_pointer(place)] = wrong;
       EXPECT_TRUE(contains(refusal(json.dump()), "(must be an integer")) << place << wrong;
     }
   }
-  Json json = Json::parse(summary_text(full_run()));
+  Json json = Json::parse(run_summary_text(full_run()));
   json["cases"][0]["comparisons"][0]["log10_tail"] =
       Json::array({{{"from", 1}, {"to", 0}, {"mean_abs", 1}, {"bins", 1e300}, {"left_out", 0}}});
   EXPECT_TRUE(contains(refusal(json.dump()), "\"bins\" is 1e+300 (must be an integer"));

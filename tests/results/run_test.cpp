@@ -8,15 +8,15 @@
 namespace fpkcheck::results {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 TEST(Curves, ComputeBinWidthsFromCentres) {
   // At a twentieth of the default rate the bins at 0 are divided.
   const auto axes = compare::comparison_axes(tests::make_problem({.rate = 0.05}));
   ASSERT_GT(axes.divisions, 0);
-  for (const Variable variable : transform::kVariables) {
-    const transform::Marginal marginal{compare::bin_edges(axes, variable), {}, {}, {}};
-    Curve curve{"", variable, {}, {}, {}, {}};
+  for (const StateVariable variable : transform::kVariables) {
+    const transform::Marginal marginal{compare::comparison_bin_edges(axes, variable), {}, {}, {}};
+    DensityCurve curve{"", variable, {}, {}, {}, {}};
     for (std::size_t b = 0; b + 1 < marginal.edges.size(); ++b) {
       curve.abscissa.push_back(marginal.centre(b));
     }

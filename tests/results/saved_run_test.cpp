@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "refusal.hpp"
 #include "results/run_json.hpp"
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using tests::contains;
 
 void save(const fs::path& directory, const results::Run& run) {
-  base::PendingFiles files;
+  base::FileTransaction files;
   add_run_files(files, directory, run);
   files.commit();
 }
@@ -33,7 +33,7 @@ TEST(SavedRun, IsReadBackWhole) {
   const results::Run run = tests::made_up_run();
   save(directory.path(), run);
   const results::Run read = load_run(directory.path());
-  EXPECT_EQ(summary_text(read), summary_text(run));
+  EXPECT_EQ(run_summary_text(read), run_summary_text(run));
   EXPECT_EQ(read.cases[0].curves, run.cases[0].curves);
   ASSERT_EQ(read.cases[0].joints.size(), run.cases[0].joints.size());
   EXPECT_EQ(read.cases[0].joints[2].solution, run.cases[0].joints[2].solution);
@@ -41,13 +41,13 @@ TEST(SavedRun, IsReadBackWhole) {
 
 TEST(SavedRun, WithSmoothBinsAndErrorEstimatesIsReadBackWhole) {
   const tests::TemporaryDirectory directory;
-  results::Run run{results::this_program("fpkcheck run"),
+  results::Run run{results::current_program("fpkcheck run"),
                    {tests::made_up_case_with_control_variates()}};
   auto& one = run.cases[0];
   one.moment_error_estimates = {{"fd-kf", {.y2 = 0.5, .v4 = 2}, {.y1 = 1e-7, .v2 = -1e-6}}};
   save(directory.path(), run);
   const results::Run read = load_run(directory.path());
-  EXPECT_EQ(summary_text(read), summary_text(run));
+  EXPECT_EQ(run_summary_text(read), run_summary_text(run));
   EXPECT_EQ(read.cases[0].smooth, one.smooth);
   EXPECT_EQ(read.cases[0].pairs.back().l1_standard_error, one.pairs.back().l1_standard_error);
   EXPECT_EQ(read.cases[0].solutions.back().smooth_sampling->ydot_99, 6e-6);
@@ -84,7 +84,7 @@ TEST(SavedRun, WithFilesOfSeveralRunsIsRefused) {
     fs::rename(one.path() / "kept", one.path() / file);
   }
   results::Run fewer = tests::made_up_run("case1");
-  std::erase_if(fewer.cases[0].curves, [](const Curve& c) { return c.solution == "fd-kf"; });
+  std::erase_if(fewer.cases[0].curves, [](const DensityCurve& c) { return c.solution == "fd-kf"; });
   save(one.path(), fewer);
   EXPECT_TRUE(contains(refusal_to_load(one.path()), "are not of the same run"));
 }
@@ -98,12 +98,12 @@ TEST(SavedRun, WithAModifiedFileIsRefused) {
   const auto digit = text.find_last_of("12345678");
   std::string changed = text;
   ++changed[digit];
-  base::write_file(file, changed);
+  base::write_file_atomically(file, changed);
   EXPECT_TRUE(contains(refusal_to_load(directory.path()), "are not of the same run"));
   // Line ends may differ.
   std::string other_ends;
   for (const char c : text) other_ends += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  base::write_file(file, other_ends);
+  base::write_file_atomically(file, other_ends);
   EXPECT_EQ(refusal_to_load(directory.path()), "accepted");
 }
 
@@ -111,7 +111,7 @@ TEST(SavedRun, WithInfiniteDensitiesOfFailedSolutionsIsReadBack) {
   const tests::TemporaryDirectory directory;
   results::Run run = tests::made_up_run();
   auto& solution = run.cases[0].solutions.back();
-  const auto curve = std::ranges::find(run.cases[0].curves, solution.id(), &Curve::solution);
+  const auto curve = std::ranges::find(run.cases[0].curves, solution.id(), &DensityCurve::solution);
   curve->density.front() = std::numeric_limits<double>::infinity();
   solution.status = transform::Status::failed;
   save(directory.path(), run);
@@ -124,7 +124,7 @@ TEST(SavedRun, WithInfiniteDensitiesOfFailedSolutionsIsReadBack) {
 TEST(SavedRun, ThatDoesNotExistIsRefused) {
   const tests::TemporaryDirectory directory;
   EXPECT_TRUE(contains(refusal_to_load(directory.path()), "summary.json is not a readable file"));
-  EXPECT_THROW(load_summary("nowhere.json"), InputError);
+  EXPECT_THROW(load_run_summary("nowhere.json"), InputError);
 }
 
 }  // namespace

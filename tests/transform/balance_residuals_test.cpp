@@ -33,13 +33,14 @@ TEST(BalanceResiduals, AreNullIfAbsent) {
 }
 
 // Half-normal density: E[y] = sqrt(2/pi), E[y^2] = 1, E[y^3] = 2 sqrt(2/pi).
-TEST(PanelMarginals, ComputeTheMeanOfAPolynomial) {
+TEST(QuadratureMarginals, ComputeTheMeanOfAPolynomial) {
   const SmoothDensity bell{
       [](double y, double v) { return std::exp(-(y * y + v * v) / 2) / std::numbers::pi; }, 9.0,
       9.0};
   const double mean = std::sqrt(2 / std::numbers::pi);
-  for (const auto panels : {PanelSpacing::uniform, PanelSpacing::graded, PanelSpacing::geometric}) {
-    const auto marginals = panel_marginals(bell, bell.y_max, bell.v_max, panels);
+  for (const auto panels : {QuadraturePanelSpacing::uniform, QuadraturePanelSpacing::graded,
+                            QuadraturePanelSpacing::geometric}) {
+    const auto marginals = quadrature_marginals(bell, bell.y_max, bell.v_max, panels);
     EXPECT_NEAR(mean_of_displacement_polynomial(marginals, numerics::Polynomial({0, 3, 0, 0.5})),
                 4 * mean, 1e-8);
     EXPECT_NEAR(mean_of_displacement_polynomial(
@@ -50,7 +51,7 @@ TEST(PanelMarginals, ComputeTheMeanOfAPolynomial) {
 
 // Two Gaussians of equal mass, with widths 1 and 1/1000, modulated by the direction from the
 // origin.
-TEST(PanelMarginals, GeometricPanelsResolveASelfSimilarSpike) {
+TEST(QuadratureMarginals, GeometricPanelsResolveASelfSimilarSpike) {
   const auto bell = [](double rho, double width) {
     return std::exp(-rho * rho / (2 * width * width)) / (2 * std::numbers::pi * width * width);
   };
@@ -60,12 +61,12 @@ TEST(PanelMarginals, GeometricPanelsResolveASelfSimilarSpike) {
                                    (bell(rho, 1) + bell(rho, 1e-3));
                           },
                           8.0, 8.0};
-  const auto mass = [&](PanelSpacing panels) {
-    return panel_marginals(fan, fan.y_max, fan.v_max, panels).mass;
+  const auto mass = [&](QuadraturePanelSpacing panels) {
+    return quadrature_marginals(fan, fan.y_max, fan.v_max, panels).mass;
   };
-  EXPECT_NEAR(mass(PanelSpacing::geometric), 1, 1e-4);
-  EXPECT_GT(std::abs(mass(PanelSpacing::graded) - 1), 1e-3);
-  EXPECT_GT(std::abs(mass(PanelSpacing::uniform) - 1), 1e-2);
+  EXPECT_NEAR(mass(QuadraturePanelSpacing::geometric), 1, 1e-4);
+  EXPECT_GT(std::abs(mass(QuadraturePanelSpacing::graded) - 1), 1e-3);
+  EXPECT_GT(std::abs(mass(QuadraturePanelSpacing::uniform) - 1), 1e-2);
 }
 
 }  // namespace

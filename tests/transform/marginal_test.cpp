@@ -30,8 +30,8 @@ GridDensity bell(int ny, int nv) {
 
 TEST(Marginal, OfAGridOnItsOwnEdgesIsExact) {
   const GridDensity g = bell(16, 32);
-  const Marginal y = marginal(g, Variable::y, g.y_edges);
-  const Marginal v = marginal(g, Variable::ydot, g.v_edges);
+  const Marginal y = marginal(g, StateVariable::y, g.y_edges);
+  const Marginal v = marginal(g, StateVariable::ydot, g.v_edges);
   EXPECT_NEAR(y.density[3], 2 * (normal_cdf(2.0) - normal_cdf(1.5)) / 0.5, 1e-14);
   EXPECT_NEAR(v.density[20], (normal_cdf(2.5 - 0.3) - normal_cdf(2.0 - 0.3)) / 0.5, 1e-14);
 }
@@ -39,7 +39,7 @@ TEST(Marginal, OfAGridOnItsOwnEdgesIsExact) {
 TEST(Marginal, BetweenTheEdgesConvergesWithOrder8InTheGrid) {
   const auto edges = uniform_edges(0, 6, 97);
   const auto error = [&](int n) {
-    const Marginal m = marginal(bell(n, 8), Variable::y, edges);
+    const Marginal m = marginal(bell(n, 8), StateVariable::y, edges);
     double largest = 0;
     for (std::size_t b = 0; b < m.size(); ++b) {
       const double exact = 2 * (normal_cdf(edges[b + 1]) - normal_cdf(edges[b])) / m.width(b);
@@ -56,7 +56,7 @@ TEST(Marginal, BetweenTheEdgesConvergesWithOrder8InTheGrid) {
 
 TEST(Marginal, BinsBeyondTheGridAreEmptyAndMassIsConserved) {
   const auto edges = uniform_edges(-20, 20, 133);
-  const Marginal m = marginal(bell(16, 64), Variable::ydot, edges);
+  const Marginal m = marginal(bell(16, 64), StateVariable::ydot, edges);
   double sum = 0;
   for (std::size_t b = 0; b < m.size(); ++b) sum += m.density[b] * m.width(b);
   EXPECT_EQ(m.density.front(), 0.0);
@@ -68,14 +68,14 @@ TEST(Marginal, UsesTheSolversEstimateOnItsEdges) {
   Solution s;
   s.density = bell(16, 16);
   Marginal estimate{.edges = {0, 1, 2}, .density = {7, 8}, .lower = {6, 7}, .upper = {8, 9}};
-  s.estimated_marginals.emplace_back(Variable::y, estimate);
-  EXPECT_EQ(marginal(s, Variable::y, estimate.edges).lower, estimate.lower);
-  EXPECT_TRUE(marginal(s, Variable::ydot, estimate.edges).lower.empty());
-  EXPECT_TRUE(marginal(s, Variable::y, std::vector<double>{0, 1}).lower.empty());
+  s.estimated_marginals.emplace_back(StateVariable::y, estimate);
+  EXPECT_EQ(marginal(s, StateVariable::y, estimate.edges).lower, estimate.lower);
+  EXPECT_TRUE(marginal(s, StateVariable::ydot, estimate.edges).lower.empty());
+  EXPECT_TRUE(marginal(s, StateVariable::y, std::vector<double>{0, 1}).lower.empty());
 }
 
 TEST(Marginal, ThrowsWithoutADensity) {
-  EXPECT_THROW(marginal(Solution{}, Variable::y, std::vector<double>{0, 1}), std::logic_error);
+  EXPECT_THROW(marginal(Solution{}, StateVariable::y, std::vector<double>{0, 1}), std::logic_error);
 }
 
 TEST(Marginal, L1DistanceIsTheAreaBetweenTwoOnTheSameBins) {

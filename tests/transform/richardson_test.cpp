@@ -27,8 +27,8 @@ GridLevel at(double h, double order, double error = 0.1) {
 struct Sequence {
   GridLevel coarse, middle, fine;
 
-  LevelDifference before() const { return level_difference(coarse, middle); }
-  LevelDifference last() const { return level_difference(middle, fine); }
+  GridLevelDifference before() const { return grid_level_difference(coarse, middle); }
+  GridLevelDifference last() const { return grid_level_difference(middle, fine); }
   RichardsonEstimate richardson_estimate(int order_of_scheme) const {
     return transform::richardson_estimate(before(), last(), kRefinementRatio, order_of_scheme);
   }
@@ -107,11 +107,11 @@ TEST(Richardson, DoesNotExtrapolateASequenceThatDoesNotConvergeBeyondFirstOrder)
 TEST(Richardson, ComparesConsecutiveLevelsOnCommonBins) {
   GridLevel coarse = at(1, 3);
   coarse.y.edges = {0, 2, 4, 6};
-  EXPECT_THROW(level_difference(coarse, at(0.5, 3)), std::invalid_argument);
+  EXPECT_THROW(grid_level_difference(coarse, at(0.5, 3)), std::invalid_argument);
   GridLevel middle = at(1 / kRefinementRatio, 3);
   middle.y.edges = coarse.y.edges;
-  EXPECT_NEAR(level_difference(coarse, middle).y_l1,
-              2 * level_difference(at(1, 3), at(1 / kRefinementRatio, 3)).y_l1, 1e-14);
+  EXPECT_NEAR(grid_level_difference(coarse, middle).y_l1,
+              2 * grid_level_difference(at(1, 3), at(1 / kRefinementRatio, 3)).y_l1, 1e-14);
 }
 
 // Rest atoms at different walls have different y, but all rest atoms have y' = 0.
@@ -123,19 +123,19 @@ TEST(Richardson, ProbabilitiesOfRestAreComparedAndHaveAnError) {
   };
   const GridLevel coarse = with_atoms(1), middle = with_atoms(1 / kRefinementRatio),
                   fine = with_atoms(0.5);
-  const LevelDifference last = level_difference(middle, fine);
-  const LevelDifference plain = level_difference(at(1 / kRefinementRatio, 2), at(0.5, 2));
+  const GridLevelDifference last = grid_level_difference(middle, fine);
+  const GridLevelDifference plain = grid_level_difference(at(1 / kRefinementRatio, 2), at(0.5, 2));
   ASSERT_EQ(last.rest_probabilities.size(), 2u);
   EXPECT_NEAR(last.rest_probabilities[0], -0.0025, 1e-15);
   EXPECT_NEAR(last.rest_probabilities[1], 0.001, 1e-15);
   EXPECT_NEAR(last.y_l1 - plain.y_l1, 0.0035, 1e-15);
   EXPECT_NEAR(last.ydot_l1 - plain.ydot_l1, 0.0015, 1e-15);
   const RichardsonEstimate known =
-      richardson_estimate(level_difference(coarse, middle), last, kRefinementRatio, 2);
+      richardson_estimate(grid_level_difference(coarse, middle), last, kRefinementRatio, 2);
   EXPECT_NEAR(known.rest_probabilities[0], 0.0025,
               1e-12);  // second order: the error is the last difference
   EXPECT_NEAR(known.rest_probabilities[1], 0.001, 1e-12);
-  EXPECT_THROW(level_difference(at(1, 2), fine), std::invalid_argument);
+  EXPECT_THROW(grid_level_difference(at(1, 2), fine), std::invalid_argument);
 }
 
 TEST(Richardson, GridLevelIsTakenFromASolution) {

@@ -7,7 +7,7 @@
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "results/saved_run.hpp"
-#include "workflows/check/quantities.hpp"
+#include "workflows/check/case_quantities.hpp"
 #include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
@@ -29,23 +29,25 @@ void remove_solution(results::CaseResult& case_result, const std::string& id) {
 // Simulations are compared in units of their standard errors. A baseline needs complete simulations
 // with standard errors.
 void require_complete_simulation(const Solution& solution) {
-  const auto* interrupted = transform::find_metric(solution.metrics, kInterrupted);
+  const auto* interrupted = transform::find_metric(solution.metrics, kInterruptedMetric);
   if (interrupted != nullptr && interrupted->value == base::Value(true)) {
     throw InputError("the simulation was interrupted: run it again, to its end");
   }
   if (!solution.has_density()) return;
   for (const Quantity& quantity : solution_quantities(solution, {})) {
-    if (quantity.kind != QuantityKind::simulated_error || number_in(quantity.value) > 0) continue;
+    if (quantity.kind != QuantityKind::simulated_error || finite_number_or_nan(quantity.value) > 0)
+      continue;
     throw InputError(fmt::format("{} = {} (must be a positive number: run again, and longer)",
-                                 quantity.name, number_in(quantity.value)));
+                                 quantity.name, finite_number_or_nan(quantity.value)));
   }
 }
 
 // External densities have no method, and are removed from the case with a note.
-RepeatedCase plan_repetition(results::CaseResult& case_result, const methods::Registry& registry,
+CaseToRepeat plan_repetition(results::CaseResult& case_result,
+                             const methods::SolverRegistry& registry,
                              const base::Values& option_overrides,
                              std::vector<std::string>& notes) {
-  RepeatedCase again{case_result.problem, {}};
+  CaseToRepeat again{case_result.problem, {}};
   std::vector<std::string> external_ids;
   for (const Solution& solution : case_result.solutions) {
     try {
@@ -72,12 +74,12 @@ RepeatedCase plan_repetition(results::CaseResult& case_result, const methods::Re
 
 }  // namespace
 
-Baseline load_baseline(const fs::path& path, const methods::Registry& registry,
+Baseline load_baseline(const fs::path& path, const methods::SolverRegistry& registry,
                        const base::Values& option_overrides) {
   std::error_code ignored;
   const fs::path file = fs::is_directory(path, ignored) ? path / results::kSummaryFile : path;
   const fs::path curves = file.parent_path() / results::kMarginalsFile;
-  Baseline baseline{results::load_summary(file), fs::exists(curves, ignored), {}, {}};
+  Baseline baseline{results::load_run_summary(file), fs::exists(curves, ignored), {}, {}};
   if (baseline.has_marginals) {
     results::load_curves(curves, baseline.run);
   } else {
@@ -105,7 +107,7 @@ results::Run repeat_run(const Baseline& baseline, const std::string& command, in
                         const methods::ProgressListener& listener) {
   std::size_t total = 0, before = 0;
   for (const auto& case_result : baseline.cases) total += case_result.methods.size();
-  results::Run run{results::this_program(command), {}};
+  results::Run run{results::current_program(command), {}};
   for (const auto& [problem, methods] : baseline.cases) {
     auto cases = methods::run_cases({problem}, methods, threads, [&](methods::RunProgress at) {
       at.done += before;

@@ -11,7 +11,7 @@
 namespace fpkcheck::check {
 
 /// Case of the baseline that is solved again, with the methods of its solutions.
-struct RepeatedCase {
+struct CaseToRepeat {
   problem::Problem problem;
   std::vector<methods::Method> methods;
 };
@@ -20,7 +20,7 @@ struct RepeatedCase {
 struct Baseline {
   results::Run run;  ///< saved run without the external densities
   bool has_marginals;
-  std::vector<RepeatedCase> cases;
+  std::vector<CaseToRepeat> cases;
   /// Sentences that state which quantities are not compared, and why.
   std::vector<std::string> notes;
 };
@@ -31,7 +31,7 @@ struct Baseline {
 ///        run
 /// @throws InputError with a message of one line if a file is invalid, or if a case or a solution
 ///         cannot be solved again
-Baseline load_baseline(const std::filesystem::path& path, const methods::Registry& registry,
+Baseline load_baseline(const std::filesystem::path& path, const methods::SolverRegistry& registry,
                        const base::Values& option_overrides);
 
 /// Solves each case of the baseline again by the methods of its solutions.

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "base/input_error.hpp"
-#include "workflows/check/quantities.hpp"
+#include "workflows/check/case_quantities.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -60,7 +60,7 @@ CheckResult check(const results::Run& baseline, const results::Run& now,
   return result;
 }
 
-std::vector<QuantityKindSummary> summarise_by_kind(const CheckResult& check) {
+std::vector<QuantityKindSummary> summarise_changes_by_kind(const CheckResult& check) {
   std::vector<QuantityKindSummary> kinds;
   for (const auto& entry : kQuantityKindNames) {
     QuantityKindSummary summary{entry.value};

@@ -30,11 +30,11 @@ CheckResult check(const results::Run& baseline, const results::Run& now,
 
 /// Returns the changed quantities, the largest change within tolerance of each kind, and a closing
 /// sentence.
-std::string check_table(const CheckResult& check, const report::TextFormat& format);
+std::string check_result_table(const CheckResult& check, const report::TextFormat& format);
 
 /// Returns the result of a check as JSON, the contents of check.json.
-std::string check_json(const CheckResult& check, const std::string& command,
-                       const std::string& baseline);
+std::string check_result_json(const CheckResult& check, const std::string& command,
+                              const std::string& baseline);
 
 /// Number of compared quantities of one kind, and number of changes above the tolerance.
 struct QuantityKindSummary {
@@ -47,6 +47,6 @@ struct QuantityKindSummary {
 
 /// Summarises the kinds of quantities that occur in a check. The pointers in the summaries refer to
 /// `check`.
-std::vector<QuantityKindSummary> summarise_by_kind(const CheckResult& check);
+std::vector<QuantityKindSummary> summarise_changes_by_kind(const CheckResult& check);
 
 }  // namespace fpkcheck::check

@@ -21,8 +21,8 @@ Json json_of(const QuantityChange& quantity_change) {
           {"solution", quantity_change.solution},
           {"figure", quantity_change.name},
           {"kind", name(quantity_change.kind)},
-          {"baseline", results::value_json(quantity_change.baseline)},
-          {"now", results::value_json(quantity_change.now)},
+          {"baseline", results::value_to_json(quantity_change.baseline)},
+          {"now", results::value_to_json(quantity_change.now)},
           {"change", quantity_change.change},
           {"allowed", quantity_change.allowed},
           {"unit", unit(quantity_change.kind)}};
@@ -30,10 +30,10 @@ Json json_of(const QuantityChange& quantity_change) {
 
 }  // namespace
 
-std::string check_json(const CheckResult& check, const std::string& command,
-                       const std::string& baseline) {
+std::string check_result_json(const CheckResult& check, const std::string& command,
+                              const std::string& baseline) {
   Json kinds = Json::array(), moved = Json::array();
-  for (const auto& [kind, count, moved_count, largest] : summarise_by_kind(check)) {
+  for (const auto& [kind, count, moved_count, largest] : summarise_changes_by_kind(check)) {
     kinds.push_back({{"kind", name(kind)},
                      {"figures", count},
                      {"moved", moved_count},
@@ -41,9 +41,9 @@ std::string check_json(const CheckResult& check, const std::string& command,
   }
   for (const auto& quantity_change : check.changed_quantities())
     moved.push_back(json_of(quantity_change));
-  return results::json_text(results::with_null_for_non_finite(
+  return results::serialise_json(results::replace_non_finite_by_null(
       {{"schema", results::kSummarySchema},
-       {"program", results::program_json(results::this_program(command))},
+       {"program", results::program_to_json(results::current_program(command))},
        {"baseline", baseline},
        {"tolerance", check.tolerances.deterministic},
        {"standard_errors", check.tolerances.standard_errors},
@@ -58,19 +58,19 @@ std::string check_json(const CheckResult& check, const std::string& command,
 namespace {
 
 using base::Value;
-using report::kAbsent;
 using report::kAlwaysShown;
+using report::kMissingCell;
 using report::TextColumn;
 using report::TextFormat;
 
 constexpr std::size_t kMaxRows = 40;
 
 std::string change_text(double value) {
-  return std::isfinite(value) ? fmt::format("{:.2g}", value) : kAbsent;
+  return std::isfinite(value) ? fmt::format("{:.2g}", value) : kMissingCell;
 }
 
 std::string value_text(const Value& value, int digits) {
-  if (base::is_unset(value)) return kAbsent;
+  if (base::is_unset(value)) return kMissingCell;
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::text_of(value);
@@ -102,11 +102,12 @@ std::string moved_table(const std::vector<QuantityChange>& moved, const TextForm
   for (const QuantityChange& f : moved) {
     const bool is_number = f.kind != QuantityKind::status;
     const auto [baseline, now] = value_texts(f);
-    add_row(columns, {f.case_name, f.solution, f.name, baseline, now,
-                      is_number ? change_text(f.change) : kAbsent,
-                      is_number ? change_text(f.allowed) : kAbsent, std::string(unit(f.kind))});
+    add_row(columns,
+            {f.case_name, f.solution, f.name, baseline, now,
+             is_number ? change_text(f.change) : kMissingCell,
+             is_number ? change_text(f.allowed) : kMissingCell, std::string(unit(f.kind))});
   }
-  return report::table_rows_text(std::move(columns), format);
+  return report::format_text_table(std::move(columns), format);
 }
 
 std::string kinds_table(const CheckResult& check, const TextFormat& format) {
@@ -117,16 +118,16 @@ std::string kinds_table(const CheckResult& check, const TextFormat& format) {
                                   {"within allowance", "allowed", false, kAlwaysShown},
                                   {"within allowance", "", true, 2},
                                   {"", "of", true, 1}};
-  for (const auto& [kind, count, moved, largest] : summarise_by_kind(check)) {
+  for (const auto& [kind, count, moved, largest] : summarise_changes_by_kind(check)) {
     const bool shown = largest != nullptr && kind != QuantityKind::status;
     const std::string of =
         shown && largest->change > 0 ? largest->case_name + ' ' + largest->solution : "";
     add_row(columns, {std::string(name(kind)), fmt::format("{}", count), fmt::format("{}", moved),
-                      shown ? change_text(largest->change) : kAbsent,
-                      shown ? change_text(largest->allowed) : kAbsent,
+                      shown ? change_text(largest->change) : kMissingCell,
+                      shown ? change_text(largest->allowed) : kMissingCell,
                       std::string(shown ? unit(kind) : ""), of});
   }
-  return report::table_rows_text(std::move(columns), format);
+  return report::format_text_table(std::move(columns), format);
 }
 
 // Returns the changes that are largest in units of their tolerance, in the order of the run.
@@ -149,7 +150,7 @@ std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& m
 
 }  // namespace
 
-std::string check_table(const CheckResult& check, const TextFormat& format) {
+std::string check_result_table(const CheckResult& check, const TextFormat& format) {
   const auto moved = check.changed_quantities();
   std::string text;
   if (!moved.empty()) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "workflows/check/quantities.hpp"
+#include "workflows/check/case_quantities.hpp"
 #include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
@@ -12,18 +12,19 @@ namespace {
 
 using compare::PairDistances;
 
-double deviation(const transform::Solution* reference, transform::Variable variable) {
+double deviation(const transform::Solution* reference, transform::StateVariable variable) {
   if (reference == nullptr || !reference->has_density()) return 1;
   const auto& moments = reference->moments;
-  return std::sqrt(variable == transform::Variable::y ? moments.y2 : moments.v2);
+  return std::sqrt(variable == transform::StateVariable::y ? moments.y2 : moments.v2);
 }
 
-bool has_finite_divergence(const results::CaseResult& one, const PairDistances& pair) {
-  const auto* found = compare::find_pair_distances(one.pairs, pair.a, pair.b, pair.variable);
+bool has_finite_divergence(const results::CaseResult& case_result, const PairDistances& pair) {
+  const auto* found =
+      compare::find_pair_distances(case_result.pairs, pair.a, pair.b, pair.variable);
   return found == nullptr || std::isfinite(found->distances.kl);
 }
 
-void add_tail(const compare::Distances& d, const PartQuantities& pair, double allowed) {
+void add_tail(const compare::Distances& d, const PartQuantityAppender& pair, double allowed) {
   // The decades and their numbers of bins identify a tail. Tails over different bins are not
   // comparable.
   std::string bins;
@@ -31,7 +32,7 @@ void add_tail(const compare::Distances& d, const PartQuantities& pair, double al
     bins += fmt::format("{:.3g} to {:.3g}: {} and {}; ", decade.from, decade.to, decade.bins,
                         decade.bins_omitted);
   }
-  const PartQuantities tail{pair.quantities, pair.solution, "tail " + pair.name};
+  const PartQuantityAppender tail{pair.quantities, pair.solution, "tail " + pair.name};
   tail.begin(QuantityKind::tail, bins, pair.name);
   for (const auto& decade : d.log10_tail) {
     tail.append_number(fmt::format("tail {:.0e} {}", decade.from, pair.name), QuantityKind::tail,
@@ -40,23 +41,25 @@ void add_tail(const compare::Distances& d, const PartQuantities& pair, double al
 }
 
 void add_standard_error(const PairDistances& pair, const transform::Solution& simulation,
-                        const Tolerances& tolerances, const PartQuantities& part) {
+                        const Tolerances& tolerances, const PartQuantityAppender& part) {
   constexpr std::size_t kBothVariables = 2;
   part.append_number("standard error of L1 " + part.name, QuantityKind::simulated_error,
                      *pair.l1_standard_error,
-                     allowed_error_change(simulation, kBothVariables, 1, tolerances));
+                     standard_error_change_tolerance(simulation, kBothVariables, 1, tolerances));
 }
 
 }  // namespace
 
-Quantities distance_quantities(const results::CaseResult& one, const results::CaseResult& other,
+Quantities distance_quantities(const results::CaseResult& case_result,
+                               const results::CaseResult& case_in_other_run,
                                const Tolerances& tolerances) {
   Quantities quantities;
-  for (const PairDistances& pair : one.pairs) {
-    const auto *a = one.find(pair.a), *b = one.find(pair.b);
+  for (const PairDistances& pair : case_result.pairs) {
+    const auto *a = case_result.find(pair.a), *b = case_result.find(pair.b);
     const auto& d = pair.distances;
-    const PartQuantities part{quantities, pair.a,
-                              fmt::format("{} to {}", density_name(pair.variable), pair.b)};
+    const PartQuantityAppender part{
+        quantities, pair.a,
+        fmt::format("{} to {}", marginal_density_symbol(pair.variable), pair.b)};
     const auto add = [&](const char* symbol, double distance, double scale) -> Quantity& {
       return part.append_number(fmt::format("{} {}", symbol, part.name), QuantityKind::distance,
                                 distance, tolerances.deterministic, scale);
@@ -79,7 +82,8 @@ Quantities distance_quantities(const results::CaseResult& one, const results::Ca
     add("L2", d.l2, std::sqrt(unit));
     add("sup", d.sup, unit);
     add("Hellinger", d.hellinger, 1);
-    if (has_finite_divergence(one, pair) && has_finite_divergence(other, pair)) add("KL", d.kl, 1);
+    if (has_finite_divergence(case_result, pair) && has_finite_divergence(case_in_other_run, pair))
+      add("KL", d.kl, 1);
     add_tail(d, part, tolerances.tail_tolerance());
   }
   return quantities;
@@ -103,8 +107,8 @@ std::string chain(const ErrorBudgetRow& row) {
 ///        pointer
 void add_row(const ErrorBudgetRow& row, const transform::Solution* simulation,
              const Tolerances& tolerances, Quantities& quantities) {
-  const PartQuantities part{quantities, row.solution,
-                            fmt::format("budget {}", density_name(row.variable))};
+  const PartQuantityAppender part{quantities, row.solution,
+                                  fmt::format("budget {}", marginal_density_symbol(row.variable))};
   const auto add = [&](const std::string& name, double number) -> Quantity& {
     return part.append_number(part.name + ' ' + name, QuantityKind::budget, number,
                               tolerances.deterministic);
@@ -128,7 +132,7 @@ void add_row(const ErrorBudgetRow& row, const transform::Solution* simulation,
     Quantity& quantity = add(name, l1.value_or(std::numeric_limits<double>::quiet_NaN()));
     if (simulation == nullptr || !of_the_simulation) return;
     quantity.kind = QuantityKind::simulated_error;
-    quantity.allowed = allowed_error_change(*simulation, 2, 1, tolerances);
+    quantity.allowed = standard_error_change_tolerance(*simulation, 2, 1, tolerances);
   };
   part.begin(QuantityKind::budget, chain(row));
   add_l1("total", row.total, true);
@@ -149,11 +153,13 @@ void add_row(const ErrorBudgetRow& row, const transform::Solution* simulation,
 
 }  // namespace
 
-Quantities budget_quantities(const results::CaseResult& one, const results::CaseResult& other,
+Quantities budget_quantities(const results::CaseResult& case_result,
+                             const results::CaseResult& case_in_other_run,
                              const Tolerances& tolerances) {
   Quantities quantities;
-  for (const ErrorBudgetRow& row : one.budget) {
-    const auto *end = one.find(row.reference), *again = other.find(row.reference);
+  for (const ErrorBudgetRow& row : case_result.budget) {
+    const auto *end = case_result.find(row.reference),
+               *again = case_in_other_run.find(row.reference);
     const bool has_sampling_error =
         end != nullptr && again != nullptr && differs_by_sampling(*end, *again);
     add_row(row, has_sampling_error ? end : nullptr, tolerances, quantities);

@@ -6,20 +6,20 @@
 #include <string>
 
 #include "numerics/statistics.hpp"
-#include "workflows/check/quantities.hpp"
+#include "workflows/check/case_quantities.hpp"
 #include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
 namespace {
 
-using results::Curve;
+using results::DensityCurve;
 using transform::Solution;
 
 // Largest half-width of a bin's 95 % interval relative to the density. Bins with wider intervals
 // have few events, and contribute only to the L1 distance.
 constexpr double kMaxRelativeHalfWidth = 0.5;
 
-bool has_same_bins(const Curve& one, const Curve& other) {
+bool has_same_bins(const DensityCurve& one, const DensityCurve& other) {
   constexpr double kAbscissaTolerance = 1e-9;
   if (one.abscissa.size() != other.abscissa.size() || one.abscissa.empty()) return false;
   const double extent = std::abs(one.abscissa.back());
@@ -28,25 +28,26 @@ bool has_same_bins(const Curve& one, const Curve& other) {
   });
 }
 
-base::Value bin_range_text(const Curve* curve) {
+base::Value bin_range_text(const DensityCurve* curve) {
   if (curve == nullptr) return "missing";
   return fmt::format("{} bins to {:.6g}", curve->abscissa.size(),
                      curve->abscissa.empty() ? 0 : curve->abscissa.back());
 }
 
-bool has_narrow_confidence_interval(const Curve& curve, std::size_t k) {
+bool has_narrow_confidence_interval(const DensityCurve& curve, std::size_t k) {
   return curve.density[k] > 0 &&
          curve.upper[k] - curve.density[k] <= kMaxRelativeHalfWidth * curve.density[k];
 }
 
-double standard_error(const Curve& curve, std::size_t k) {
+double standard_error(const DensityCurve& curve, std::size_t k) {
   return (curve.upper[k] - curve.density[k]) / numerics::kNormal95;
 }
 
 // Returns the bin with the largest change. For simulations only bins that both runs resolve are
 // compared.
-QuantityChange compare_bins(QuantityChange quantity_change, const Curve& was, const Curve& is,
-                            bool has_sampling_error, const Tolerances& tolerances) {
+QuantityChange compare_bins(QuantityChange quantity_change, const DensityCurve& was,
+                            const DensityCurve& is, bool has_sampling_error,
+                            const Tolerances& tolerances) {
   const double peak = std::ranges::max(was.density);
   std::size_t compared = 0;
   quantity_change.change = -1;
@@ -60,7 +61,8 @@ QuantityChange compare_bins(QuantityChange quantity_change, const Curve& was, co
     const double change = difference == 0 ? 0 : difference / scale;
     ++compared;
     if (change <= quantity_change.change) continue;
-    quantity_change.name = fmt::format("{} at {:.4g}", density_name(was.variable), was.abscissa[k]);
+    quantity_change.name =
+        fmt::format("{} at {:.4g}", marginal_density_symbol(was.variable), was.abscissa[k]);
     quantity_change.baseline = was.density[k];
     quantity_change.now = is.density[k];
     quantity_change.change = std::isnan(change) ? kInfinity : change;
@@ -72,7 +74,7 @@ QuantityChange compare_bins(QuantityChange quantity_change, const Curve& was, co
   return quantity_change;
 }
 
-double l1(const Curve& was, const Curve& is) {
+double l1(const DensityCurve& was, const DensityCurve& is) {
   const auto widths = results::bin_widths(was);
   double sum = 0;
   for (std::size_t k = 0; k < was.density.size(); ++k) {
@@ -81,12 +83,13 @@ double l1(const Curve& was, const Curve& is) {
   return sum;
 }
 
-Quantities l1_quantity(const Solution& simulation, const Curve& curve, double l1,
+Quantities l1_quantity(const Solution& simulation, const DensityCurve& curve, double l1,
                        const Tolerances& tolerances) {
   Quantities quantities;
-  Quantity& quantity = PartQuantities{quantities, curve.solution, kWholeSolution}.append_number(
-      fmt::format("L1 {} to baseline", density_name(curve.variable)), QuantityKind::simulated_l1,
-      l1, 0);
+  Quantity& quantity =
+      PartQuantityAppender{quantities, curve.solution, kWholeSolutionPart}.append_number(
+          fmt::format("L1 {} to baseline", marginal_density_symbol(curve.variable)),
+          QuantityKind::simulated_l1, l1, 0);
   set_sampling_tolerance(quantity, simulation.sampling, curve.variable, tolerances);
   return quantities;
 }
@@ -97,20 +100,20 @@ std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline
                                              const results::CaseResult& now,
                                              const Tolerances& tolerances) {
   std::vector<QuantityChange> changes;
-  const auto change_of_curve = [&](const Curve& curve) {
+  const auto change_of_curve = [&](const DensityCurve& curve) {
     return QuantityChange{
         .case_name = baseline.name(),
         .solution = curve.solution,
-        .name = density_name(curve.variable),
+        .name = marginal_density_symbol(curve.variable),
         .kind = QuantityKind::marginal,
         .baseline = bin_range_text(baseline.curve(curve.solution, curve.variable)),
         .now = bin_range_text(now.curve(curve.solution, curve.variable)),
         .change = kInfinity,
         .allowed = 0};
   };
-  for (const Curve& was : baseline.curves) {
+  for (const DensityCurve& was : baseline.curves) {
     const Solution *one = baseline.find(was.solution), *other = now.find(was.solution);
-    const Curve* is = now.curve(was.solution, was.variable);
+    const DensityCurve* is = now.curve(was.solution, was.variable);
     if (is == nullptr || !has_same_bins(was, *is)) {
       changes.push_back(change_of_curve(was));
       // A curve that only one run has is reported with the solution.
@@ -127,7 +130,7 @@ std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline
       }
     }
   }
-  for (const Curve& is : now.curves) {
+  for (const DensityCurve& is : now.curves) {
     if (baseline.curve(is.solution, is.variable) == nullptr) changes.push_back(change_of_curve(is));
   }
   return changes;

@@ -15,7 +15,8 @@ using base::Value;
 using Key = std::pair<std::string, std::string>;  // solution and name of a quantity
 
 double change(const Quantity& was, const Quantity& is) {
-  const double a = number_in(was.value), b = number_in(is.value), difference = std::abs(b - a);
+  const double a = finite_number_or_nan(was.value), b = finite_number_or_nan(is.value),
+               difference = std::abs(b - a);
   if (was.value == is.value || difference == 0) return 0;
   double result = difference / was.scale;
   if (was.kind == QuantityKind::simulated_error) {
@@ -36,14 +37,14 @@ double allowed(const Quantity& was, const Quantity& is) {
 }
 
 bool is_error(const Quantity& quantity) {
-  return quantity.kind == QuantityKind::simulated_error || quantity.name == kStatedError ||
-         quantity.part == kStatedError;
+  return quantity.kind == QuantityKind::simulated_error || quantity.name == kErrorEstimatePart ||
+         quantity.part == kErrorEstimatePart;
 }
 
 }  // namespace
 
-const PartQuantities& PartQuantities::begin(QuantityKind kind, const Value& what,
-                                            const std::string& outer) const {
+const PartQuantityAppender& PartQuantityAppender::begin(QuantityKind kind, const Value& what,
+                                                        const std::string& outer) const {
   quantities.push_back({.solution = solution,
                         .name = name,
                         .kind = kind,
@@ -53,12 +54,12 @@ const PartQuantities& PartQuantities::begin(QuantityKind kind, const Value& what
   return *this;
 }
 
-void PartQuantities::append_word(const std::string& of, const Value& value) const {
+void PartQuantityAppender::append_word(const std::string& of, const Value& value) const {
   quantities.push_back({.solution = solution, .name = of, .value = value, .part = name});
 }
 
-Quantity& PartQuantities::append_number(const std::string& of, QuantityKind kind, double value,
-                                        double allowed, double scale) const {
+Quantity& PartQuantityAppender::append_number(const std::string& of, QuantityKind kind,
+                                              double value, double allowed, double scale) const {
   return quantities.emplace_back(Quantity{.solution = solution,
                                           .name = of,
                                           .kind = kind,
@@ -68,7 +69,7 @@ Quantity& PartQuantities::append_number(const std::string& of, QuantityKind kind
                                           .part = name});
 }
 
-double number_in(const Value& value) {
+double finite_number_or_nan(const Value& value) {
   if (const auto* count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? *number : std::numeric_limits<double>::quiet_NaN();

@@ -87,20 +87,20 @@ struct Quantity {
 using Quantities = std::vector<Quantity>;
 
 /// Name of the part that represents the whole solution.
-inline constexpr const char* kWholeSolution = "solution";
+inline constexpr const char* kWholeSolutionPart = "solution";
 /// Name of the part that contains the error estimates of a solution.
-inline constexpr const char* kStatedError = "stated error";
+inline constexpr const char* kErrorEstimatePart = "stated error";
 
 /// Appends the quantities of one part of a solution to a list. A part is, for example, the density
 /// or an element of a list of metrics.
-struct PartQuantities {
+struct PartQuantityAppender {
   Quantities& quantities;
   std::string solution, name;
 
   /// Appends the presence of the part, or a value that identifies the part, as first quantity. The
   /// other quantities of a part must be appended after the call of begin().
-  const PartQuantities& begin(QuantityKind kind, const base::Value& what = "there",
-                              const std::string& outer = kWholeSolution) const;
+  const PartQuantityAppender& begin(QuantityKind kind, const base::Value& what = "there",
+                                    const std::string& outer = kWholeSolutionPart) const;
   void append_word(const std::string& of, const base::Value& value) const;
   /// Appends a number, or an empty value if the number is not finite, as in files. The returned
   /// reference is valid until the next quantity is appended.
@@ -109,7 +109,7 @@ struct PartQuantities {
 };
 
 /// Returns the number in a value of type double or integer, or NaN without a finite number.
-double number_in(const base::Value& value);
+double finite_number_or_nan(const base::Value& value);
 
 /// Compares quantities with equal solution and name, and reports quantities that only one run has.
 /// Error estimates that the baseline lacks are not reported, since older programs wrote no error

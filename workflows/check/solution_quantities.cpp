@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "workflows/check/quantities.hpp"
+#include "workflows/check/case_quantities.hpp"
 #include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
@@ -16,7 +16,8 @@ namespace {
 
 using transform::Solution;
 
-void add_density(const Solution& s, const Tolerances& tolerances, const PartQuantities& density) {
+void add_density(const Solution& s, const Tolerances& tolerances,
+                 const PartQuantityAppender& density) {
   const auto add = [&](const char* name, QuantityKind otherwise, double number, double error,
                        double scale) {
     Quantity& quantity =
@@ -47,14 +48,14 @@ void add_density(const Solution& s, const Tolerances& tolerances, const PartQuan
 }
 
 void add_stated_error(const Solution& s, const Tolerances& tolerances,
-                      const PartQuantities& stated) {
+                      const PartQuantityAppender& stated) {
   const auto add = [&](const std::string& of, double error, double least) {
     constexpr double kMinErrorScale = 0.1;  // equal to transform::Metric::min_scale
     stated.append_number("error of " + of, QuantityKind::detail, error, tolerances.deterministic,
                          std::max({std::abs(error), least, kMinErrorScale}));
   };
   for (const auto variable : transform::kVariables) {
-    add(density_name(variable), l1(*s.error, variable), 0);
+    add(marginal_density_symbol(variable), l1(*s.error, variable), 0);
   }
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     // The error estimate of a moment contains the rounding error of the moment.
@@ -62,7 +63,8 @@ void add_stated_error(const Solution& s, const Tolerances& tolerances,
   }
 }
 
-void add_standard_errors(const transform::StandardErrors& errors, const PartQuantities& part) {
+void add_standard_errors(const transform::StandardErrors& errors,
+                         const PartQuantityAppender& part) {
   const auto add = [&](const std::string& of, double error) {
     part.append_number("standard error of " + of, QuantityKind::simulated_error, error, 1);
   };
@@ -71,10 +73,11 @@ void add_standard_errors(const transform::StandardErrors& errors, const PartQuan
   add("energy residual", errors.energy_residual);
 }
 
-void add_sampling(const transform::SamplingError& sampling, const PartQuantities& part) {
+void add_sampling(const transform::SamplingError& sampling, const PartQuantityAppender& part) {
   for (const auto variable : transform::kVariables) {
     const auto add = [&](const std::string& which, const std::optional<double>& l1) {
-      part.append_number(part.name + which + density_name(variable), QuantityKind::simulated_error,
+      part.append_number(part.name + which + marginal_density_symbol(variable),
+                         QuantityKind::simulated_error,
                          l1.value_or(std::numeric_limits<double>::quiet_NaN()), 1);
     };
     add(" of ", expected_l1_error(sampling, variable));
@@ -87,14 +90,14 @@ void add_sampling(const transform::SamplingError& sampling, const PartQuantities
 Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) {
   Quantities quantities;
   const auto part = [&](const char* name, const char* value = "there") {
-    return PartQuantities{quantities, s.id(), name}.begin(QuantityKind::status, value);
+    return PartQuantityAppender{quantities, s.id(), name}.begin(QuantityKind::status, value);
   };
-  const PartQuantities whole = part(kWholeSolution);
+  const PartQuantityAppender whole = part(kWholeSolutionPart);
   whole.append_word("equation", equation_and_impact_text(s.identity));
   whole.append_word("status", std::string(name(s.status)));
-  const PartQuantities density = part("density", s.has_density() ? "one" : "none");
+  const PartQuantityAppender density = part("density", s.has_density() ? "one" : "none");
   if (s.has_density()) add_density(s, tolerances, density);
-  if (s.error) add_stated_error(s, tolerances, part(kStatedError));
+  if (s.error) add_stated_error(s, tolerances, part(kErrorEstimatePart));
   if (s.standard_errors) add_standard_errors(*s.standard_errors, part("standard errors"));
   if (s.sampling) add_sampling(*s.sampling, part("sampling L1"));
   if (s.smooth_sampling) add_sampling(*s.smooth_sampling, part("sampling L1 in smooth bins"));
@@ -105,8 +108,8 @@ Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) 
       std::ranges::count(quantities, QuantityKind::simulated_error, &Quantity::kind);
   for (Quantity& quantity : quantities) {
     if (quantity.kind != QuantityKind::simulated_error) continue;
-    quantity.allowed =
-        allowed_error_change(s, static_cast<std::size_t>(errors), quantity.allowed, tolerances);
+    quantity.allowed = standard_error_change_tolerance(s, static_cast<std::size_t>(errors),
+                                                       quantity.allowed, tolerances);
   }
   return quantities;
 }
@@ -122,7 +125,7 @@ using transform::Metrics;
 // "peaks[3]".
 std::string parent_path(const std::string& path) {
   const auto end = path.find_last_of(".[");
-  return end == std::string::npos ? kWholeSolution : path.substr(0, end);
+  return end == std::string::npos ? kWholeSolutionPart : path.substr(0, end);
 }
 
 // Returns the path of a metric without the indices of lists, e.g. "quantiles.y[].value".
@@ -137,7 +140,7 @@ std::string without_indices(const std::string& path) {
 class MetricQuantities {
  public:
   MetricQuantities(const Metrics& metrics, const Tolerances& tolerances,
-                   const PartQuantities& whole)
+                   const PartQuantityAppender& whole)
       : metrics_(metrics), tolerances_(tolerances), whole_(whole) {
     for (const auto& o : metrics) {
       if (!o.standard_error_path.empty()) standard_error_paths_.insert(o.standard_error_path);
@@ -153,7 +156,7 @@ class MetricQuantities {
     const std::size_t first = whole_.quantities.size();
     for (const auto& o : metrics_) {
       if (o.kind == MetricKind::coefficient) {
-        const double a = number_in(o.value);
+        const double a = finite_number_or_nan(o.value);
         whole_.append_number(coefficient_name(o), QuantityKind::coefficient, a,
                              tolerances_.coefficient_tolerance(),
                              std::max(std::abs(a), o.min_scale));
@@ -162,7 +165,8 @@ class MetricQuantities {
         add_result(o);
       } else if (o.kind == MetricKind::error && !standard_error_paths_.contains(o.path)) {
         // The number of effective samples is proportional to 1 / error^2.
-        whole_.append_number(o.path, QuantityKind::simulated_error, number_in(o.value), 2);
+        whole_.append_number(o.path, QuantityKind::simulated_error, finite_number_or_nan(o.value),
+                             2);
       }
     }
     const auto own = std::span(whole_.quantities).subspan(first);
@@ -180,7 +184,7 @@ class MetricQuantities {
     std::vector<double> powers;
     for (const auto& sibling : metrics_) {
       if (sibling.kind == MetricKind::result && parent_path(sibling.path) == parent_path(o.path)) {
-        powers.push_back(number_in(sibling.value));
+        powers.push_back(finite_number_or_nan(sibling.value));
       }
     }
     return fmt::format("{}({})", o.path.substr(parent_path(o.path).size() + 1),
@@ -188,10 +192,10 @@ class MetricQuantities {
   }
 
   // The first call of part() for a name appends the first quantity of the part with this name.
-  PartQuantities part(const std::string& name) {
-    const PartQuantities result{whole_.quantities, whole_.solution, name};
-    if (name != kWholeSolution && opened_parts_.insert(name).second) {
-      const PartQuantities outer = part(parent_path(name));
+  PartQuantityAppender part(const std::string& name) {
+    const PartQuantityAppender result{whole_.quantities, whole_.solution, name};
+    if (name != kWholeSolutionPart && opened_parts_.insert(name).second) {
+      const PartQuantityAppender outer = part(parent_path(name));
       const auto list = list_entries_.find(name);
       const std::string length =
           list == list_entries_.end() ? "there" : fmt::format("{} entries", list->second.size());
@@ -201,8 +205,8 @@ class MetricQuantities {
   }
 
   void add_result(const Metric& o) {
-    const PartQuantities in = part(parent_path(o.path));
-    const double number = number_in(o.value);
+    const PartQuantityAppender in = part(parent_path(o.path));
+    const double number = finite_number_or_nan(o.value);
     if (o.path.ends_with("[]")) return;
     if (!o.standard_error_path.empty()) {
       add_estimate(o, in);
@@ -217,11 +221,12 @@ class MetricQuantities {
     }
   }
 
-  void add_estimate(const Metric& o, const PartQuantities& in) {
+  void add_estimate(const Metric& o, const PartQuantityAppender& in) {
     const Metric* error = find_metric(metrics_, o.standard_error_path);
-    const double standard_error =
-        error == nullptr ? std::numeric_limits<double>::quiet_NaN() : number_in(error->value);
-    in.append_number(o.path, QuantityKind::simulated, number_in(o.value), 0).error = standard_error;
+    const double standard_error = error == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                                   : finite_number_or_nan(error->value);
+    in.append_number(o.path, QuantityKind::simulated, finite_number_or_nan(o.value), 0).error =
+        standard_error;
     // The standard error of a rounding-sensitive value comes from few events, and is as uncertain
     // as the value.
     if (error == nullptr || o.is_rounding_sensitive) return;
@@ -230,7 +235,7 @@ class MetricQuantities {
 
   const Metrics& metrics_;
   const Tolerances& tolerances_;
-  const PartQuantities& whole_;
+  const PartQuantityAppender& whole_;
   std::set<std::string> standard_error_paths_, coefficient_terms_, opened_parts_;
   /// Entries of each list, by the path of the list.
   std::map<std::string, std::set<std::string>> list_entries_;
@@ -239,7 +244,7 @@ class MetricQuantities {
 }  // namespace
 
 void add_metric_quantities(const Metrics& metrics, const Tolerances& tolerances,
-                           const PartQuantities& whole) {
+                           const PartQuantityAppender& whole) {
   MetricQuantities(metrics, tolerances, whole).add_all();
 }
 

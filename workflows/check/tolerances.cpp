@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "base/input_error.hpp"
-#include "workflows/check/quantities.hpp"
+#include "workflows/check/case_quantities.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -61,7 +61,7 @@ double standard_error_of_mass(const Solution& solution) {
 
 void set_sampling_tolerance(Quantity& quantity,
                             const std::optional<transform::SamplingError>& sampling,
-                            transform::Variable variable, const Tolerances& tolerances) {
+                            transform::StateVariable variable, const Tolerances& tolerances) {
   if (!sampling) return;
   const auto error = expected_l1_error(*sampling, variable);
   const auto most = l1_error_quantile_99(*sampling, variable);
@@ -72,13 +72,14 @@ void set_sampling_tolerance(Quantity& quantity,
   quantity.quantile_99 += *most;
 }
 
-double allowed_error_change(const Solution& simulation, std::size_t number_of_errors, double power,
-                            const Tolerances& tolerances) {
+double standard_error_change_tolerance(const Solution& simulation, std::size_t number_of_errors,
+                                       double power, const Tolerances& tolerances) {
   // Ratios of standard errors have heavier tails than the normal law. The measurement of the factor
   // 1.25 is in docs/checking.md.
   constexpr double kHeavyTailFactor = 1.25;
   constexpr double kDefaultStreams = 128;
-  const double streams = metric_number(simulation.metrics, kStreams).value_or(kDefaultStreams);
+  const double streams =
+      metric_number(simulation.metrics, kStreamsMetric).value_or(kDefaultStreams);
   const double scatter = kHeavyTailFactor / std::sqrt(std::max(streams - 1, 1.0));
   return std::exp(power * scatter * tolerances.bonferroni_threshold(number_of_errors)) - 1;
 }

@@ -35,8 +35,8 @@ struct Tolerances {
 void validate(const Tolerances& tolerances);
 
 /// Paths of two metrics: number of independent streams, and whether the simulation was interrupted.
-inline constexpr const char* kStreams = "streams";
-inline constexpr const char* kInterrupted = "interrupted";
+inline constexpr const char* kStreamsMetric = "streams";
+inline constexpr const char* kInterruptedMetric = "interrupted";
 
 /// Returns whether both solutions are simulations and differ in a moment or in the standard error
 /// of a moment. Two simulations with the same seed on the same machine are identical.
@@ -52,13 +52,14 @@ double standard_error_of_mass(const transform::Solution& solution);
 /// sampling error. Without a stated sampling error the quantity is unchanged.
 void set_sampling_tolerance(Quantity& quantity,
                             const std::optional<transform::SamplingError>& sampling,
-                            transform::Variable variable, const Tolerances& tolerances);
+                            transform::StateVariable variable, const Tolerances& tolerances);
 
 /// Returns the allowed change of error^power between two runs, as the ratio of both runs minus 1. A
 /// standard error from n streams has the relative standard deviation 1 / sqrt(2 (n - 1)). The ratio
 /// of two standard errors from n streams has the relative standard deviation 1 / sqrt(n - 1).
 /// @param number_of_errors number of compared errors; the tolerance holds for their largest change
-double allowed_error_change(const transform::Solution& simulation, std::size_t number_of_errors,
-                            double power, const Tolerances& tolerances);
+double standard_error_change_tolerance(const transform::Solution& simulation,
+                                       std::size_t number_of_errors, double power,
+                                       const Tolerances& tolerances);
 
 }  // namespace fpkcheck::check

@@ -5,9 +5,10 @@
 namespace fpkcheck::paper {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
-const std::vector<Variable> kY{Variable::y}, kYdot{Variable::ydot}, kBoth{kY[0], kYdot[0]};
+const std::vector<StateVariable> kY{StateVariable::y}, kYdot{StateVariable::ydot},
+    kBoth{kY[0], kYdot[0]};
 const std::vector<int> kAll{1, 2, 3, 4};
 
 constexpr const char* kOrderEightQuote =
@@ -23,7 +24,7 @@ constexpr const char* kConclusionQuote =
 
 std::string density(const Claim& claim) {
   if (claim.variables.size() > 1) return "both densities";
-  return claim.variables.front() == Variable::y ? "p(y)" : "p(y')";
+  return claim.variables.front() == StateVariable::y ? "p(y)" : "p(y')";
 }
 
 }  // namespace
@@ -242,6 +243,6 @@ std::string claim_text(const Claim& claim) {
 
 std::string paper_closure_id(int order) { return fmt::format("epc-gaussian-n{}", order); }
 
-std::string paper_case_name(int number) { return fmt::format("case{}", number); }
+std::string paper_case_name(int case_number) { return fmt::format("case{}", case_number); }
 
 }  // namespace fpkcheck::paper

@@ -51,14 +51,14 @@ constexpr std::string_view name(ClaimedRelation relation) { return base::name_of
 struct Claim {
   std::vector<int> cases;  ///< cases in the paper's Table 1; the claim must hold in every case
   std::string panels;      ///< panels of the case's figure, e.g. "ab"; empty for the text alone
-  std::vector<transform::Variable> variables;  ///< the claim must hold for every variable
-  int order;                                   ///< order n of the closure
+  std::vector<transform::StateVariable> variables;  ///< the claim must hold for every variable
+  int order;                                        ///< order n of the closure
   ClaimedRelation relation;
   int rival;          ///< order n of the other closure if the relation compares two; else 0
   std::string quote;  ///< quotation from the paper; our additions are in [..]
 
   /// Returns the paper's figure (2 .. 5) that shows a case.
-  static int figure(int number) { return number + 1; }
+  static int figure(int case_number) { return case_number + 1; }
 };
 
 /// Returns all claims of the paper, sorted by case, then in the order of the paper's text.
@@ -69,10 +69,10 @@ std::string claim_text(const Claim& claim);
 
 std::string paper_closure_id(int order);
 
-/// Methods that are required to judge all claims, in the syntax of Registry::select_methods.
+/// Methods that are required to judge all claims, in the syntax of SolverRegistry::select_methods.
 inline constexpr const char* kRequiredMethods =
     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-gaussian-n8,fd-kf,mcs";
 /// Returns the name of a case of the paper, as in problem/case_file.hpp.
-std::string paper_case_name(int number);
+std::string paper_case_name(int case_number);
 
 }  // namespace fpkcheck::paper

@@ -39,7 +39,7 @@ Json measured_json(const MeasuredNumber& of) {
   return json;
 }
 
-Json claim_json(const Judgement& judgement) {
+Json claim_json(const ClaimJudgement& judgement) {
   const Claim& claim = judgement.claim;
   Json figures = Json::array();
   for (const int number : claim.cases) {
@@ -62,7 +62,7 @@ Json claim_json(const Judgement& judgement) {
           {"note", judgement.note}};
 }
 
-void add_claims(std::span<const Judgement> judgements, Json& json) {
+void add_claims(std::span<const ClaimJudgement> judgements, Json& json) {
   json["criteria"] = {{"agreement_l1", kAgreementL1},
                       {"agreement_in_tail", kAgreementInTail},
                       {"same_gaussian_l1", kSameGaussianL1}};
@@ -72,14 +72,14 @@ void add_claims(std::span<const Judgement> judgements, Json& json) {
 
 }  // namespace
 
-std::string claims_csv(std::span<const Judgement> judgements) {
+std::string claims_csv(std::span<const ClaimJudgement> judgements) {
   std::string text =
       "case,figure,claim,n,density,relation,rival,l1,l1_wanted,tail,tail_wanted,status,outcome,note,"
       "quote\n";
   for (const auto& judgement : judgements) {
     const Claim& claim = judgement.claim;
-    const std::string fields[] = {cases_text(claim),
-                                  figure_text(claim),
+    const std::string fields[] = {claim_cases_text(claim),
+                                  claim_figure_text(claim),
                                   claim_text(claim),
                                   fmt::format("{}", claim.order),
                                   fmt::format("{}", fmt::join(densities(claim), " ")),
@@ -95,7 +95,7 @@ std::string claims_csv(std::span<const Judgement> judgements) {
                                   claim.quote};
     std::string separator;
     for (const auto& field : fields) {
-      text += separator + results::csv_field(field);
+      text += separator + results::quote_csv_field(field);
       separator = ",";
     }
     text += '\n';
@@ -103,16 +103,18 @@ std::string claims_csv(std::span<const Judgement> judgements) {
   return text;
 }
 
-std::string claims_json(std::span<const Judgement> judgements, const results::Program& program) {
-  Json json{{"schema", results::kSummarySchema}, {"program", results::program_json(program)}};
+std::string claims_json(std::span<const ClaimJudgement> judgements,
+                        const results::ProgramInfo& program) {
+  Json json{{"schema", results::kSummarySchema}, {"program", results::program_to_json(program)}};
   add_claims(judgements, json);
-  return results::json_text(results::with_null_for_non_finite(json));
+  return results::serialise_json(results::replace_non_finite_by_null(json));
 }
 
-std::string summary_with_claims(std::span<const Judgement> judgements, const results::Run& run) {
-  Json json = Json::parse(results::summary_text(run));
+std::string summary_json_with_claims(std::span<const ClaimJudgement> judgements,
+                                     const results::Run& run) {
+  Json json = Json::parse(results::run_summary_text(run));
   add_claims(judgements, json);
-  return results::json_text(results::with_null_for_non_finite(json));
+  return results::serialise_json(results::replace_non_finite_by_null(json));
 }
 
 }  // namespace fpkcheck::paper

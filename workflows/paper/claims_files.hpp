@@ -12,14 +12,16 @@ inline constexpr const char* kClaimsCsv = "claims.csv";
 inline constexpr const char* kClaimsJson = "claims.json";
 
 /// Returns the claims as CSV with a row for each claim. Absent values are empty.
-std::string claims_csv(std::span<const Judgement> judgements);
+std::string claims_csv(std::span<const ClaimJudgement> judgements);
 
 /// Returns the contents of claims.json: the program, the criteria, and the list `claims`. Each
 /// element of the list has the fields of claims.csv, and the reason of the closure's status.
-std::string claims_json(std::span<const Judgement> judgements, const results::Program& program);
+std::string claims_json(std::span<const ClaimJudgement> judgements,
+                        const results::ProgramInfo& program);
 
 /// Returns the output of --json, the summary of the run with the additional keys `criteria` and
 /// `claims`.
-std::string summary_with_claims(std::span<const Judgement> judgements, const results::Run& run);
+std::string summary_json_with_claims(std::span<const ClaimJudgement> judgements,
+                                     const results::Run& run);
 
 }  // namespace fpkcheck::paper

@@ -13,7 +13,7 @@
 #include "report/text/number_text.hpp"
 #include "report/text/wrap_text.hpp"
 #include "workflows/paper/criteria.hpp"
-#include "workflows/paper/measured_text.hpp"
+#include "workflows/paper/measured_number_text.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -26,17 +26,18 @@ std::string limit_text(const MeasuredNumber& of, const std::string& limit) {
 }
 
 // The relation `differs` holds if the L1 distance or the tail distance exceeds its limit.
-std::string tail_limit(const Judgement& judgement) {
+std::string tail_limit(const ClaimJudgement& judgement) {
   const std::string text = limit_text(judgement.tail, tail_text(judgement.tail.limit));
   return judgement.claim.relation == ClaimedRelation::differs && !text.empty() ? "or " + text
                                                                                : text;
 }
 
 std::string cell_or_dash(const std::string& cell) {
-  return cell.empty() ? std::string(report::kAbsent) : cell;
+  return cell.empty() ? std::string(report::kMissingCell) : cell;
 }
 
-std::string table_rows(std::span<const Judgement> judgements, const report::TextFormat& format) {
+std::string table_rows(std::span<const ClaimJudgement> judgements,
+                       const report::TextFormat& format) {
   constexpr int kLimits = 1;
   std::vector<TextColumn> columns{{"", "case", true, kAlwaysShown},
                                   {"", "fig.", true, kAlwaysShown},
@@ -46,18 +47,18 @@ std::string table_rows(std::span<const Judgement> judgements, const report::Text
                                   {"tail", "is", false, kAlwaysShown},
                                   {"tail", "required", true, kLimits},
                                   {"", "outcome", true, kAlwaysShown}};
-  for (const auto& row : claim_rows(judgements)) {
+  for (const auto& row : claim_table_rows(judgements)) {
     const std::string cells[] = {
         row.cases,    cell_or_dash(row.figure), row.claim,      cell_or_dash(row.l1),
         row.l1_limit, cell_or_dash(row.tail),   row.tail_limit, row.outcome};
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells[k]);
   }
-  return report::table_rows_text(std::move(columns), format);
+  return report::format_text_table(std::move(columns), format);
 }
 
 // Each claim occurs once, with the cases that have the given outcome, e.g. "n=6 agrees with MCS in
 // p(y) (case 1, 2)".
-std::string claims_with_outcome(std::span<const Judgement> judgements, ClaimOutcome outcome) {
+std::string claims_with_outcome(std::span<const ClaimJudgement> judgements, ClaimOutcome outcome) {
   std::vector<std::pair<std::string, std::string>> claims;
   for (const auto& judgement : judgements) {
     if (judgement.outcome != outcome) continue;
@@ -65,9 +66,9 @@ std::string claims_with_outcome(std::span<const Judgement> judgements, ClaimOutc
     const auto known =
         std::ranges::find(claims, claim, &std::pair<std::string, std::string>::first);
     if (known == claims.end()) {
-      claims.emplace_back(claim, cases_text(judgement.claim));
+      claims.emplace_back(claim, claim_cases_text(judgement.claim));
     } else {
-      known->second += ", " + cases_text(judgement.claim);
+      known->second += ", " + claim_cases_text(judgement.claim);
     }
   }
   std::vector<std::string> texts;
@@ -90,11 +91,11 @@ std::string paragraphs(const std::vector<std::string>& sentences, std::size_t wi
 
 }  // namespace
 
-std::vector<ClaimRow> claim_rows(std::span<const Judgement> judgements) {
+std::vector<ClaimRow> claim_table_rows(std::span<const ClaimJudgement> judgements) {
   std::vector<ClaimRow> all;
   for (const auto& judgement : judgements) {
-    all.push_back({.cases = cases_text(judgement.claim),
-                   .figure = figure_text(judgement.claim),
+    all.push_back({.cases = claim_cases_text(judgement.claim),
+                   .figure = claim_figure_text(judgement.claim),
                    .claim = claim_text(judgement.claim),
                    .l1 = judgement.l1.value ? report::l1_text(*judgement.l1.value) : "",
                    .l1_limit = limit_text(judgement.l1, l1_text(judgement.l1.limit)),
@@ -105,13 +106,13 @@ std::vector<ClaimRow> claim_rows(std::span<const Judgement> judgements) {
   return all;
 }
 
-std::vector<std::string> claim_notes(std::span<const Judgement> judgements) {
+std::vector<std::string> claim_notes(std::span<const ClaimJudgement> judgements) {
   std::set<std::pair<int, int>> quoted_closures;  // case and order n of a closure
   std::vector<std::string> lines;
   for (const auto& judgement : judgements) {
     const bool is_search = judgement.claim.relation == ClaimedRelation::not_found;
     if (judgement.note.empty() && !is_search) continue;
-    std::string line = fmt::format("case {}, {}: {}", cases_text(judgement.claim),
+    std::string line = fmt::format("case {}, {}: {}", claim_cases_text(judgement.claim),
                                    claim_text(judgement.claim), name(judgement.outcome));
     if (!judgement.note.empty()) {
       line += fmt::format("{} {}", judgement.outcome == ClaimOutcome::qualified ? "" : ":",
@@ -144,23 +145,23 @@ std::vector<std::string> criteria_sentences() {
                   kSameGaussianL1)};
 }
 
-std::string cases_text(const Claim& claim) {
+std::string claim_cases_text(const Claim& claim) {
   const auto& cases = claim.cases;
   return cases.size() == 1 ? fmt::format("{}", cases.front())
                            : fmt::format("{}-{}", cases.front(), cases.back());
 }
 
-std::string figure_text(const Claim& claim) {
+std::string claim_figure_text(const Claim& claim) {
   if (claim.panels.empty()) return "";
   const int first = Claim::figure(claim.cases.front()), last = Claim::figure(claim.cases.back());
   return first == last ? fmt::format("{}{}", first, claim.panels)
                        : fmt::format("{}-{}", first, last);
 }
 
-std::string closing_sentence(std::span<const Judgement> judgements) {
+std::string claim_count_sentence(std::span<const ClaimJudgement> judgements) {
   std::vector<std::string> parts;
   for (const auto& [outcome, name, meaning] : kOutcomeNames) {
-    const auto count = std::ranges::count(judgements, outcome, &Judgement::outcome);
+    const auto count = std::ranges::count(judgements, outcome, &ClaimJudgement::outcome);
     if (count == 0) continue;
     parts.push_back(meaning.empty() ? fmt::format("{} {}", count, name)
                                     : fmt::format("{} {} ({})", count, name, meaning));
@@ -168,8 +169,8 @@ std::string closing_sentence(std::span<const Judgement> judgements) {
   return fmt::format("{} claims of the paper: {}.", judgements.size(), fmt::join(parts, "; "));
 }
 
-std::vector<std::string> outcome_summary(std::span<const Judgement> judgements) {
-  std::vector<std::string> sentences{closing_sentence(judgements)};
+std::vector<std::string> outcome_summary(std::span<const ClaimJudgement> judgements) {
+  std::vector<std::string> sentences{claim_count_sentence(judgements)};
   for (const auto outcome :
        {ClaimOutcome::qualified, ClaimOutcome::not_established, ClaimOutcome::unjudged}) {
     const std::string claims = claims_with_outcome(judgements, outcome);
@@ -181,10 +182,11 @@ std::vector<std::string> outcome_summary(std::span<const Judgement> judgements) 
   return sentences;
 }
 
-std::string table(std::span<const Judgement> judgements, const report::TextFormat& format) {
+std::string claims_table_text(std::span<const ClaimJudgement> judgements,
+                              const report::TextFormat& format) {
   return table_rows(judgements, format) + indented(claim_notes(judgements), format.width) + '\n' +
          paragraphs(criteria_sentences(), format.width) + '\n' +
-         report::wrap_text(closing_sentence(judgements), format.width);
+         report::wrap_text(claim_count_sentence(judgements), format.width);
 }
 
 }  // namespace fpkcheck::paper

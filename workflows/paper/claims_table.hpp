@@ -11,17 +11,18 @@ namespace fpkcheck::paper {
 
 /// Returns the text for the terminal: a row for each claim, notes on claims that are not
 /// `established`, the criteria, and a closing sentence.
-std::string table(std::span<const Judgement> judgements, const report::TextFormat& format = {});
+std::string claims_table_text(std::span<const ClaimJudgement> judgements,
+                              const report::TextFormat& format = {});
 
 /// Cells of a claim's row; absent values are empty.
 struct ClaimRow {
   std::string cases, figure, claim, l1, l1_limit, tail, tail_limit, outcome;
 };
-std::vector<ClaimRow> claim_rows(std::span<const Judgement> judgements);
+std::vector<ClaimRow> claim_table_rows(std::span<const ClaimJudgement> judgements);
 
 /// Returns one line for each claim whose outcome is not `established`. The first line about a
 /// closure quotes the reason of the closure's status.
-std::vector<std::string> claim_notes(std::span<const Judgement> judgements);
+std::vector<std::string> claim_notes(std::span<const ClaimJudgement> judgements);
 
 /// Returns sentences that define the terms of the claims by the limits in
 /// workflows/paper/criteria.hpp.
@@ -29,14 +30,14 @@ std::vector<std::string> criteria_sentences();
 
 /// Returns the closing sentence, then a sentence for each outcome other than `established` with its
 /// claims.
-std::vector<std::string> outcome_summary(std::span<const Judgement> judgements);
+std::vector<std::string> outcome_summary(std::span<const ClaimJudgement> judgements);
 
 /// Returns the number of claims of each outcome, e.g. "44 claims of the paper: 36 established, ..".
-std::string closing_sentence(std::span<const Judgement> judgements);
+std::string claim_count_sentence(std::span<const ClaimJudgement> judgements);
 
 /// Cases of a claim, e.g. "1" or "1-4", and figures, e.g. "2ab" or "2-5", or "" for a claim without
 /// a figure.
-std::string cases_text(const Claim& claim);
-std::string figure_text(const Claim& claim);
+std::string claim_cases_text(const Claim& claim);
+std::string claim_figure_text(const Claim& claim);
 
 }  // namespace fpkcheck::paper

@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A budget row has only the bins in which its closure is positive. A closure with fewer bins in the
 // tail than other closures is 0 in a part of the tail.
-int tail_bin_count(const results::CaseResult& one, transform::Variable variable) {
+int tail_bin_count(const results::CaseResult& one, transform::StateVariable variable) {
   int most = 0;
   for (const auto& row : one.budget) {
     if (row.variable == variable) most = std::max(most, row.tail_bins);
@@ -37,38 +37,42 @@ double error_estimate(const results::CaseResult& one, const compare::ErrorBudget
 
 }  // namespace
 
-std::optional<Distance> distance_to_simulation(const results::CaseResult& one, int order,
-                                               transform::Variable variable, std::string& missing) {
+std::optional<ClosureDistance> closure_distance_to_simulation(const results::CaseResult& one,
+                                                              int order,
+                                                              transform::StateVariable variable,
+                                                              std::string& missing_reason) {
   const auto row = std::ranges::find_if(one.budget, [&](const compare::ErrorBudgetRow& of) {
     return of.solution == paper_closure_id(order) && of.variable == variable;
   });
   if (row == one.budget.end()) {
     const auto* closure = one.find(paper_closure_id(order));
-    missing = closure != nullptr && closure->has_density()
-                  ? fmt::format("{} has no reference solution", one.name())
-                  : fmt::format("{} has no density of {}", one.name(), paper_closure_id(order));
+    missing_reason =
+        closure != nullptr && closure->has_density()
+            ? fmt::format("{} has no reference solution", one.name())
+            : fmt::format("{} has no density of {}", one.name(), paper_closure_id(order));
     return std::nullopt;
   }
-  Distance distance{
+  ClosureDistance distance{
       .l1 = row->total, .tail = row->total_tail, .l1_error = error_estimate(one, *row)};
   if (row->tail_bins < tail_bin_count(one, variable)) distance.tail = kInfinity;
   if (!row->parts.empty() && row->parts.back().is_reference_error()) {
     distance.tail_error = row->parts.back().tail;
   }
   if (!std::isfinite(distance.l1)) {
-    missing = fmt::format("the distance of {} in {} is not a number", paper_closure_id(order),
-                          one.name());
+    missing_reason = fmt::format("the distance of {} in {} is not a number",
+                                 paper_closure_id(order), one.name());
     return std::nullopt;
   }
   if (!(distance.l1_error <= kMaxReferenceErrorFraction * kAgreementL1)) {
-    missing = fmt::format("the reference of {} has an error of up to L1 {:.2g}: simulate longer",
-                          one.name(), distance.l1_error);
+    missing_reason =
+        fmt::format("the reference of {} has an error of up to L1 {:.2g}: simulate longer",
+                    one.name(), distance.l1_error);
     return std::nullopt;
   }
   return distance;
 }
 
-Distance larger_distances(const Distance& one, const Distance& other) {
+ClosureDistance componentwise_maximum(const ClosureDistance& one, const ClosureDistance& other) {
   const auto larger = [](double a, double b) { return std::isnan(a) || a > b ? a : b; };
   return {.l1 = std::max(one.l1, other.l1),
           .tail = larger(one.tail, other.tail),
@@ -76,9 +80,10 @@ Distance larger_distances(const Distance& one, const Distance& other) {
           .tail_error = std::max(one.tail_error, other.tail_error)};
 }
 
-double l1_to_linearisation(const results::Curve& curve, const problem::Problem& problem) {
+double l1_to_equivalent_linearisation(const results::DensityCurve& curve,
+                                      const problem::Problem& problem) {
   const auto linear = problem::equivalent_linearisation(problem);
-  const bool is_y = curve.variable == transform::Variable::y;
+  const bool is_y = curve.variable == transform::StateVariable::y;
   const double sigma = is_y ? linear.displacement_deviation : linear.velocity_deviation;
   // The density of y or y' follows from the density of z or z', where both z and -z have the image
   // y = |z|.

@@ -9,7 +9,7 @@ namespace fpkcheck::paper {
 
 /// L1 and tail distance between a closure and the simulation in a marginal density, from the error
 /// budget.
-struct Distance {
+struct ClosureDistance {
   double l1 = 0;
   /// The tail distance is infinite if the closure is 0 in a part of the tail, and NaN if no bin of
   /// the tail is resolved.
@@ -20,17 +20,20 @@ struct Distance {
 };
 
 /// Returns the distance between the paper's closure of one order and the simulation.
-/// @param missing receives the reason if there is no distance
+/// @param missing_reason receives the reason if there is no distance
 /// @return empty if the case lacks the closure, the density of the closure, or a sufficiently
 ///         accurate reference (workflows/paper/criteria.hpp)
-std::optional<Distance> distance_to_simulation(const results::CaseResult& one, int order,
-                                               transform::Variable variable, std::string& missing);
+std::optional<ClosureDistance> closure_distance_to_simulation(const results::CaseResult& one,
+                                                              int order,
+                                                              transform::StateVariable variable,
+                                                              std::string& missing_reason);
 
 /// Returns the larger value of each member (L1 distance, tail distance, errors) of two distances.
-Distance larger_distances(const Distance& one, const Distance& other);
+ClosureDistance componentwise_maximum(const ClosureDistance& one, const ClosureDistance& other);
 
 /// Returns the L1 distance of a marginal density, in the bins of the curve, to the Gaussian of
 /// equivalent linearisation, (25)-(26). The density of y follows from the density of z by (30).
-double l1_to_linearisation(const results::Curve& curve, const problem::Problem& problem);
+double l1_to_equivalent_linearisation(const results::DensityCurve& curve,
+                                      const problem::Problem& problem);
 
 }  // namespace fpkcheck::paper

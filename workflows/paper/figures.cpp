@@ -84,8 +84,8 @@ std::string figure_stem(int figure) { return fmt::format("paper-fig-{}", figure)
 
 }  // namespace
 
-std::vector<report::PictureScript> paper_figures(const results::Run& run,
-                                                 report::FigureWidth width) {
+std::vector<report::PictureScript> paper_figure_scripts(const results::Run& run,
+                                                        report::FigureWidth width) {
   std::vector<report::PictureScript> all;
   for_each_figure(run, [&](int figure, const CaseResult& shown,
                            const report::FigureContent& content) {
@@ -107,7 +107,7 @@ std::vector<std::vector<report::Plot>> paper_figure_plots(const results::Run& ru
         auto plots = report::figure_plots(report::density_figure(shown.problem, shown_content),
                                           figure_stem(figure));
         for (std::size_t k = 0; k < plots.size(); ++k) {
-          const bool is_y = content.marginals[k].variable == transform::Variable::y;
+          const bool is_y = content.marginals[k].variable == transform::StateVariable::y;
           plots[k].caption = fmt::format("Fig. {}{} ({}). {}", figure, is_y ? "a, b" : "c, d",
                                          shown.problem.name, plots[k].caption);
         }

@@ -12,7 +12,7 @@ namespace fpkcheck::paper {
 /// (n = 6) and MCS. The panels are (a) p(y), (b) the logarithm of p(y), (c) p(y'), (d) the
 /// logarithm of p(y'). The name of a closure whose status is not `ok` includes the status. A case
 /// without any of the four densities has no figure.
-std::vector<report::PictureScript> paper_figures(
+std::vector<report::PictureScript> paper_figure_scripts(
     const results::Run& run, report::FigureWidth width = report::FigureWidth::screen);
 
 /// Returns two plots for each figure of the paper. The first plot has the panels a and b, the

@@ -8,7 +8,7 @@
 
 #include "workflows/paper/criteria.hpp"
 #include "workflows/paper/distances.hpp"
-#include "workflows/paper/measured_text.hpp"
+#include "workflows/paper/measured_number_text.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -21,7 +21,7 @@ class Judge {
  public:
   Judge(const results::Run& run, const Claim& claim) : run_(run), judgement_{.claim = claim} {}
 
-  Judgement judgement() {
+  ClaimJudgement judgement() {
     record_status();
     const std::optional<bool> holds = missing_reason_.empty() ? evaluate_claim() : std::nullopt;
     if (!holds) {
@@ -65,22 +65,23 @@ class Judge {
   }
 
   // Returns the maximum of each number over the given cases and the variables of the claim.
-  std::optional<Distance> distance(int order, const std::vector<int>& cases) {
-    Distance worst;
+  std::optional<ClosureDistance> distance(int order, const std::vector<int>& cases) {
+    ClosureDistance worst;
     for (const int number : cases) {
       const CaseResult* case_result = find_case(number);
       if (case_result == nullptr) return std::nullopt;
       for (const auto variable : claim().variables) {
-        const auto next = distance_to_simulation(*case_result, order, variable, missing_reason_);
+        const auto next =
+            closure_distance_to_simulation(*case_result, order, variable, missing_reason_);
         if (!next) return std::nullopt;
-        worst = larger_distances(worst, *next);
+        worst = componentwise_maximum(worst, *next);
       }
     }
     return worst;
   }
 
   // Sets the reason if the tail distance does not exist.
-  bool has_tail(const Distance& distance) {
+  bool has_tail(const ClosureDistance& distance) {
     if (!std::isnan(distance.tail)) return true;
     missing_reason_ = "no bin of the tail is positive and resolved in all solutions";
     return false;
@@ -111,7 +112,7 @@ class Judge {
     const bool uses_tail = relation != closer_in_l1;
     if (uses_tail && !has_tail(*closure_distance)) return std::nullopt;
     const bool differ = relation == differs || relation == differs_in_tail;
-    Distance limit{.l1 = kAgreementL1, .tail = kAgreementInTail};
+    ClosureDistance limit{.l1 = kAgreementL1, .tail = kAgreementInTail};
     if (claim().rival != 0) {
       const auto rival = distance(claim().rival, claim().cases);
       if (!rival || (uses_tail && !has_tail(*rival))) return std::nullopt;
@@ -138,7 +139,7 @@ class Judge {
                                         paper_closure_id(claim().order));
           return std::nullopt;
         }
-        largest = std::max(largest, l1_to_linearisation(*curve, case_result->problem));
+        largest = std::max(largest, l1_to_equivalent_linearisation(*curve, case_result->problem));
       }
     }
     judgement_.l1 = {largest, kSameGaussianL1};
@@ -195,14 +196,14 @@ class Judge {
       "solves its equations but is no probability density (inadmissible)";
 
   const results::Run& run_;
-  Judgement judgement_;
+  ClaimJudgement judgement_;
   std::string missing_reason_;
 };
 
 }  // namespace
 
-std::vector<Judgement> judge_claims(const results::Run& run) {
-  std::vector<Judgement> all;
+std::vector<ClaimJudgement> judge_claims(const results::Run& run) {
+  std::vector<ClaimJudgement> all;
   for (const auto& claim : paper_claims()) all.push_back(Judge(run, claim).judgement());
   return all;
 }

@@ -32,7 +32,7 @@ struct MeasuredNumber {
 };
 
 /// Claim of the paper, the measured numbers that decide the claim, and the outcome.
-struct Judgement {
+struct ClaimJudgement {
   Claim claim;
   /// Largest L1 distance between closure and simulation over the cases and variables of the claim.
   /// For the relation is_linearisation, `l1` is the L1 distance to the Gaussian of equivalent
@@ -53,6 +53,6 @@ struct Judgement {
 /// Judges all claims of the paper by the total distances of the error budget.
 /// @param run run of the paper's cases by the methods kRequiredMethods; a claim without a required
 ///        number has the outcome `unjudged`
-std::vector<Judgement> judge_claims(const results::Run& run);
+std::vector<ClaimJudgement> judge_claims(const results::Run& run);
 
 }  // namespace fpkcheck::paper

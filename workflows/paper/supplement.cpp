@@ -21,7 +21,7 @@ std::string list_html(const std::vector<std::string>& lines) {
   return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
 }
 
-std::string claims_table(std::span<const Judgement> judgements) {
+std::string claims_table(std::span<const ClaimJudgement> judgements) {
   using report::Align;
   std::vector<report::HtmlColumn> columns{{"case", Align::left},
                                           {"Fig.", Align::left},
@@ -32,7 +32,7 @@ std::string claims_table(std::span<const Judgement> judgements) {
                                           {"required", Align::left},
                                           {"outcome", Align::left}};
   columns.back().is_status = true;
-  for (const auto& row : claim_rows(judgements)) {
+  for (const auto& row : claim_table_rows(judgements)) {
     const std::string* const cells[] = {&row.cases,    &row.figure, &row.claim,      &row.l1,
                                         &row.l1_limit, &row.tail,   &row.tail_limit, &row.outcome};
     for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -42,16 +42,16 @@ std::string claims_table(std::span<const Judgement> judgements) {
   return report::table_html("The claims, and the numbers that decide them", std::move(columns));
 }
 
-std::string quotes(std::span<const Judgement> judgements) {
+std::string quotes(std::span<const ClaimJudgement> judgements) {
   std::vector<std::string> lines;
   for (const auto& judgement : judgements) {
-    lines.push_back(fmt::format("case {}, {}: \u201c{}\u201d", cases_text(judgement.claim),
+    lines.push_back(fmt::format("case {}, {}: \u201c{}\u201d", claim_cases_text(judgement.claim),
                                 claim_text(judgement.claim), judgement.claim.quote));
   }
   return report::details_html("claims-quotes", "Quotations of the claims", list_html(lines));
 }
 
-report::PageSection section(std::span<const Judgement> judgements, const results::Run& run) {
+report::PageSection section(std::span<const ClaimJudgement> judgements, const results::Run& run) {
   report::PageSection section{.anchor = "claims",
                               .heading = "The paper's claims",
                               .html = {},
@@ -75,14 +75,15 @@ report::PageSection section(std::span<const Judgement> judgements, const results
 
 }  // namespace
 
-report::Supplement claims_supplement(std::span<const Judgement> judgements, const results::Run& run,
-                                     report::FigureWidth width, const report::TextFormat& format) {
+report::Supplement claims_supplement(std::span<const ClaimJudgement> judgements,
+                                     const results::Run& run, report::FigureWidth width,
+                                     const report::TextFormat& format) {
   return {.summary = outcome_summary(judgements),
-          .text = '\n' + table(judgements, format),
+          .text = '\n' + claims_table_text(judgements, format),
           .sections = {section(judgements, run)},
           .files = {{kClaimsCsv, claims_csv(judgements)},
                     {kClaimsJson, claims_json(judgements, run.program) + '\n'}},
-          .pictures = paper_figures(run, width)};
+          .pictures = paper_figure_scripts(run, width)};
 }
 
 bool is_paper_run(const results::Run& run) {

@@ -13,8 +13,8 @@ namespace fpkcheck::paper {
 /// Returns the claims of the paper, and the paper's figures, as a supplement to the report of a
 /// run.
 /// @param format text format of the table for the terminal
-report::Supplement claims_supplement(std::span<const Judgement> judgements, const results::Run& run,
-                                     report::FigureWidth width,
+report::Supplement claims_supplement(std::span<const ClaimJudgement> judgements,
+                                     const results::Run& run, report::FigureWidth width,
                                      const report::TextFormat& format = {});
 
 /// Returns whether a run is a complete run of `fpkcheck paper`, whose report includes the claims.

@@ -16,10 +16,10 @@ namespace fpkcheck::study {
 namespace {
 
 using methods::Method;
-using methods::Registry;
-using transform::Variable;
+using methods::SolverRegistry;
+using transform::StateVariable;
 
-Method reference_method(const Registry& registry) {
+Method reference_method(const SolverRegistry& registry) {
   std::vector<Method> candidates;
   for (auto& variant : method_variants(registry, transform::SolutionRole::equation)) {
     if (variant.usual && variant.solves_full_problem())
@@ -42,7 +42,7 @@ const MethodVariant& find_formulation(const std::string& name,
                                fmt::join(names, ", ")));
 }
 
-std::vector<MethodVariant> closures(const Registry& registry) {
+std::vector<MethodVariant> closures(const SolverRegistry& registry) {
   auto all = method_variants(registry, transform::SolutionRole::closure);
   std::erase_if(all, [](const MethodVariant& variant) { return !variant.identity().order; });
   return all;
@@ -51,7 +51,8 @@ std::vector<MethodVariant> closures(const Registry& registry) {
 // Every closure satisfies an L1 error of 10, so that the study shows all closures.
 constexpr double kUnlimitedError = 10;
 
-Method method_of_order(const Registry& registry, const MethodVariant& formulation, int order) {
+Method method_of_order(const SolverRegistry& registry, const MethodVariant& formulation,
+                       int order) {
   const std::string id = fmt::format("{}-n{}", formulation.stem, order);
   auto method = registry.method_by_id(id, {{"accuracy", kUnlimitedError}});
   if (!method)
@@ -64,8 +65,8 @@ void add_distances(const std::vector<compare::PairDistances>& pairs, const std::
   // The tail is the decade 1e-5 .. 1e-4 of the reference density.
   constexpr double kTailStart = 1e-5;
   const std::string& id = row.solution.id();
-  const auto y = compare::l1_distance_between(pairs, id, reference, Variable::y);
-  const auto ydot = compare::l1_distance_between(pairs, id, reference, Variable::ydot);
+  const auto y = compare::l1_distance_between(pairs, id, reference, StateVariable::y);
+  const auto ydot = compare::l1_distance_between(pairs, id, reference, StateVariable::ydot);
   if (y && ydot) row.l1 = {*y, *ydot};
   for (const auto variable : transform::kVariables) {
     const auto* pair = compare::find_pair_distances(pairs, id, reference, variable);
@@ -73,7 +74,7 @@ void add_distances(const std::vector<compare::PairDistances>& pairs, const std::
     for (const auto& decade : pair->distances.log10_tail) {
       const bool is_tail_decade = std::abs(decade.from / kTailStart - 1) < 1e-6;
       if (!is_tail_decade || !std::isfinite(decade.mean_abs)) continue;
-      (variable == Variable::y ? row.tail_y : row.tail_ydot) = decade.mean_abs;
+      (variable == StateVariable::y ? row.tail_y : row.tail_ydot) = decade.mean_abs;
     }
   }
 }
@@ -86,7 +87,7 @@ bool flag_value(const transform::Metrics& metrics, const std::string& path) {
 
 }  // namespace
 
-std::optional<SolutionBranch> solution_branch(const transform::Metrics& metrics) {
+std::optional<SolutionBranch> read_solution_branch(const transform::Metrics& metrics) {
   const auto end = transform::metric_text(metrics, "branch.end");
   const auto largest_fraction = transform::metric_number(metrics, "branch.furthest");
   if (!end || !largest_fraction) return std::nullopt;
@@ -100,7 +101,7 @@ std::optional<SolutionBranch> solution_branch(const transform::Metrics& metrics)
   }
 }
 
-std::vector<std::string> closure_formulations(const Registry& registry) {
+std::vector<std::string> closure_formulations(const SolverRegistry& registry) {
   std::vector<std::string> names;
   for (const auto& formulation : closures(registry)) names.push_back(formulation.name);
   return names;
@@ -108,7 +109,7 @@ std::vector<std::string> closure_formulations(const Registry& registry) {
 
 ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
                                        const ClosureOrderStudyOptions& options,
-                                       const Registry& registry,
+                                       const SolverRegistry& registry,
                                        const methods::ProgressListener& listener) {
   const std::set<int> orders(options.orders.begin(), options.orders.end());
   const auto known = closures(registry);

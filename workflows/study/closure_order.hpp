@@ -8,8 +8,8 @@
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
 #include "report/figure/figure.hpp"
-#include "workflows/study/output.hpp"
 #include "workflows/study/record.hpp"
+#include "workflows/study/study_report.hpp"
 
 namespace fpkcheck::study {
 
@@ -20,7 +20,7 @@ struct ClosureOrderStudyOptions {
 };
 
 /// Returns all closure formulations by increasing trust, e.g. "gaussian", "moment-white".
-std::vector<std::string> closure_formulations(const methods::Registry& registry);
+std::vector<std::string> closure_formulations(const methods::SolverRegistry& registry);
 
 /// Branch of closure solutions that begins at a problem with a known exact solution.
 struct SolutionBranch {
@@ -36,7 +36,7 @@ struct SolutionBranch {
 };
 
 /// Returns the branch in the metrics of a solution under the path "branch"; empty without a branch.
-std::optional<SolutionBranch> solution_branch(const transform::Metrics& metrics);
+std::optional<SolutionBranch> read_solution_branch(const transform::Metrics& metrics);
 
 struct ClosureOrderRow {
   std::string formulation;
@@ -64,13 +64,13 @@ struct ClosureOrderStudy {
 /// @throws InputError for an unknown formulation or order
 ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
                                        const ClosureOrderStudyOptions& options,
-                                       const methods::Registry& registry,
+                                       const methods::SolverRegistry& registry,
                                        const methods::ProgressListener& listener);
 
 /// Returns whether the reference and every closure with `must_converge` have status ok.
 bool has_converged(const ClosureOrderStudy& study);
 
-/// Files and texts of an order study, from which make_report() makes a StudyReport. The row of a
+/// Files and texts of an order study, from which make_study_report() makes a StudyReport. The row of a
 /// closure in the JSON has the keys of a solution in summary.json (except identity, options and
 /// moments).
 std::string json(const ClosureOrderStudy& study, const std::string& command);
@@ -81,6 +81,6 @@ std::string table(const ClosureOrderStudy& study, const report::TextFormat& form
 /// Returns panels of the L1 distances against the order n, and panels of the branches of solutions.
 report::Figure figure(const ClosureOrderStudy& study);
 
-Record make_record(const ClosureOrderRow& row);
+StudyRecord make_record(const ClosureOrderRow& row);
 
 }  // namespace fpkcheck::study

@@ -15,10 +15,10 @@ namespace fpkcheck::study {
 namespace {
 
 using report::FigureSeries;
-using transform::Variable;
+using transform::StateVariable;
 
 report::FigurePanel distance_panel(const ClosureOrderStudy& study, const char* title,
-                                   Variable variable, double MarginalL1Distances::*distance) {
+                                   StateVariable variable, double MarginalL1Distances::*distance) {
   int highest = 2;
   for (const auto& row : study.rows) highest = std::max(highest, row.order);
   const auto series = make_series(
@@ -43,7 +43,7 @@ std::vector<FigureSeries> branch_series(const ClosureOrderStudy& study) {
   std::vector<FigureSeries> all;
   FigureSeries folds{.name = "fold of a branch", .colour = "#444444", .symbol = "circle-open"};
   for (const auto& row : study.rows) {
-    const auto branch = solution_branch(row.solution.metrics);
+    const auto branch = read_solution_branch(row.solution.metrics);
     if (!branch) continue;
     all.push_back(report::make_series(fmt::format("branch: {} n = {}", row.formulation, row.order),
                                       row.solution.identity.plot_style));
@@ -69,8 +69,9 @@ report::FigurePanel branch_panel(const std::vector<FigureSeries>& branches) {
 report::Figure figure(const ClosureOrderStudy& study) {
   report::Figure figure{
       .title = report::problem_title(study.problem),
-      .panels = {distance_panel(study, "displacement", Variable::y, &MarginalL1Distances::y),
-                 distance_panel(study, "velocity", Variable::ydot, &MarginalL1Distances::ydot)}};
+      .panels = {
+          distance_panel(study, "displacement", StateVariable::y, &MarginalL1Distances::y),
+          distance_panel(study, "velocity", StateVariable::ydot, &MarginalL1Distances::ydot)}};
   if (const auto branches = branch_series(study); !branches.empty()) {
     figure.panels.push_back(branch_panel(branches));
   }

@@ -13,21 +13,21 @@ namespace fpkcheck::study {
 
 using base::Value;
 
-Record make_record(const ClosureOrderRow& row) {
+StudyRecord make_record(const ClosureOrderRow& row) {
   const auto& [identity, equation, impact] =
       std::tie(row.solution.identity, row.solution.identity.equation, row.solution.identity.impact);
   const auto number = [&](double of_density) {
     return row.solution.has_density() ? Value(of_density) : Value();
   };
-  Record record{{"id", identity.id},
-                {"formulation", row.formulation},
-                {"order", transform::value_from_count(row.order)},
-                {"equation", equation ? Value(std::string(name(*equation))) : Value()},
-                {"impact", impact ? Value(std::string(name(*impact))) : Value()},
-                {"mass", number(row.solution.mass)},
-                {"min_density", number(row.solution.min_density)},
-                {"energy_residual", number(row.solution.energy_residual)}};
-  add_outcome(row.solution, row.l1, record);
+  StudyRecord record{{"id", identity.id},
+                     {"formulation", row.formulation},
+                     {"order", transform::value_from_count(row.order)},
+                     {"equation", equation ? Value(std::string(name(*equation))) : Value()},
+                     {"impact", impact ? Value(std::string(name(*impact))) : Value()},
+                     {"mass", number(row.solution.mass)},
+                     {"min_density", number(row.solution.min_density)},
+                     {"energy_residual", number(row.solution.energy_residual)}};
+  add_solution_outcome(row.solution, row.l1, record);
   record.push_back({"tail_y", transform::value_from_optional(row.tail_y)});
   record.push_back({"tail_ydot", transform::value_from_optional(row.tail_ydot)});
   for (const auto& observation : row.solution.metrics) {
@@ -67,7 +67,7 @@ std::string leading_form(const ClosureOrderRow& row) {
   const auto& metrics = row.solution.metrics;
   auto form = transform::metric_text(metrics, "tail.polynomial_leading_form");
   if (!form) form = transform::metric_text(metrics, "leading_form");
-  if (!form) return report::kAbsent;
+  if (!form) return report::kMissingCell;
   return *form == "negative" ? "falls" : "rises";
 }
 
@@ -175,7 +175,7 @@ std::string table(const ClosureOrderStudy& study, const report::TextFormat& form
   text += status_reason_text(fmt::format("The reference {} is", study.reference.id()),
                              study.reference, width);
   for (const auto& row : study.rows) {
-    const auto followed = solution_branch(row.solution.metrics);
+    const auto followed = read_solution_branch(row.solution.metrics);
     if (followed) text += wrap_text(branch_sentence(row, *followed), width, 4);
   }
   return text + convergence(study, width) + '\n' + wrap_text(kLegend, width);

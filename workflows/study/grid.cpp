@@ -28,7 +28,7 @@ class GridStudySolver {
   GridStudySolver(const problem::Problem& problem, const GridStudyOptions& options,
                   std::size_t total, const methods::ProgressListener& listener)
       : problem_(problem),
-        axes_(compare::uniform_axes(compare::comparison_axes(problem))),
+        axes_(compare::undivided_axes(compare::comparison_axes(problem))),
         options_(options),
         listener_(listener),
         total_(total) {}
@@ -69,7 +69,7 @@ class GridStudySolver {
       report_progress(method.id(), fraction, note);
     };
     progress(0, "");
-    Solution solution = methods::solve_with(method, problem_, {axes_, progress});
+    Solution solution = methods::solve_with_method(method, problem_, {axes_, progress});
     ++done_;
     return solution;
   }
@@ -122,22 +122,22 @@ std::string reason_without_limit(const GridRow& coarse, const GridRow& middle,
 
 // Sets the observed orders of convergence, and returns the Richardson limit of the grids of one
 // scheme.
-GridLimit limit(std::vector<GridRow>& grids) {
+RichardsonLimit limit(std::vector<GridRow>& grids) {
   for (std::size_t k = 2; k < grids.size(); ++k) {
     const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
                &fine = grids[k].density;
     if (!coarse || !middle || !fine) continue;
     grids[k].observed = transform::observed_convergence_orders(
-        transform::level_difference(*coarse, *middle), transform::level_difference(*middle, *fine),
-        transform::kRefinementRatio);
+        transform::grid_level_difference(*coarse, *middle),
+        transform::grid_level_difference(*middle, *fine), transform::kRefinementRatio);
   }
   const GridRow &coarse = grids.end()[-3], &middle = grids.end()[-2], &fine = grids.back();
-  GridLimit limit{.order = fine.order, .failure = reason_without_limit(coarse, middle, fine)};
+  RichardsonLimit limit{.order = fine.order, .failure = reason_without_limit(coarse, middle, fine)};
   if (!limit.failure.empty()) return limit;
-  const auto found =
-      transform::richardson_estimate(transform::level_difference(*coarse.density, *middle.density),
-                                     transform::level_difference(*middle.density, *fine.density),
-                                     transform::kRefinementRatio, fine.order);
+  const auto found = transform::richardson_estimate(
+      transform::grid_level_difference(*coarse.density, *middle.density),
+      transform::grid_level_difference(*middle.density, *fine.density), transform::kRefinementRatio,
+      fine.order);
   limit.density = transform::richardson_limit(*middle.density, *fine.density, found.factor);
   limit.error = found.error.moments;
   return limit;
@@ -185,11 +185,12 @@ void validate(const GridStudyOptions& options) {
 }
 
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
-                     const methods::Registry& registry, const methods::ProgressListener& listener) {
+                     const methods::SolverRegistry& registry,
+                     const methods::ProgressListener& listener) {
   validate(options);
   const std::set<int> orders(options.orders.begin(), options.orders.end());
   const auto others =
-      comparison_methods(registry, options.equation, options.impact, options.simulation);
+      methods_compared_with_grids(registry, options.equation, options.impact, options.simulation);
   methods::require_compatible_options({problem}, others);
   GridStudySolver solving(problem, options,
                           orders.size() * static_cast<std::size_t>(options.levels) + others.size(),
@@ -225,8 +226,8 @@ bool has_converged(const GridStudy& study) {
     const bool finest =
         k + 1 == study.rows.size() || study.rows[k + 1].order != study.rows[k].order;
     const auto status = study.rows[k].solution.status;
-    if (finest && (status == transform::Status::failed ||
-                   status == transform::Status::not_converged)) {
+    if (finest &&
+        (status == transform::Status::failed || status == transform::Status::not_converged)) {
       return false;
     }
   }

@@ -9,14 +9,14 @@
 #include "problem/problem.hpp"
 #include "report/figure/figure.hpp"
 #include "transform/richardson.hpp"
-#include "workflows/study/output.hpp"
 #include "workflows/study/record.hpp"
+#include "workflows/study/study_report.hpp"
 
 namespace fpkcheck::study {
 
 struct GridStudyOptions {
-  problem::Equation equation = problem::Equation::kf;
-  problem::Impact impact = problem::Impact::map;
+  problem::DensityEquation equation = problem::DensityEquation::kf;
+  problem::ImpactCondition impact = problem::ImpactCondition::map;
   std::vector<int> orders{3, 5, 7};  ///< orders of the scheme
   int levels = 5;                    ///< number of grids for each order, at least 3
   double coarsest = 0.5;             ///< refinement of the coarsest grid
@@ -43,7 +43,7 @@ struct GridRow {
 };
 
 /// Richardson limit of the grids of one scheme order, extrapolated from the three finest grids.
-struct GridLimit {
+struct RichardsonLimit {
   int order = 0;
   std::string failure = {};  ///< reason why there is no limit; empty if the limit exists
   std::optional<transform::GridLevel> density = {};
@@ -63,12 +63,12 @@ struct GridStudy {
   problem::Problem problem;
   transform::SolutionIdentity grids;      ///< equation and impact condition of the finite volumes
   std::vector<GridRow> rows;              ///< rows sorted by order, then by level
-  std::vector<GridLimit> limits;          ///< Richardson limits sorted by order
+  std::vector<RichardsonLimit> limits;    ///< Richardson limits sorted by order
   std::vector<ComparedMethodRow> others;  ///< closures and simulations; empty without a limit
   /// L1 distance of the limit at the highest order to the limit at the next lower order.
   std::optional<MarginalL1Distances> limit_accuracy = {};
 
-  const GridLimit& reference_limit() const { return limits.back(); }
+  const RichardsonLimit& reference_limit() const { return limits.back(); }
 };
 
 /// Solves a problem by finite volumes on grids of every order and level, one grid after another.
@@ -76,16 +76,17 @@ struct GridStudy {
 /// density. A Richardson limit exists if the three finest grids have densities and the finest
 /// solution is ok. For a Richardson limit the observed order must also satisfy
 /// transform::has_richardson_limit(). If the limit at the highest order exists, the methods of
-/// comparison_methods() also solve the problem.
+/// methods_compared_with_grids() also solve the problem.
 /// @throws InputError in the same cases as validate()
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
-                     const methods::Registry& registry, const methods::ProgressListener& listener);
+                     const methods::SolverRegistry& registry,
+                     const methods::ProgressListener& listener);
 
 /// Returns whether the Richardson limit exists and no solver failed on the finest grid of an order.
 /// Solutions on coarser grids may fail.
 bool has_converged(const GridStudy& study);
 
-/// Files and texts of a grid study, from which make_report() makes a StudyReport.
+/// Files and texts of a grid study, from which make_study_report() makes a StudyReport.
 std::string json(const GridStudy& study, const std::string& command);
 std::string csv(const GridStudy& study);
 /// Returns the tables of grids, limits and other methods, and the fastest method for each accuracy.
@@ -94,8 +95,8 @@ std::string table(const GridStudy& study, const report::TextFormat& format);
 /// of all methods. The figure has no panels if no distance is known.
 report::Figure figure(const GridStudy& study);
 
-Record make_record(const GridRow& row);
-Record make_record(const GridLimit& limit);
-Record make_record(const ComparedMethodRow& row);
+StudyRecord make_record(const GridRow& row);
+StudyRecord make_record(const RichardsonLimit& limit);
+StudyRecord make_record(const ComparedMethodRow& row);
 
 }  // namespace fpkcheck::study

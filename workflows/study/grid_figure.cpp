@@ -20,7 +20,7 @@ namespace {
 using report::FigurePanel;
 using report::FigurePoint;
 using report::FigureSeries;
-using transform::Variable;
+using transform::StateVariable;
 using Distance = double MarginalL1Distances::*;
 
 template <class Row>
@@ -41,7 +41,7 @@ std::vector<FigureSeries> scheme_series(const GridStudy& study, Distance distanc
       [&](const GridRow& row) { return point(row, abscissa(row), distance); });
   for (std::size_t k = 0; k < all.size(); ++k) {
     auto points = std::move(all[k].points);
-    all[k] = report::make_series(all[k].name, methods::scheme_style(k));
+    all[k] = report::make_series(all[k].name, methods::finite_volume_scheme_style(k));
     all[k].points = std::move(points);
   }
   return all;
@@ -77,14 +77,14 @@ std::vector<FigureSeries> order_slopes(const GridStudy& study, Distance distance
   return slopes;
 }
 
-report::FigureAxis distance_axis(Variable variable, const std::vector<FigureSeries>& all) {
+report::FigureAxis distance_axis(StateVariable variable, const std::vector<FigureSeries>& all) {
   return report::logarithmic_axis(
       fmt::format("{{/:Italic L}}_1 distance of {} to the limit", report::density_symbol(variable)),
       all, &FigurePoint::y);
 }
 
-FigurePanel refinement_panel(const GridStudy& study, const std::string& title, Variable variable,
-                             Distance distance) {
+FigurePanel refinement_panel(const GridStudy& study, const std::string& title,
+                             StateVariable variable, Distance distance) {
   constexpr std::array kRefinements{0.125, 0.25, 0.35, 0.5, 0.71, 1.0,
                                     1.41,  2.0,  2.83, 4.0, 5.66, 8.0};
   auto series = scheme_series(study, distance, [](const GridRow& row) { return row.refinement; });
@@ -101,7 +101,7 @@ FigurePanel refinement_panel(const GridStudy& study, const std::string& title, V
   return panel;
 }
 
-FigurePanel cost_panel(const GridStudy& study, const std::string& title, Variable variable,
+FigurePanel cost_panel(const GridStudy& study, const std::string& title, StateVariable variable,
                        Distance distance) {
   auto series =
       scheme_series(study, distance, [](const GridRow& row) { return milliseconds(row.solution); });
@@ -123,8 +123,8 @@ report::Figure figure(const GridStudy& study) {
   report::Figure figure{.title = report::problem_title(study.problem), .screen_width = 1300};
   for (const auto make_panel : {refinement_panel, cost_panel}) {
     for (const FigurePanel& panel :
-         {make_panel(study, "displacement", Variable::y, &MarginalL1Distances::y),
-          make_panel(study, "velocity", Variable::ydot, &MarginalL1Distances::ydot)}) {
+         {make_panel(study, "displacement", StateVariable::y, &MarginalL1Distances::y),
+          make_panel(study, "velocity", StateVariable::ydot, &MarginalL1Distances::ydot)}) {
       const bool is_empty = std::ranges::all_of(panel.series, &std::vector<FigurePoint>::empty,
                                                 &FigureSeries::points);
       if (!is_empty) figure.panels.push_back(panel);

@@ -17,12 +17,12 @@ using transform::Moments;
 using transform::ObservedConvergenceOrders;
 using transform::value_from_count;
 
-Record make_record(const GridRow& row) {
-  Record record{
+StudyRecord make_record(const GridRow& row) {
+  StudyRecord record{
       {"order", value_from_count(row.order)}, {"level", value_from_count(row.level)},
       {"refinement", row.refinement},         {"nx", value_from_count(row.nx)},
       {"nv", value_from_count(row.nv)},       {"origin_refinement", row.origin_refinement}};
-  add_outcome(row.solution, row.l1, record);
+  add_solution_outcome(row.solution, row.l1, record);
   record.push_back({"observed_order.l1", value(row.observed, &ObservedConvergenceOrders::l1)});
   record.push_back({"observed_order.y2", value(row.observed, &ObservedConvergenceOrders::y2)});
   record.push_back({"observed_order.v2", value(row.observed, &ObservedConvergenceOrders::v2)});
@@ -31,10 +31,10 @@ Record make_record(const GridRow& row) {
   return record;
 }
 
-Record make_record(const GridLimit& limit) {
-  Record record{{"order", value_from_count(limit.order)},
-                {"l1_y", value(limit.l1, &MarginalL1Distances::y)},
-                {"l1_ydot", value(limit.l1, &MarginalL1Distances::ydot)}};
+StudyRecord make_record(const RichardsonLimit& limit) {
+  StudyRecord record{{"order", value_from_count(limit.order)},
+                     {"l1_y", value(limit.l1, &MarginalL1Distances::y)},
+                     {"l1_ydot", value(limit.l1, &MarginalL1Distances::ydot)}};
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     if (moment == &Moments::v1) continue;  // E[y'] = 0 for every stationary density
     const bool known = limit.density.has_value();
@@ -44,14 +44,14 @@ Record make_record(const GridLimit& limit) {
   return record;
 }
 
-Record make_record(const ComparedMethodRow& row) {
+StudyRecord make_record(const ComparedMethodRow& row) {
   const auto& identity = row.solution.identity;
-  Record record{
+  StudyRecord record{
       {"id", identity.id},
       {"method", identity.method},
       {"formulation", identity.formulation.empty() ? Value() : Value(identity.formulation)},
       {"order", identity.order ? value_from_count(*identity.order) : Value()}};
-  add_outcome(row.solution, row.l1, record);
+  add_solution_outcome(row.solution, row.l1, record);
   const auto& sampling = row.solution.sampling;
   if (!sampling) {
     record.push_back({"sampling_l1", {}});
@@ -65,7 +65,7 @@ Record make_record(const ComparedMethodRow& row) {
 }
 
 std::string json(const GridStudy& study, const std::string& command) {
-  const GridLimit& reference_limit = study.reference_limit();
+  const RichardsonLimit& reference_limit = study.reference_limit();
   return study_json(
       GridStudy::kName, study.problem, command,
       {{"equation", std::string(problem::name(*study.grids.equation))},
@@ -104,7 +104,7 @@ std::string milliseconds(double seconds) {
 std::string cells(const GridRow& row) { return fmt::format("{} x {}", row.nx, row.nv); }
 
 template <class Row>
-std::vector<Record> timed_records(const std::vector<Row>& rows) {
+std::vector<StudyRecord> timed_records(const std::vector<Row>& rows) {
   auto all = records(rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     all[k].push_back({"ms", milliseconds(rows[k].solution.seconds)});
@@ -192,7 +192,7 @@ std::string fastest_sentence(const GridStudy& study, double accuracy) {
 }
 
 std::string limit_sentence(const GridStudy& study) {
-  const GridLimit& reference_limit = study.reference_limit();
+  const RichardsonLimit& reference_limit = study.reference_limit();
   if (!reference_limit.failure.empty()) {
     return fmt::format("  There is no limit at the highest order: {}.", reference_limit.failure);
   }

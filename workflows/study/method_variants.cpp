@@ -12,14 +12,14 @@ namespace fpkcheck::study {
 namespace {
 
 using methods::Method;
-using methods::Registry;
-using problem::Equation;
-using problem::Impact;
+using methods::SolverRegistry;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using transform::SolutionIdentity;
 using transform::SolutionRole;
 
 // Returns the method of an id with the given options; empty for an unknown id or an invalid option.
-std::optional<Method> find_method(const Registry& registry, const std::string& id,
+std::optional<Method> find_method(const SolverRegistry& registry, const std::string& id,
                                   const base::Values& given = {}) {
   try {
     return registry.method_by_id(id, given);
@@ -29,7 +29,8 @@ std::optional<Method> find_method(const Registry& registry, const std::string& i
 }
 
 // The variants that differ from a default member by one option follow the default members.
-std::vector<Method> members_and_variants(const Registry& registry, const methods::Solver& solver,
+std::vector<Method> members_and_variants(const SolverRegistry& registry,
+                                         const methods::Solver& solver,
                                          const std::vector<std::string>& usual) {
   std::vector<Method> found;
   const auto add = [&](std::optional<Method> method) {
@@ -52,18 +53,18 @@ std::string stem_of(const SolutionIdentity& identity) {
 }
 
 // The impact condition of a simulation is exact, and therefore equivalent to `map`.
-bool solves(const SolutionIdentity& identity, Equation equation, Impact impact) {
+bool solves(const SolutionIdentity& identity, DensityEquation equation, ImpactCondition impact) {
   return identity.equation == equation && identity.impact &&
-         (*identity.impact == Impact::delta) == (impact == Impact::delta);
+         (*identity.impact == ImpactCondition::delta) == (impact == ImpactCondition::delta);
 }
 
 }  // namespace
 
 bool MethodVariant::solves_full_problem() const {
-  return solves(identity(), Equation::kf, Impact::map);
+  return solves(identity(), DensityEquation::kf, ImpactCondition::map);
 }
 
-std::vector<MethodVariant> method_variants(const Registry& registry, SolutionRole role) {
+std::vector<MethodVariant> method_variants(const SolverRegistry& registry, SolutionRole role) {
   std::vector<MethodVariant> all;
   const auto known = [&](const std::string& stem) {
     return std::ranges::find(all, stem, &MethodVariant::stem) != all.end();
@@ -86,19 +87,20 @@ std::vector<MethodVariant> method_variants(const Registry& registry, SolutionRol
   return all;
 }
 
-std::vector<Method> comparison_methods(const Registry& registry, Equation equation, Impact impact,
-                                       const base::Values& simulation) {
+std::vector<Method> methods_compared_with_grids(const SolverRegistry& registry,
+                                                DensityEquation equation, ImpactCondition impact,
+                                                const base::Values& simulation) {
   std::vector<Method> all;
   std::set<std::string> families;  // families with a variant in `all`; default variants come first
   for (const auto& variant : method_variants(registry, SolutionRole::closure)) {
     const SolutionIdentity& identity = variant.identity();
     const bool approximates_full_problem =
-        variant.usual && equation == Equation::kf && impact != Impact::delta;
+        variant.usual && equation == DensityEquation::kf && impact != ImpactCondition::delta;
     if (!approximates_full_problem && !solves(identity, equation, impact)) continue;
     if (!variant.usual && families.contains(identity.family)) continue;
     families.insert(identity.family);
     if (!identity.order) all.push_back(variant.first);
-    const int highest = !identity.order ? 0 : identity.impact == Impact::delta ? 6 : 12;
+    const int highest = !identity.order ? 0 : identity.impact == ImpactCondition::delta ? 6 : 12;
     for (int n = 2; n <= highest; n += 2) {
       if (auto method = find_method(registry, fmt::format("{}-n{}", variant.stem, n))) {
         all.push_back(std::move(*method));

@@ -23,7 +23,7 @@ struct MethodVariant {
 
 /// Returns the method variants of a role, by increasing trust. The default variants of each family
 /// come before variants with another value of one option (equation, tail of the exponent).
-std::vector<MethodVariant> method_variants(const methods::Registry& registry,
+std::vector<MethodVariant> method_variants(const methods::SolverRegistry& registry,
                                            transform::SolutionRole role);
 
 /// Returns the closures and simulations that are compared with finite volumes for one equation, by
@@ -34,8 +34,9 @@ std::vector<MethodVariant> method_variants(const methods::Registry& registry,
 /// orders are 2, 4, 6, since closures of higher orders rarely have a density.
 /// @param simulation values that replace the default options of simulations
 /// @throws InputError if a value of an option is invalid
-std::vector<methods::Method> comparison_methods(const methods::Registry& registry,
-                                                problem::Equation equation, problem::Impact impact,
-                                                const base::Values& simulation);
+std::vector<methods::Method> methods_compared_with_grids(const methods::SolverRegistry& registry,
+                                                         problem::DensityEquation equation,
+                                                         problem::ImpactCondition impact,
+                                                         const base::Values& simulation);
 
 }  // namespace fpkcheck::study

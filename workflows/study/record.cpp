@@ -19,7 +19,7 @@ namespace {
 
 using base::Value;
 
-Value value_at(const Record& record, const std::string& path) {
+Value value_at(const StudyRecord& record, const std::string& path) {
   const auto found = std::ranges::find(record, path, &base::NamedParameterValue::name);
   return found == record.end() ? Value() : found->value;
 }
@@ -35,8 +35,8 @@ std::string text(const Value& value, const char* format) {
 
 }  // namespace
 
-void add_outcome(const transform::Solution& solution, const std::optional<MarginalL1Distances>& l1,
-                 Record& record) {
+void add_solution_outcome(const transform::Solution& solution,
+                          const std::optional<MarginalL1Distances>& l1, StudyRecord& record) {
   record.push_back({"status", std::string(name(solution.status))});
   record.push_back({"reason", solution.reason});
   record.push_back({"seconds", solution.seconds});
@@ -44,8 +44,8 @@ void add_outcome(const transform::Solution& solution, const std::optional<Margin
   record.push_back({"l1_ydot", value(l1, &MarginalL1Distances::ydot)});
 }
 
-std::string table_text(const std::vector<Record>& rows, const std::vector<TableColumn>& columns,
-                       const report::TextFormat& format) {
+std::string table_text(const std::vector<StudyRecord>& rows,
+                       const std::vector<TableColumn>& columns, const report::TextFormat& format) {
   std::vector<report::TextColumn> filled;
   for (const auto& shown : columns) {
     filled.push_back(
@@ -54,13 +54,13 @@ std::string table_text(const std::vector<Record>& rows, const std::vector<TableC
             : report::TextColumn{shown.group, shown.header, shown.left_aligned, shown.importance});
     for (const auto& row : rows) {
       const std::string cell = text(value_at(row, shown.path), shown.format);
-      filled.back().cells.push_back(cell.empty() ? report::kAbsent : cell);
+      filled.back().cells.push_back(cell.empty() ? report::kMissingCell : cell);
     }
   }
-  return report::table_rows_text(std::move(filled), format);
+  return report::format_text_table(std::move(filled), format);
 }
 
-std::string csv_text(const std::vector<Record>& rows, const std::string& columns) {
+std::string csv_text(const std::vector<StudyRecord>& rows, const std::string& columns) {
   std::vector<std::string> headers, paths;
   std::istringstream words(columns);
   for (std::string word; words >> word;) {
@@ -78,7 +78,7 @@ std::string csv_text(const std::vector<Record>& rows, const std::string& columns
 
 std::string number_text(const std::optional<double>& number, const char* format) {
   const std::string found = text(transform::value_from_optional(number), format);
-  return found.empty() ? report::kAbsent : found;
+  return found.empty() ? report::kMissingCell : found;
 }
 
 std::string join_with_and(const std::vector<std::string>& items) {
@@ -101,7 +101,7 @@ namespace {
 
 using results::Json;
 
-void add(const Record& record, Json& object) {
+void add(const StudyRecord& record, Json& object) {
   transform::MetricBuilder values;
   for (const auto& [path, value] : record) values.add_result(path, value);
   results::add_metrics(std::move(values).take_metrics(), object);
@@ -110,18 +110,18 @@ void add(const Record& record, Json& object) {
 }  // namespace
 
 std::string study_json(const std::string& study, const problem::Problem& problem,
-                       const std::string& command, const Record& itself,
-                       const std::vector<std::pair<std::string, std::vector<Record>>>& lists) {
+                       const std::string& command, const StudyRecord& study_values,
+                       const std::vector<std::pair<std::string, std::vector<StudyRecord>>>& lists) {
   Json json{{"schema", results::kSummarySchema},
-            {"program", results::program_json(results::this_program(command))},
+            {"program", results::program_to_json(results::current_program(command))},
             {"study", study}};
-  json.update(results::problem_json(problem));
-  add(itself, json);
+  json.update(results::problem_to_json(problem));
+  add(study_values, json);
   for (const auto& [name, rows] : lists) {
     json[name] = Json::array();
     for (const auto& row : rows) add(row, json[name].emplace_back(Json::object()));
   }
-  return results::json_text(results::with_null_for_non_finite(json));
+  return results::serialise_json(results::replace_non_finite_by_null(json));
 }
 
 }  // namespace fpkcheck::study

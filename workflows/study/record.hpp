@@ -17,7 +17,7 @@ struct MarginalL1Distances {
 };
 
 /// Row of a study for files and tables; the values have paths such as "observed_order.l1".
-using Record = base::Values;
+using StudyRecord = base::Values;
 
 template <class Owner>
 base::Value value(const std::optional<Owner>& owner, double Owner::*member) {
@@ -25,8 +25,8 @@ base::Value value(const std::optional<Owner>& owner, double Owner::*member) {
 }
 
 /// Adds the fields status, reason, seconds, l1_y and l1_ydot of a solution to a record.
-void add_outcome(const transform::Solution& solution, const std::optional<MarginalL1Distances>& l1,
-                 Record& record);
+void add_solution_outcome(const transform::Solution& solution,
+                          const std::optional<MarginalL1Distances>& l1, StudyRecord& record);
 
 /// Column of a table, with the values under one path.
 struct TableColumn {
@@ -38,23 +38,23 @@ struct TableColumn {
 
 /// Returns the records as a text table. A dash represents an absent value or a number that is not
 /// finite.
-std::string table_text(const std::vector<Record>& rows, const std::vector<TableColumn>& columns,
-                       const report::TextFormat& format);
+std::string table_text(const std::vector<StudyRecord>& rows,
+                       const std::vector<TableColumn>& columns, const report::TextFormat& format);
 
 /// Returns the records as CSV with a header. Absent values and numbers that are not finite are
 /// empty.
 /// @param columns paths separated by blanks; NAME=PATH for a column whose header differs from the
 ///        path
-std::string csv_text(const std::vector<Record>& rows, const std::string& columns);
+std::string csv_text(const std::vector<StudyRecord>& rows, const std::string& columns);
 
-/// Returns the JSON of a study, with the values of the study as a whole in `itself`.
+/// Returns the JSON of a study, with the values of the study as a whole in `study_values`.
 std::string study_json(const std::string& study, const problem::Problem& problem,
-                       const std::string& command, const Record& itself,
-                       const std::vector<std::pair<std::string, std::vector<Record>>>& lists);
+                       const std::string& command, const StudyRecord& study_values,
+                       const std::vector<std::pair<std::string, std::vector<StudyRecord>>>& lists);
 
 template <class Row>
-std::vector<Record> records(const std::vector<Row>& rows) {
-  std::vector<Record> all;
+std::vector<StudyRecord> records(const std::vector<Row>& rows) {
+  std::vector<StudyRecord> all;
   for (const Row& row : rows) all.push_back(make_record(row));
   return all;
 }

@@ -39,7 +39,7 @@ RegularisationStudy add_growth_rates(const problem::Problem& problem,
 }
 
 bool has_converged(const RegularisationStudy& study) {
-  const RegularisationRow* finest = nullptr;
+  const RegularisationSchemeResult* finest = nullptr;
   for (const auto& row : study.rows) {
     if (row.scheme == "regularised") finest = &row;
   }
@@ -54,7 +54,7 @@ using transform::value_from_optional;
 namespace {
 
 void add_eigenvalue(const std::string& name, const std::optional<std::complex<double>>& value,
-                    Record& record) {
+                    StudyRecord& record) {
   if (!value) {
     record.push_back({name, {}});
     return;
@@ -65,21 +65,21 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
 
 }  // namespace
 
-Record make_record(const RegularisationRow& row) {
-  Record record{{"scheme", row.scheme},
-                {"step", row.step},
-                // The scheme `pade` has no length.
-                {"length", row.length > 0 ? Value(row.length) : Value()},
-                {"nx", value_from_count(row.nx)},
-                {"nv", value_from_count(row.nv)},
-                {"symbol_rate", value(row.symbol, &FastestGrowingWave::rate)},
-                {"symbol_wavenumber", value(row.symbol, &FastestGrowingWave::wavenumber)},
-                {"symbol_grows", row.symbol ? Value(row.symbol_grows) : Value()},
-                {"growth_rate", value_from_optional(row.growth_rate)},
-                {"l1_y", value_from_optional(row.l1_y)},
-                {"l1_ydot", value_from_optional(row.l1_ydot)},
-                {"min_density", value_from_optional(row.min_density)},
-                {"remark", row.remark}};
+StudyRecord make_record(const RegularisationSchemeResult& row) {
+  StudyRecord record{{"scheme", row.scheme},
+                     {"step", row.step},
+                     // The scheme `pade` has no length.
+                     {"length", row.length > 0 ? Value(row.length) : Value()},
+                     {"nx", value_from_count(row.nx)},
+                     {"nv", value_from_count(row.nv)},
+                     {"symbol_rate", value(row.symbol, &FastestGrowingWave::rate)},
+                     {"symbol_wavenumber", value(row.symbol, &FastestGrowingWave::wavenumber)},
+                     {"symbol_grows", row.symbol ? Value(row.symbol_grows) : Value()},
+                     {"growth_rate", value_from_optional(row.growth_rate)},
+                     {"l1_y", value_from_optional(row.l1_y)},
+                     {"l1_ydot", value_from_optional(row.l1_ydot)},
+                     {"min_density", value_from_optional(row.min_density)},
+                     {"remark", row.remark}};
   add_eigenvalue("rightmost", row.rightmost, record);
   add_eigenvalue("next", row.next, record);
   return record;
@@ -103,7 +103,8 @@ namespace {
 using report::wrap_text;
 
 // If no wave grows the growth rate is 0, since the rate of long waves tends to 0.
-std::string symbol_text(const RegularisationRow& row, double fd_fpk::FastestGrowingWave::*of) {
+std::string symbol_text(const RegularisationSchemeResult& row,
+                        double fd_fpk::FastestGrowingWave::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
   return row.symbol && of == &fd_fpk::FastestGrowingWave::rate ? "0" : "";
 }
@@ -116,7 +117,7 @@ std::string eigenvalue_text(const std::optional<std::complex<double>>& value) {
   return std::abs(im) > 1e-7 ? fmt::format("{}+-{:.3g}i", real, im) : real;
 }
 
-std::string time_behaviour_text(const RegularisationRow& row) {
+std::string time_behaviour_text(const RegularisationSchemeResult& row) {
   if (row.growth_rate) return fmt::format("x10 in {:.2g}", std::numbers::ln10 / *row.growth_rate);
   if (row.rightmost) return "settles";
   return row.symbol ? "no growth" : "";
@@ -126,10 +127,12 @@ std::string l1_text(const std::optional<double>& l1) {
   return number_text(l1, l1.value_or(0) < 10 ? "{:.5f}" : "{:.1e}");
 }
 
-std::string step_text(const RegularisationRow& row) { return fmt::format("{:.3g}", row.step); }
+std::string step_text(const RegularisationSchemeResult& row) {
+  return fmt::format("{:.3g}", row.step);
+}
 
 std::string rows(const RegularisationStudy& study, const report::TextFormat& format) {
-  std::vector<Record> rows;
+  std::vector<StudyRecord> rows;
   for (const auto& row : study.rows) {
     rows.push_back({{"scheme", row.scheme},
                     {"h", row.step},
@@ -162,15 +165,15 @@ std::string rows(const RegularisationStudy& study, const report::TextFormat& for
 }
 
 // Returns the text of a list of velocity steps, e.g. "h = 0.158, 0.0791 and 0.0395".
-std::string step_list(const std::vector<RegularisationRow>& rows) {
+std::string step_list(const std::vector<RegularisationSchemeResult>& rows) {
   std::vector<std::string> steps;
   for (const auto& row : rows) steps.push_back(step_text(row));
   return "h = " + join_with_and(steps);
 }
 
-std::vector<RegularisationRow> rows_of_scheme(const RegularisationStudy& study,
-                                              const std::string& scheme, bool growing) {
-  std::vector<RegularisationRow> chosen;
+std::vector<RegularisationSchemeResult> rows_of_scheme(const RegularisationStudy& study,
+                                                       const std::string& scheme, bool growing) {
+  std::vector<RegularisationSchemeResult> chosen;
   for (const auto& row : study.rows) {
     const bool known = row.symbol.has_value();
     if (row.scheme == scheme && known && row.growth_rate.has_value() == growing) {
@@ -216,7 +219,7 @@ std::string regularised_sentence(const RegularisationStudy& study) {
   text += growing.empty()
               ? " grows on no step"
               : fmt::format(" grows at {} and not at {}", step_list(growing), step_list(settled));
-  const RegularisationRow& finest = settled.back();
+  const RegularisationSchemeResult& finest = settled.back();
   if (finest.l1_y && finest.l1_ydot) {
     text += fmt::format(
         "; on the finest of these steps its density is L1 {:.2g} in p(y) and {:.2g} in p(y') "

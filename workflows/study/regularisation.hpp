@@ -8,12 +8,12 @@
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
 #include "report/figure/figure.hpp"
-#include "workflows/study/output.hpp"
 #include "workflows/study/record.hpp"
+#include "workflows/study/study_report.hpp"
 
 namespace fpkcheck::study {
 
-struct RegularisationRow : fd_fpk::RegularisationRow {
+struct RegularisationSchemeResult : fd_fpk::RegularisationSchemeResult {
   bool symbol_grows = false;
   /// Growth rate of disturbances; empty if no disturbance grows.
   std::optional<double> growth_rate = {};
@@ -24,7 +24,7 @@ struct RegularisationStudy {
   problem::Problem problem;
   /// Steps of the fourth difference, as in fd_fpk::RegularisationStudy.
   double default_length, shortest_length;
-  std::vector<RegularisationRow> rows;
+  std::vector<RegularisationSchemeResult> rows;
 };
 
 /// Runs fd_fpk::study_regularisation(), and adds a growth rate to each row.
@@ -37,13 +37,13 @@ RegularisationStudy add_growth_rates(const problem::Problem& problem,
 /// the smallest step.
 bool has_converged(const RegularisationStudy& study);
 
-/// Files and texts of a regularisation study, from which make_report() makes a StudyReport. In the
+/// Files and texts of a regularisation study, from which make_study_report() makes a StudyReport. In the
 /// JSON `growth_rate` is null if no disturbance grows.
 std::string json(const RegularisationStudy& study, const std::string& command);
 std::string csv(const RegularisationStudy& study);
 std::string table(const RegularisationStudy& study, const report::TextFormat& format);
 inline report::Figure figure(const RegularisationStudy&) { return {}; }
 
-Record make_record(const RegularisationRow& row);
+StudyRecord make_record(const RegularisationSchemeResult& row);
 
 }  // namespace fpkcheck::study

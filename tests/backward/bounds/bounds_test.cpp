@@ -20,7 +20,7 @@ const Functional kMeanSquareVelocity = PowerMoment{Axis::velocity, 2};
 std::vector<numerics::Enclosure> on_level(const problem::Problem& problem, int level,
                                           const std::vector<Functional>& functionals) {
   const SplineGrid grid =
-      grid_sequence(width_limiting_feature(functionals[0]))[static_cast<std::size_t>(level)];
+      spline_grid_sequence(width_limiting_feature(functionals[0]))[static_cast<std::size_t>(level)];
   return bounds_from_grid(problem, residual_weight(problem, 12), grid, functionals, 2);
 }
 
@@ -119,10 +119,10 @@ TEST(Bounds, DoNotDependOnTheNumberOfThreads) {
   const problem::Problem problem = problem::load_case("case1");
   const std::vector<Functional> both{kMeanSquare, kMeanSquareVelocity};
   const ResidualWeight tau = residual_weight(problem, 12);
-  const auto one =
-      bounds_from_grid(problem, tau, grid_sequence(WidthLimitingFeature::origin)[0], both, 1);
-  const auto two =
-      bounds_from_grid(problem, tau, grid_sequence(WidthLimitingFeature::origin)[0], both, 2);
+  const auto one = bounds_from_grid(problem, tau,
+                                    spline_grid_sequence(WidthLimitingFeature::origin)[0], both, 1);
+  const auto two = bounds_from_grid(problem, tau,
+                                    spline_grid_sequence(WidthLimitingFeature::origin)[0], both, 2);
   for (std::size_t i = 0; i < both.size(); ++i) {
     EXPECT_EQ(one[i].lower, two[i].lower);
     EXPECT_EQ(one[i].upper, two[i].upper);
@@ -137,7 +137,7 @@ TEST(Bounds, AreRefinedToTheRequestedWidth) {
   EXPECT_EQ(narrow.status, BoundsStatus::ok);
   EXPECT_LE(narrow.each[0].value.half_width(), 1e-5);
   EXPECT_GT(narrow.grids.size(), 1u);
-  EXPECT_LT(narrow.grids.size(), grid_sequence(WidthLimitingFeature::origin).size());
+  EXPECT_LT(narrow.grids.size(), spline_grid_sequence(WidthLimitingFeature::origin).size());
 
   options.half_width = 1e-12;
   options.seconds = 0;

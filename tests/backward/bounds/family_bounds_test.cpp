@@ -130,10 +130,10 @@ struct OpenExample {
   ResidualWeight tau = residual_weight(problem, 12);
   numerics::SplineBasis displacement{std::vector<double>{-3.5, -2, -0.5, 0.4, 2, 4}};
   ImpactBasis velocity;
-  DisplacementOperators y = numerics::call_with_upward_rounding(
-      [&] { return displacement_operators(problem, displacement, {}); });
-  VelocityOperators v = numerics::call_with_upward_rounding(
-      [&] { return velocity_operators(problem, velocity, {}); });
+  DisplacementFactorEnclosures y = numerics::call_with_upward_rounding(
+      [&] { return enclose_displacement_factors(problem, displacement, {}); });
+  VelocityFactorEnclosures v = numerics::call_with_upward_rounding(
+      [&] { return enclose_velocity_factors(problem, velocity, {}); });
   Eigen::MatrixXd c{displacement.size(), velocity.size()};
 
   explicit OpenExample(double u_end = 4.5)
@@ -143,18 +143,18 @@ struct OpenExample {
         c(a, b) = std::sin(0.9 * a + 0.5) * std::cos(0.4 * b + 0.3);
     }
   }
-  CertificateCheckInputs context(const BoxEnds& ends) const {
+  CertificateCheckInputs context(const BoxEndTypes& ends) const {
     return {problem, displacement, velocity, y, v, tau, ends};
   }
 };
 
-constexpr BoxEnds kOpen{
+constexpr BoxEndTypes kOpen{
     .left_wall = false, .right_wall = false, .left_open = true, .right_open = true};
 
 TEST(FamilyBounds, RequireTheImpactConditionAtEveryWall) {
   OpenExample e;
   const Functional f = PowerMoment{Axis::displacement, 2};
-  const auto finite = [&](const BoxEnds& ends) {
+  const auto finite = [&](const BoxEndTypes& ends) {
     const ResidualRange range = numerics::call_with_upward_rounding([&] {
       return residual_range(e.context(ends), f, {e.c, 0.3}, {0, 0}, 0.05);
     });
@@ -177,9 +177,9 @@ TEST(FamilyBounds, InnerAndOuterResidualsBoundAllSamples) {
   const double outside = numerics::call_with_upward_rounding([&] {
     return outer_residual_bound(context, f, {e.c, 0.3});
   });
-  const VelocitySamples vs =
-      numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
-  const DisplacementSamples ys = displacement_samples(e.displacement, 12);
+  const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+      [&] { return sample_velocity_factors(e.v, e.velocity, 9); });
+  const DisplacementSplineSamples ys = sample_displacement_splines(e.displacement, 12);
   double least = 0, largest = 0;
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     const Eigen::MatrixXd local = ys.values[i] * e.c.middleRows(ys.span[i], 7);
@@ -213,8 +213,8 @@ TEST(FamilyBounds, OuterResidualDependsOnTheEdgeAtEachOpenEnd) {
     const double outside = numerics::call_with_upward_rounding([&] {
       return outer_residual_bound(e.context(kOpen), f, {e.c, 0.3});
     });
-    const VelocitySamples vs =
-        numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
+    const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+        [&] { return sample_velocity_factors(e.v, e.velocity, 9); });
     const Eigen::VectorXd edge = e.c.row(row);
     const Eigen::VectorXd l =
         vs.jump * edge + e.problem.system.restoring_force()(y) * (vs.force * edge);

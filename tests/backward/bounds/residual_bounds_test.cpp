@@ -16,8 +16,8 @@ struct Example {
   ResidualWeight tau;
   numerics::SplineBasis displacement;
   ImpactBasis velocity;
-  DisplacementOperators y;
-  VelocityOperators v;
+  DisplacementFactorEnclosures y;
+  VelocityFactorEnclosures v;
   Eigen::MatrixXd coefficients;
 
   explicit Example(const std::string& law, double y_end = 4, double u_end = 5)
@@ -27,9 +27,9 @@ struct Example {
         displacement(numerics::graded_breaks(y_end, 5, 0.1, 1)),
         velocity(numerics::SplineBasis(numerics::graded_breaks(u_end, 5, 0.1, 1)), 0.7),
         y(numerics::call_with_upward_rounding(
-            [&] { return displacement_operators(problem, displacement, {}); })),
+            [&] { return enclose_displacement_factors(problem, displacement, {}); })),
         v(numerics::call_with_upward_rounding(
-            [&] { return velocity_operators(problem, velocity, {}); })),
+            [&] { return enclose_velocity_factors(problem, velocity, {}); })),
         coefficients(displacement.size(), velocity.size()) {
     for (int a = 0; a < coefficients.rows(); ++a) {
       for (int b = 0; b < coefficients.cols(); ++b) {
@@ -43,9 +43,9 @@ struct Example {
 
 // Smallest and largest (f + L V - U)/tau over points inside the box, by the rounded operators.
 std::pair<double, double> sampled_range(const Example& e, const Functional& f) {
-  const DisplacementSamples ys = displacement_samples(e.displacement, 24);
-  const VelocitySamples vs =
-      numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 24); });
+  const DisplacementSplineSamples ys = sample_displacement_splines(e.displacement, 24);
+  const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+      [&] { return sample_velocity_factors(e.v, e.velocity, 24); });
   std::pair<double, double> range{0, 0};
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     const Eigen::MatrixXd local =
@@ -108,8 +108,8 @@ TEST(OuterResidual, BoundsAllSamplesOutsideTheBox) {
   const double bound = numerics::call_with_upward_rounding(
       [&] { return outer_residual_bound(e.context(), f, e.certificate()); });
   // For y > y_end V has the coefficients of the last row.
-  const VelocitySamples vs =
-      numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 5); });
+  const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+      [&] { return sample_velocity_factors(e.v, e.velocity, 5); });
   const Eigen::VectorXd last = e.coefficients.bottomRows<1>().transpose();
   const Eigen::VectorXd jump = vs.jump * last, force = vs.force * last;
   for (const double y : {4.0001, 4.5, 8.0, 20.0}) {
@@ -121,7 +121,7 @@ TEST(OuterResidual, BoundsAllSamplesOutsideTheBox) {
     }
   }
   // Past the largest speeds L V consists of v V_y and the jump term.
-  const DisplacementSamples ys = displacement_samples(e.displacement, 5);
+  const DisplacementSplineSamples ys = sample_displacement_splines(e.displacement, 5);
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     for (const double v : {-5.001, -7.0, -30.0, 3.501, 5.0, 30.0}) {
       const Eigen::VectorXd edge =
@@ -140,8 +140,8 @@ TEST(OuterResidual, DependsOnSlopesInVPastTheLargestDisplacement) {
   const Functional f = PowerMoment{Axis::displacement, 1};
   const double bound = numerics::call_with_upward_rounding(
       [&] { return outer_residual_bound(e.context(), f, e.certificate()); });
-  const VelocitySamples vs =
-      numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
+  const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+      [&] { return sample_velocity_factors(e.v, e.velocity, 9); });
   const Eigen::VectorXd last = e.coefficients.bottomRows<1>().transpose();
   const Eigen::VectorXd l =
       vs.jump * last + e.problem.system.restoring_force()(4.0001) * (vs.force * last);
@@ -161,7 +161,7 @@ TEST(OuterResidual, DependsOnSlopesInYPastTheLargestSpeeds) {
   const Functional f = PowerMoment{Axis::displacement, 1};
   const double bound = numerics::call_with_upward_rounding(
       [&] { return outer_residual_bound(e.context(), f, e.certificate()); });
-  const DisplacementSamples ys = displacement_samples(e.displacement, 9);
+  const DisplacementSplineSamples ys = sample_displacement_splines(e.displacement, 9);
   double largest = 0;
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     const Eigen::VectorXd c = e.coefficients.col(0).segment(ys.span[i], 7);

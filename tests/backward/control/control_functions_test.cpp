@@ -44,7 +44,7 @@ TEST(ControlFunctions, OfTheVelocityAreMinusTheDisplacement) {
   const auto one = power(0);
   const auto h = fit_control_functions({problem, y, v, one, one, 4}, {{one, power(1)}});
   EXPECT_NEAR(h.means[0], 0, 1e-8);
-  const auto in_y = y.coefficients_of_power(1);
+  const auto in_y = y.coefficients_of_monomial(1);
   const double constant = h.coefficients(0, 0) + in_y[0];
   for (int i = 0; i < y.size(); ++i) {
     for (int j = 0; j < v.size(); ++j) {

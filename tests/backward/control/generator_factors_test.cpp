@@ -19,9 +19,9 @@ TEST(ImpulseMeans, AreTheMomentsOfEveryLawOnPowers) {
   for (const std::string& name : tests::law_names_without_table()) {
     for (const double mean : {0.0, 0.2}) {
       const auto law = problem::ImpulseLaw::from_name(name, mean, 0.4);
-      const Eigen::MatrixXd k = impulse_means(wide_splines(), law, v);
+      const Eigen::MatrixXd k = spline_means_after_impulse(wide_splines(), law, v);
       for (int p = 0; p <= 5; ++p) {
-        const auto c = wide_splines().coefficients_of_power(p);
+        const auto c = wide_splines().coefficients_of_monomial(p);
         const Eigen::VectorXd got =
             k * Eigen::Map<const Eigen::VectorXd>(c.data(), wide_splines().size());
         for (int i = 0; i < 4; ++i) {
@@ -42,15 +42,15 @@ TEST(ImpulseMeans, SumToOneEverywhere) {
   const double v[] = {-40, -30, -29.9, 0, 30, 33};
   for (const std::string& name : tests::law_names_without_table()) {
     const auto law = problem::ImpulseLaw::from_name(name, 0.1, 2.0);
-    const Eigen::MatrixXd k = impulse_means(wide_splines(), law, v);
+    const Eigen::MatrixXd k = spline_means_after_impulse(wide_splines(), law, v);
     for (int i = 0; i < 6; ++i) EXPECT_NEAR(k.row(i).sum(), 1, 1e-13) << name << ' ' << v[i];
   }
 }
 
 TEST(ImpulseMeans, OfTwoPointsAreTwoShifts) {
   const double v[] = {0.37};
-  const Eigen::MatrixXd k =
-      impulse_means(wide_splines(), problem::ImpulseLaw::from_name("two_point", 0, 0.5), v);
+  const Eigen::MatrixXd k = spline_means_after_impulse(
+      wide_splines(), problem::ImpulseLaw::from_name("two_point", 0, 0.5), v);
   for (int j = 0; j < wide_splines().size(); ++j) {
     double expected = 0;
     for (const double at : {0.37 - 0.5, 0.37 + 0.5}) {
@@ -73,9 +73,10 @@ TEST(ImpulseMeans, OfAUniformLawAreAveragesOverCorners) {
     const auto b = wide_splines().values_and_slopes(0.2 - half + 2 * half * (n + 0.5) / kPoints);
     for (int l = 0; l <= 5; ++l) expected(b.first + l) += b.value[l] / kPoints;
   }
-  EXPECT_LT(
-      (impulse_means(wide_splines(), law, v).row(0).transpose() - expected).cwiseAbs().maxCoeff(),
-      1e-7);
+  EXPECT_LT((spline_means_after_impulse(wide_splines(), law, v).row(0).transpose() - expected)
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-7);
 }
 
 }  // namespace

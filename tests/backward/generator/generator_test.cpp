@@ -5,7 +5,7 @@
 #include "backward/generator/collocation.hpp"
 #include "backward/generator/least_squares.hpp"
 #include "problem/case_file.hpp"
-#include "spline_of.hpp"
+#include "spline_coefficients.hpp"
 
 namespace fpkcheck::backward {
 namespace {
@@ -18,9 +18,10 @@ struct Generator {
       {"system.damping=0.3", "system.cubic=0.7", "system.restitution=0.8", "impulse.mean=0.1"});
   numerics::SplineBasis displacement{numerics::graded_breaks(2, 6, 0.1, 1)};
   ImpactBasis velocity{numerics::SplineBasis(numerics::graded_breaks(6, 9, 0.2, 2)), 0.8};
-  DisplacementSamples y = displacement_samples(displacement, 3);
-  VelocitySamples v = numerics::call_with_upward_rounding(
-      [&] { return velocity_samples(velocity_operators(problem, velocity, {}), velocity, 3); });
+  DisplacementSplineSamples y = sample_displacement_splines(displacement, 3);
+  VelocityFactorSamples v = numerics::call_with_upward_rounding([&] {
+    return sample_velocity_factors(enclose_velocity_factors(problem, velocity, {}), velocity, 3);
+  });
 
   // L (y^m v^n) at point i of y and j of v.
   double on_powers(int m, int n, std::size_t i, std::size_t j) const {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "backward/generator/impact_basis.hpp"
-#include "spline_of.hpp"
+#include "spline_coefficients.hpp"
 
 namespace fpkcheck::backward {
 namespace {

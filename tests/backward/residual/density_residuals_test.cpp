@@ -10,7 +10,7 @@
 #include "exact/linear_density.hpp"
 #include "exact/linear_moments.hpp"
 #include "exact/linear_problem.hpp"
-#include "residual/bell.hpp"
+#include "residual/gaussian_density.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::backward {
@@ -73,7 +73,7 @@ TEST(DensityResiduals, CorrectAnyDensityIntoTheGuaranteedBounds) {
         tests::make_problem({.restitution = 0.7, .mean = 0.1, .law = "uniform"})}) {
     const auto bounds =
         bounds_from_grid(problem, residual_weight(problem, 12),
-                         grid_sequence(WidthLimitingFeature::origin)[0], functionals, 1);
+                         spline_grid_sequence(WidthLimitingFeature::origin)[0], functionals, 1);
     const auto found = DensityResiduals(problem).estimate_errors(gaussian_density());
     for (std::size_t k = 0; k < functionals.size(); ++k) {
       const double value = found.corrected.*moments[k];
@@ -218,7 +218,7 @@ TEST(DensityResiduals, WeightByTheCentredSolution) {
   // For E[y'] the solution is h = -y + constant: the weight is y - E_p[y].
   const auto weak = WeakResiduals(
       tests::paper_case(1), {case_1_residuals().y(), case_1_residuals().v()})(gaussian_density());
-  const auto y = case_1_residuals().y().coefficients_of_power(1);
+  const auto y = case_1_residuals().y().coefficients_of_monomial(1);
   Eigen::MatrixXd expected = weak.residuals;
   for (Eigen::Index i = 0; i < expected.rows(); ++i) {
     expected.row(i) *= y[static_cast<std::size_t>(i)] - kBellMoments.y1;

@@ -15,7 +15,7 @@
 #include "exact/energy_law.hpp"
 #include "general_oscillators.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 namespace fpkcheck::backward {
 namespace {
@@ -272,8 +272,8 @@ TEST(FamilyResiduals, AreThoseOfTheMirroredProblem) {
   auto one = tests::with_impulses(problem::System(system, walls), impulses);
   system.constant = -system.constant;
   system.quadratic = -system.quadratic;
-  auto other =
-      tests::with_impulses(problem::System(system, mirrored_walls), impulses.mirror_image());
+  auto other = tests::with_impulses(problem::System(system, mirrored_walls),
+                                    impulses.with_negated_amplitudes());
   one.noise = other.noise = {.intensity = 0.05};
   const auto bell = [](double y, double v) {
     return std::exp(-std::pow(y - 0.1, 2) - 2 * v * v - v * y);

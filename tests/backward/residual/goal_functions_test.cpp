@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "backward/control/control_fit.hpp"
+#include "backward/control/control_function_fit.hpp"
 #include "exact/linear_problem.hpp"
 #include "problem/equivalent_linearisation.hpp"
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "backward/control/control_fit.hpp"
+#include "backward/control/control_function_fit.hpp"
 #include "backward/residual/goal_functions.hpp"
 #include "backward/residual/unresolved_residual.hpp"
 #include "paper_cases.hpp"
-#include "residual/bell.hpp"
+#include "residual/gaussian_density.hpp"
 
 namespace fpkcheck::backward {
 namespace {
@@ -21,7 +21,7 @@ WeakResiduals weak_residuals(const problem::Problem& problem) {
 }
 
 ControlFitProblem unit_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
-  return control_fit(problem, residuals.y(), residuals.v(), 1);
+  return control_function_fit(problem, residuals.y(), residuals.v(), 1);
 }
 
 double constant_one(double) { return 1; }
@@ -30,8 +30,8 @@ double zero_function(double) { return 0; }
 
 /// h = y or h = v by Marsden's identity.
 Eigen::VectorXd linear(const WeakResiduals& residuals, bool in_v) {
-  const auto v_factor = residuals.v().coefficients_of_power(in_v ? 1 : 0);
-  const auto y_factor = residuals.y().coefficients_of_power(in_v ? 0 : 1);
+  const auto v_factor = residuals.v().coefficients_of_monomial(in_v ? 1 : 0);
+  const auto y_factor = residuals.y().coefficients_of_monomial(in_v ? 0 : 1);
   const Eigen::Map<const Eigen::VectorXd> b(v_factor.data(), std::ssize(v_factor)),
       a(y_factor.data(), std::ssize(y_factor));
   const Eigen::MatrixXd h = a * b.transpose();

@@ -145,8 +145,8 @@ TEST(WeakResiduals, OfPowersAreTheBalances) {
   const auto residuals = residuals_of(problem);
   const auto p = skew_density();
   const auto weak = residuals(p);
-  const auto of_y = residuals.y().coefficients_of_power(1),
-             of_v = residuals.v().coefficients_of_power(1);
+  const auto of_y = residuals.y().coefficients_of_monomial(1),
+             of_v = residuals.v().coefficients_of_monomial(1);
   const Eigen::Map<const Eigen::VectorXd> y(of_y.data(), std::ssize(of_y)),
       v(of_v.data(), std::ssize(of_v));
   const auto& m = weak.moments;

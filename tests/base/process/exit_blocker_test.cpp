@@ -19,7 +19,7 @@ TEST(ExitBlocker, DelaysReservationAndThenBlocksOthers) {
   std::optional<ExitBlocker> outer(std::in_place);
   std::optional<ExitBlocker> inner(std::in_place);
   std::jthread ending([&] {
-    stop_writes_of_other_threads();
+    wait_and_block_other_writers();
     reserved = true;
     reserved.notify_all();
     const ExitBlocker own;  // the thread that ends the process may write

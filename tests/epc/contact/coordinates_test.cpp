@@ -19,13 +19,13 @@ problem::Problem pressed(const problem::SystemCoefficients& coefficients) {
 TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
   const auto impulses = tests::gaussian_impulses(1, 0.1);
   EXPECT_TRUE(
-      is_pressed_on_one_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
+      force_presses_on_single_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
   EXPECT_FALSE(
-      is_pressed_on_one_wall(pressed({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
+      force_presses_on_single_wall(pressed({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
   EXPECT_FALSE(
-      is_pressed_on_one_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
+      force_presses_on_single_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
   // At the wall the force presses the mass against the wall, but there is another well.
-  EXPECT_FALSE(is_pressed_on_one_wall(tests::in_wall_coordinates(
+  EXPECT_FALSE(force_presses_on_single_wall(tests::in_wall_coordinates(
       tests::with_impulses(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
                                   {.left = -0.5, .left_restitution = 0.7}),
                            impulses))));
@@ -33,11 +33,11 @@ TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
       tests::with_impulses(System({.damping = 0.1, .constant = -0.5, .stiffness = 1},
                                   {.right = 0, .right_restitution = 0.7}),
                            impulses);
-  EXPECT_TRUE(is_pressed_on_one_wall(on_the_right));
-  EXPECT_TRUE(is_pressed_on_one_wall(tests::in_wall_coordinates(on_the_right)));
+  EXPECT_TRUE(force_presses_on_single_wall(on_the_right));
+  EXPECT_TRUE(force_presses_on_single_wall(tests::in_wall_coordinates(on_the_right)));
   auto noisy = pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7});
   noisy.noise.intensity = 0.1;
-  EXPECT_FALSE(is_pressed_on_one_wall(noisy));
+  EXPECT_FALSE(force_presses_on_single_wall(noisy));
 }
 
 TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
@@ -45,7 +45,7 @@ TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
     const auto p = pressed({.constant = 0.5, .stiffness = 1, .cubic = cubic, .restitution = 0.7});
     const Coordinates coordinates(p);
     for (const double y : {0.0, 1e-12, 1e-3, 0.3, 5.0}) {
-      EXPECT_NEAR(coordinates.displacement(coordinates.potential_speed(y)), y, 4e-14 * y);
+      EXPECT_NEAR(coordinates.displacement(coordinates.sqrt_twice_potential(y)), y, 4e-14 * y);
       const double energy = 0.32 + 0.5 * y + y * y / 2 + cubic * std::pow(y, 4) / 4;
       EXPECT_NEAR(std::pow(coordinates.amplitude_of(y, -0.8), 2) / 2, energy, 1e-14 * energy);
     }
@@ -87,7 +87,7 @@ TEST(ContactContour, HasTheDensityBeyondAnEnergy) {
   const double h = rho * rho / 2;
   const double expected = temperature * std::exp(-h / temperature) * 2 * rho / (g * h);
   EXPECT_NEAR(half_plane::probability_beyond_contour(
-                  q, amplitude::contour_of_amplitude(Coordinates(p), rho), temperature, 0),
+                  q, amplitude::constant_amplitude_contour(Coordinates(p), rho), temperature, 0),
               expected, 2e-3 * expected);
 }
 

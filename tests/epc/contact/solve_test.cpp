@@ -11,7 +11,7 @@
 #include "general_oscillators.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/case_file.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -104,10 +104,10 @@ TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
     for (std::size_t i = 60; i < cells.ny(); i += 25) {
       for (std::size_t j = 5; j < cells.nv(); j += 31) {
         const double average = cells.cell_average(i, j);
-        const double evaluated_average = numerics::gauss_average(
+        const double evaluated_average = numerics::gauss_legendre_average(
             [&](double y) {
-              return numerics::gauss_average([&](double v) { return again.value(y, v); },
-                                             cells.v_edges[j], cells.v_edges[j + 1]);
+              return numerics::gauss_legendre_average([&](double v) { return again.value(y, v); },
+                                                      cells.v_edges[j], cells.v_edges[j + 1]);
             },
             cells.y_edges[i], cells.y_edges[i + 1]);
         EXPECT_NEAR(evaluated_average, average, 1e-6 * average) << i << ' ' << j;

@@ -22,13 +22,14 @@ TEST(Polynomial, ValueIsTheSumOfItsTerms) {
 }
 
 TEST(Polynomial, AlongADirectionIsAPolynomialOfTheRadius) {
-  const auto ray = kPolynomial.restriction_to_ray(0.6, -0.8);
+  const auto ray = kPolynomial.coefficients_along_ray(0.6, -0.8);
   ASSERT_EQ(ray.size(), 4u);
   for (const double rho : {0.0, 0.5, 2.0}) {
-    EXPECT_NEAR(horner(ray, rho), by_hand(0.6 * rho, -0.8 * rho), 1e-13);
+    EXPECT_NEAR(evaluate_polynomial(ray, rho), by_hand(0.6 * rho, -0.8 * rho), 1e-13);
   }
-  EXPECT_NEAR(horner(derivative_coefficients(ray), 1.5),
-              (horner(ray, 1.5 + 1e-5) - horner(ray, 1.5 - 1e-5)) / 2e-5, 1e-8);
+  EXPECT_NEAR(evaluate_polynomial(derivative_coefficients(ray), 1.5),
+              (evaluate_polynomial(ray, 1.5 + 1e-5) - evaluate_polynomial(ray, 1.5 - 1e-5)) / 2e-5,
+              1e-8);
 }
 
 using tests::kSigma;
@@ -70,10 +71,10 @@ TEST(LeadingForm, DetectsAnOddLeadingDegree) {
 }
 
 TEST(LeadingForm, IsDescribedInText) {
-  EXPECT_EQ(leading_form_text(leading_form(radial(0), kSigma), "(u, w)"),
+  EXPECT_EQ(describe_leading_form(leading_form(radial(0), kSigma), "(u, w)"),
             "although Q_n falls at infinity");
   EXPECT_EQ(
-      leading_form_text(
+      describe_leading_form(
           {.negative = false, .worst = {1, 0}, .rises_from = 4.017, .rising_fraction = 0.124},
           "(u, w)"),
       "and Q_n rises at infinity along 12 % of all directions, most steeply along (u, w) = (1.00, "

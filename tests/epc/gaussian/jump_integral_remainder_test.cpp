@@ -20,7 +20,7 @@ const std::vector<std::string> kLaws{"gaussian", "laplace", "two_point", "unifor
 
 Basis basis_of(const problem::Problem& p, int order,
                MonomialSet set = MonomialSet::point_symmetric) {
-  return Basis(order, set, weight_deviations(p));
+  return Basis(order, set, gaussian_weight_deviations(p));
 }
 
 // The expectation has a closed form for a quadratic Q: for Q = -a x2^2 and a law with two atoms,
@@ -93,7 +93,7 @@ TEST(JumpIntegralRemainder, JacobianIsTheDerivativeOfTheProjection) {
     const problem::Problem p = tests::make_problem({.mean = 0.1, .law = law});
     const Basis basis = basis_of(p, 6);
     const ProjectedEquations projection(basis, p.impulses);
-    const ResidualCoefficients f = residual_coefficients(p, Equation::kf);
+    const ResidualCoefficients f = residual_coefficients(p, DensityEquation::kf);
     const auto [s1, s2] = basis.sigma();
     Eigen::VectorXd a = basis.scaled_coefficients(
         {{2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.5 / (s2 * s2)}, {1, 3, 0.02}, {0, 6, -0.001}});

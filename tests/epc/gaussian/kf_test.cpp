@@ -12,7 +12,7 @@ namespace {
 
 using transform::Status;
 
-Options kf(int order) { return {.order = order, .equation = Equation::kf}; }
+Options kf(int order) { return {.order = order, .equation = DensityEquation::kf}; }
 
 TEST(KolmogorovFeller, IsNearerToTheJumpEquationThanTheCutSeries) {
   // Reference: `kf` with r = 1 and lambda = 1, by an independent spectral computation.
@@ -52,7 +52,7 @@ TEST(KolmogorovFeller, TheGeneralSetGivesThePointSymmetricSolution) {
   const Result whole = solve(p, general);
   ASSERT_EQ(half.solution.status, Status::ok) << half.solution.reason;
   EXPECT_EQ(whole.solution.status, Status::ok) << whole.solution.reason;
-  const Basis all(4, MonomialSet::general, weight_deviations(p));
+  const Basis all(4, MonomialSet::general, gaussian_weight_deviations(p));
   EXPECT_LT((all.scaled_coefficients(half.summary.coefficients) -
              all.scaled_coefficients(whole.summary.coefficients))
                 .norm(),

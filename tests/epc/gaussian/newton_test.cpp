@@ -13,7 +13,7 @@ TEST(GaussianNewton, StopsAfterTheStepsAllowed) {
   const problem::Problem p = tests::paper_case(1);
   const ProjectedEquations projection = projection_of(p, 4);
   const Eigen::VectorXd start = Eigen::VectorXd::Zero(projection.basis().size());
-  const auto f = residual_coefficients(p, Equation::km4);
+  const auto f = residual_coefficients(p, DensityEquation::km4);
   const NewtonResult one =
       solve_by_newton(projection, f, start, {.max_iterations = 1, .damped = false});
   EXPECT_EQ(one.iterations, 1);
@@ -25,7 +25,7 @@ TEST(GaussianNewton, StopsAfterTheStepsAllowed) {
 TEST(GaussianNewton, DampedStepsNeverRaiseTheResidual) {
   const problem::Problem p = tests::paper_case(1);
   const ProjectedEquations projection = projection_of(p, 8);
-  const auto f = residual_coefficients(p, Equation::km4);
+  const auto f = residual_coefficients(p, DensityEquation::km4);
   const auto [s1, s2] = projection.basis().sigma();
   const Eigen::VectorXd start = projection.basis().scaled_coefficients(
       {{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
@@ -41,11 +41,11 @@ TEST(GaussianNewton, DampedStepsNeverRaiseTheResidual) {
 TEST(GaussianNewton, ResidualUnitHasALowerLimit) {
   const problem::Problem p = tests::make_problem({.damping = 1e-7});
   const ProjectedEquations projection = projection_of(p, 4);
-  const auto f = residual_coefficients(p, Equation::km4);
+  const auto f = residual_coefficients(p, DensityEquation::km4);
   const auto [s1, s2] = projection.basis().sigma();
   EXPECT_DOUBLE_EQ(residual_unit(projection, f), 1e-4 * s2 / s1);
   EXPECT_DOUBLE_EQ(residual_unit(projection_of(tests::paper_case(1), 4),
-                                 residual_coefficients(tests::paper_case(1), Equation::km4)),
+                                 residual_coefficients(tests::paper_case(1), DensityEquation::km4)),
                    0.1);
 }
 

@@ -28,7 +28,7 @@ problem::Problem elastic(const WallParameters& walls, double intensity) {
 TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) {
   for (const double wall : {-0.5, 0.3}) {
     const auto p = tests::in_wall_coordinates(elastic({.left = wall, .left_restitution = 1}, 0.4));
-    const auto f = residual_coefficients(p, problem::Equation::km4);
+    const auto f = residual_coefficients(p, problem::DensityEquation::km4);
     const double beta = 0.2 / 0.2;  // c/D
     for (const double x1 : {-1.3, -0.2, 0.1, 0.8}) {
       for (const double x2 : {-0.7, 0.4}) {

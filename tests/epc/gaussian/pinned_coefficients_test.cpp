@@ -67,7 +67,7 @@ const std::vector<Pinned> kPinnedCoefficients{
 TEST(PinnedCoefficients, CoefficientsOfThePaperCasesAreUnchanged) {
   for (const auto& [order, number, expected] : kPinnedCoefficients) {
     const problem::Problem p = tests::paper_case(number);
-    const Basis basis(order, MonomialSet::point_symmetric, weight_deviations(p));
+    const Basis basis(order, MonomialSet::point_symmetric, gaussian_weight_deviations(p));
     const Eigen::VectorXd a =
         basis.scaled_coefficients(solve(p, {.order = order}).summary.coefficients);
     const Eigen::VectorXd pinned =

@@ -25,7 +25,7 @@ problem::Problem skewed_problem() {
 }
 
 ProjectedEquations make_projection(const problem::Problem& problem, int order, MonomialSet set) {
-  return ProjectedEquations(Basis(order, set, weight_deviations(problem)));
+  return ProjectedEquations(Basis(order, set, gaussian_weight_deviations(problem)));
 }
 
 Eigen::VectorXd random_coefficients(Eigen::Index size, double scale) {
@@ -41,8 +41,11 @@ class DirectEvaluation {
 
   /// @param force g(y), y >= 0
   DirectEvaluation(const problem::Problem& problem, const numerics::Polynomial& force,
-                   Equation equation, Polynomial q)
-      : problem_(problem), force_(force), higher_(equation == Equation::km4), q_(std::move(q)) {}
+                   DensityEquation equation, Polynomial q)
+      : problem_(problem),
+        force_(force),
+        higher_(equation == DensityEquation::km4),
+        q_(std::move(q)) {}
 
   /// Delta / p~ of (20) without the term of the delta function.
   double plain(double x1, double x2) const {
@@ -142,7 +145,7 @@ Eigen::VectorXd directly_evaluated_residual(const DirectEvaluation& brute, const
   return both_halves(over_x2, s1) + both_halves(along_wall, s2);
 }
 
-class ProjectionOf : public testing::TestWithParam<std::tuple<MonomialSet, Equation>> {};
+class ProjectionOf : public testing::TestWithParam<std::tuple<MonomialSet, DensityEquation>> {};
 
 TEST_P(ProjectionOf, EquationTwentyTwoEqualsBruteForceFromEquationTwenty) {
   const auto [set, equation] = GetParam();
@@ -180,17 +183,17 @@ TEST_P(ProjectionOf, JacobianIsTheDerivativeOfTheResidual) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllForms, ProjectionOf,
-                         testing::Combine(testing::Values(MonomialSet::point_symmetric,
-                                                          MonomialSet::general),
-                                          testing::Values(Equation::white, Equation::km4)));
+INSTANTIATE_TEST_SUITE_P(
+    AllForms, ProjectionOf,
+    testing::Combine(testing::Values(MonomialSet::point_symmetric, MonomialSet::general),
+                     testing::Values(DensityEquation::white, DensityEquation::km4)));
 
 // A spring with all powers up to the fifth: even powers have the factor sgn(x1) on the plane.
 TEST(ProjectedEquations, TakesEveryPowerOfTheSpring) {
   const problem::Problem problem = skewed_problem();
   const numerics::Polynomial even({0, 0, 0.3, 0, -0.05}), odd({0, 0.7, 0, 0.4, 0, 0.02}),
       force({0, 0.7, 0.3, 0.4, -0.05, 0.02});
-  ResidualCoefficients f = residual_coefficients(problem, Equation::km4);
+  ResidualCoefficients f = residual_coefficients(problem, DensityEquation::km4);
   f.even_force = even;
   f.odd_force = odd;
   for (const int order : {2, 4}) {
@@ -199,7 +202,7 @@ TEST(ProjectedEquations, TakesEveryPowerOfTheSpring) {
       Eigen::VectorXd a = random_coefficients(projection.basis().size(), 0.05);
       a += projection.basis().scaled_coefficients({{2, 0, -0.5}, {0, 2, -0.4}});
       const Eigen::VectorXd expected =
-          directly_evaluated_residual(DirectEvaluation(problem, force, Equation::km4,
+          directly_evaluated_residual(DirectEvaluation(problem, force, DensityEquation::km4,
                                                        projection.basis().exponent_polynomial(a)),
                                       projection.basis());
       const Eigen::VectorXd residual = projection.residual(f, a);
@@ -217,7 +220,7 @@ TEST(ProjectedEquations, TakesEveryPowerOfTheSpring) {
 
 TEST(ProjectedEquations, SplitsTheForceByTheParityOfItsPowers) {
   const problem::Problem problem = skewed_problem();
-  const ResidualCoefficients f = residual_coefficients(problem, Equation::km4);
+  const ResidualCoefficients f = residual_coefficients(problem, DensityEquation::km4);
   EXPECT_EQ(f.odd_force.coefficients(), problem.system.restoring_force().coefficients());
   EXPECT_EQ(f.even_force.coefficients(), numerics::Polynomial::Coefficients{});
 }
@@ -226,7 +229,7 @@ TEST(ProjectedEquations, OddProjectionsOfAPointSymmetricPolynomialVanish) {
   const problem::Problem problem = skewed_problem();
   const ProjectedEquations half = make_projection(problem, 6, MonomialSet::point_symmetric);
   const ProjectedEquations whole = make_projection(problem, 6, MonomialSet::general);
-  const ResidualCoefficients f = residual_coefficients(problem, Equation::km4);
+  const ResidualCoefficients f = residual_coefficients(problem, DensityEquation::km4);
   const Eigen::VectorXd a = random_coefficients(half.basis().size(), 0.1);
   const Eigen::VectorXd small = half.residual(f, a);
   const Eigen::VectorXd large = whole.residual(
@@ -250,7 +253,7 @@ TEST(ProjectedEquations, VanishesAtTheExactWhiteNoiseDensity) {
     const ProjectedEquations projection = make_projection(problem, order, MonomialSet::general);
     const Eigen::VectorXd a = projection.basis().scaled_coefficients(
         {{2, 0, -beta / 2}, {0, 2, -beta / 2}, {4, 0, -beta * 0.5 / 4}});
-    EXPECT_LT(projection.residual(residual_coefficients(problem, Equation::white), a).norm(),
+    EXPECT_LT(projection.residual(residual_coefficients(problem, DensityEquation::white), a).norm(),
               1e-13);
   }
 }

@@ -8,7 +8,8 @@ namespace fpkcheck::epc::gaussian {
 
 /// The projection on the point-symmetric monomials.
 inline ProjectedEquations projection_of(const problem::Problem& problem, int order) {
-  return ProjectedEquations(Basis(order, MonomialSet::point_symmetric, weight_deviations(problem)));
+  return ProjectedEquations(
+      Basis(order, MonomialSet::point_symmetric, gaussian_weight_deviations(problem)));
 }
 
 }  // namespace fpkcheck::epc::gaussian

@@ -20,7 +20,7 @@ tests::Coefficients coefficients(const Result& result) { return tests::by_power(
 
 // Coefficients in units of the deviations, where their magnitudes are comparable.
 tests::Coefficients scaled_coefficients(const Result& result, const problem::Problem& problem) {
-  const auto [s1, s2] = weight_deviations(problem);
+  const auto [s1, s2] = gaussian_weight_deviations(problem);
   return tests::scaled_by_power(result.summary, s1, s2);
 }
 
@@ -49,7 +49,7 @@ TEST(GaussianClosure, WhiteNoiseWithoutLossGivesTheExactDensityFromOrderFourOn) 
   for (const int order : {4, 6, 8, 12}) {
     for (const MonomialSet set : {MonomialSet::point_symmetric, MonomialSet::general}) {
       const Result result =
-          solve(p, {.order = order, .monomials = set, .equation = Equation::white});
+          solve(p, {.order = order, .monomials = set, .equation = DensityEquation::white});
       ASSERT_EQ(result.solution.status, Status::ok) << result.solution.reason;
       for (const auto& [power, a] : coefficients(result)) {
         const double expected = power == std::pair{2, 0}   ? -beta * 1.3 / 2
@@ -148,7 +148,7 @@ TEST(GaussianClosure, EnergyResidualIsThatOfTheDensityReturned) {
   const auto& m = solution.moments;
   ASSERT_GT(std::abs(m.v1), 1e-6);
   EXPECT_DOUBLE_EQ(solution.energy_residual,
-                   problem::energy_residual(p, problem::Impact::delta,
+                   problem::energy_residual(p, problem::ImpactCondition::delta,
                                             {.mean_velocity = m.v1,
                                              .mean_square_velocity = m.v2,
                                              .impact_energy_flux = impact_flux(density, 3)}));
@@ -215,9 +215,10 @@ TEST(GaussianClosure, AnOutwardMeanPushesTheResponseOutwards) {
 TEST(GaussianClosure, ReportsAPointWhereTheEquationsAreMetIndependently) {
   const problem::Problem p = tests::paper_case(4);
   const Result result = solve(p, {.order = 6});
-  const ProjectedEquations projection(Basis(6, MonomialSet::general, weight_deviations(p)));
+  const ProjectedEquations projection(
+      Basis(6, MonomialSet::general, gaussian_weight_deviations(p)));
   const Eigen::VectorXd residual =
-      projection.residual(residual_coefficients(p, Equation::km4),
+      projection.residual(residual_coefficients(p, DensityEquation::km4),
                           projection.basis().scaled_coefficients(result.summary.coefficients));
   EXPECT_LT(residual.norm(), 1e-12);
 }

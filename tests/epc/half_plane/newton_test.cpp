@@ -21,7 +21,7 @@ ClosureEquations equations_of(const problem::Problem& p) {
   for (int j = 1; j <= kOrder; ++j) rate_times_moment[j] = p.impulses.rate_times_moment(j);
   const double temperature = tests::temperature_of(p);
   const Confinement confinement{18 * temperature};
-  const moment::EnergyDomain domain(p, confinement.level * Confinement::support_ratio());
+  const moment::EnergyDomain domain(p, confinement.level * Confinement::support_to_level_ratio());
   const QuadraturePoints points = domain.quadrature_points(50, 60);
   const Basis basis(kOrder, points, tests::boltzmann_mass(points, temperature));
   return moment::closure_equations(p, rate_times_moment, domain, confinement, basis, points, 60);

@@ -17,7 +17,7 @@ const problem::Problem kLinear = make_problem({.cubic = 0});
 TEST(MomentTail, ProbabilityBeyondIsThatOfAGaussian) {
   const double temperature = 0.7, energy = 4;
   const Polynomial q({{2, 0, -1 / (2 * temperature)}, {0, 2, -1 / (2 * temperature)}});
-  EXPECT_NEAR(probability_beyond_contour(q, edge_contour(EnergyDomain(kLinear, energy)),
+  EXPECT_NEAR(probability_beyond_contour(q, domain_edge_contour(EnergyDomain(kLinear, energy)),
                                          temperature, std::log(M_PI * temperature)),
               std::exp(-energy / temperature), 1e-4 * std::exp(-energy / temperature));
 }
@@ -31,11 +31,12 @@ TEST(MomentTail, LargestOnAContourIncludesTheWallAndTheAxis) {
 
 TEST(MomentTail, AFallIsFollowedToTheDepthAskedFor) {
   const Polynomial q({{2, 0, -1}, {0, 2, -1}});  // -2 h
-  const DecayScan fall = scan_decay(q, kLinear, 3, 100, 30);
+  const ExponentDecayScan fall = scan_exponent_decay(q, kLinear, 3, 100, 30);
   ASSERT_TRUE(fall.crossing.has_value());
   EXPECT_GE(*fall.crossing, 15 - 0.1);  // the scan for the peak starts at 1/40 of the first energy
   EXPECT_LT(*fall.crossing, 15 * 1.06);
-  EXPECT_FALSE(scan_decay(q, kLinear, 3, 10, 30).crossing.has_value());  // the scan ends too early
+  EXPECT_FALSE(
+      scan_exponent_decay(q, kLinear, 3, 10, 30).crossing.has_value());  // the scan ends too early
 }
 
 // Q_n rises between two radii before the final fall: a scan across the rise finds no energy.
@@ -49,13 +50,13 @@ TEST(MomentTail, ARiseEndsAFall) {
   for (const auto& [p, q, c] : std::vector<Term>{{6, 0, 1}, {4, 2, 3}, {2, 4, 3}, {0, 6, 1}}) {
     terms.push_back({p, q, -b * c});
   }
-  EXPECT_FALSE(scan_decay(Polynomial(terms), kLinear, 2, 200, 30).crossing.has_value());
-  EXPECT_TRUE(scan_decay(Polynomial(terms), kLinear, 8, 200, 30).crossing.has_value());
+  EXPECT_FALSE(scan_exponent_decay(Polynomial(terms), kLinear, 2, 200, 30).crossing.has_value());
+  EXPECT_TRUE(scan_exponent_decay(Polynomial(terms), kLinear, 8, 200, 30).crossing.has_value());
 }
 
 TEST(MomentTail, RadiiAreThoseOfTheScaledContour) {
-  const auto edge = edge_contour(EnergyDomain(kLinear, 2));  // radius 2
-  const auto [least, greatest] = radius_range(edge, {.x1 = 0.5, .x2 = 1});
+  const auto edge = domain_edge_contour(EnergyDomain(kLinear, 2));  // radius 2
+  const auto [least, greatest] = scaled_radius_range(edge, {.x1 = 0.5, .x2 = 1});
   EXPECT_NEAR(least, 2, 0.02);  // on the wall
   EXPECT_NEAR(greatest, 4, 0.02);
 }

@@ -12,7 +12,7 @@
 #include "general_oscillators.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "paper_cases.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 // Formulation moment for oscillators other than the paper's: walls at any position or none, wells,
 // rings, noise.

@@ -34,7 +34,7 @@ ClosureEquations equations_of(const problem::Problem& p, int order, int last_mom
                               double deviations, bool confined = false) {
   const double temperature = tests::temperature_of(p);
   const double level = temperature * deviations * deviations / 2;
-  const EnergyDomain domain(p, level * (confined ? Confinement::support_ratio() : 1));
+  const EnergyDomain domain(p, level * (confined ? Confinement::support_to_level_ratio() : 1));
   const QuadraturePoints points = points_of(domain);
   const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
   return closure_equations(p, rate_moments(p, order, last_moment), domain,

@@ -20,7 +20,7 @@ using tests::make_problem;
 using tests::paper_case;
 using transform::Status;
 
-Options moment_options(int order, std::optional<Equation> equation = {}) {
+Options moment_options(int order, std::optional<DensityEquation> equation = {}) {
   return tests::closure(Formulation::moment, order, equation);
 }
 
@@ -66,7 +66,7 @@ TEST(MomentClosure, IsExactForWhiteNoiseAtAnImpactWithoutLoss) {
   const std::map<std::pair<int, int>, double> exact{
       {{2, 0}, -beta / 2}, {{0, 2}, -beta / 2}, {{4, 0}, -beta * 0.7 / 4}};
   for (const int order : {4, 6, 8}) {
-    const auto [solution, summary] = solve(p, moment_options(order, Equation::white));
+    const auto [solution, summary] = solve(p, moment_options(order, DensityEquation::white));
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     const double tolerance = order == 4 ? 1e-10 : 1e-8;
     const double s1 = std::sqrt(solution.moments.y2), s2 = std::sqrt(solution.moments.v2);
@@ -168,8 +168,8 @@ TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
   };
   const auto l1 = [&](const transform::Solution& a) {
     double sum = 0;
-    for (const auto variable : {transform::Variable::y, transform::Variable::ydot}) {
-      const auto bins = variable == transform::Variable::y ? edges(0, 4) : edges(-4, 4);
+    for (const auto variable : {transform::StateVariable::y, transform::StateVariable::ydot}) {
+      const auto bins = variable == transform::StateVariable::y ? edges(0, 4) : edges(-4, 4);
       const auto pa = transform::marginal(a, variable, bins);
       const auto pb = transform::marginal(fine, variable, bins);
       for (std::size_t b = 0; b < pa.size(); ++b) {

@@ -16,15 +16,17 @@ TEST(Coordinates, AreInverseToEachOther) {
     const auto p = make_problem({.stiffness = stiffness, .cubic = 0.7});
     const Coordinates coordinates(p);
     for (const double y : {0.0, 1e-8, 0.3, 5.0}) {
-      EXPECT_NEAR(coordinates.displacement(coordinates.potential_speed(y)), y, 1e-14 * (1 + y));
+      EXPECT_NEAR(coordinates.displacement(coordinates.sqrt_twice_potential(y)), y,
+                  1e-14 * (1 + y));
       const double h = 1e-5;
       EXPECT_NEAR(
-          coordinates.potential_speed_slope(y),
-          (coordinates.potential_speed(y + h) - coordinates.potential_speed(y - h)) / (2 * h),
+          coordinates.sqrt_twice_potential_slope(y),
+          (coordinates.sqrt_twice_potential(y + h) - coordinates.sqrt_twice_potential(y - h)) /
+              (2 * h),
           1e-8);
       if (y > 0) {
-        EXPECT_NEAR(coordinates.force_over_potential_speed(y) * coordinates.potential_speed(y) /
-                        p.system.restoring_force()(y),
+        EXPECT_NEAR(coordinates.force_over_sqrt_twice_potential(y) *
+                        coordinates.sqrt_twice_potential(y) / p.system.restoring_force()(y),
                     1, 1e-14);
       }
     }
@@ -79,14 +81,14 @@ TEST(PolarTail, ProbabilityBeyondIsThatOfAGaussian) {
   const Polynomial q({{2, 0, -1 / (2 * temperature)}});
   const double expected = std::exp(-rho * rho / 2 / temperature);
   EXPECT_NEAR(half_plane::probability_beyond_contour(
-                  q, amplitude::contour_of_amplitude(Coordinates(kLinear), rho), temperature,
+                  q, amplitude::constant_amplitude_contour(Coordinates(kLinear), rho), temperature,
                   std::log(M_PI * temperature)),
               expected, 1e-12 * expected);
 }
 
 TEST(PolarTail, RadiiAreThoseOfTheScaledHalfCircle) {
-  const auto [least, greatest] = half_plane::radius_range(
-      amplitude::contour_of_amplitude(Coordinates(kLinear), 2), {.x1 = 0.5, .x2 = 1});
+  const auto [least, greatest] = half_plane::scaled_radius_range(
+      amplitude::constant_amplitude_contour(Coordinates(kLinear), 2), {.x1 = 0.5, .x2 = 1});
   EXPECT_NEAR(least, 2, 1e-12);
   EXPECT_NEAR(greatest, 4, 1e-12);
 }

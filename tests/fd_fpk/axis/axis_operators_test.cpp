@@ -20,7 +20,7 @@ Eigen::VectorXd monomial_averages(const Axis& axis, int power) {
 // Cells of unequal width, with ratios of neighbouring widths up to 4/3.
 const Axis kLine({-0.3, -0.2, -0.08, 0.05, 0.15, 0.27, 0.4, 0.56, 0.7, 0.8, 0.93, 1.08, 1.2, 1.3,
                   1.42},
-                 EndCondition::boundary);
+                 AxisEndCondition::boundary);
 
 // Rows whose stencil extends beyond the right end use p = 0 there and are not exact.
 int last_exact_face(int points) { return kLine.cell_count() - points; }
@@ -87,7 +87,7 @@ TEST(AxisOperators, WeightedAveragesAreExactForPolynomialsOnBothSidesOfABarrier)
 TEST(AxisOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
   // avg(x^3 cos x) from averages of cos x with three cells: order 4.
   const auto error = [](int cells) {
-    const Axis axis = Axis::with_uniform_cells(0.2, 1.0 / cells, cells, EndCondition::boundary);
+    const Axis axis = Axis::with_uniform_cells(0.2, 1.0 / cells, cells, AxisEndCondition::boundary);
     Eigen::VectorXd averages(cells);
     for (int i = 0; i < cells; ++i) {
       averages(i) = (std::sin(axis.face_position(i + 1)) - std::sin(axis.face_position(i))) /
@@ -124,8 +124,8 @@ TEST(AxisOperators, DivergenceTelescopes) {
 }
 
 TEST(AxisOperators, StencilsStayWithinABoundaryOnTheRight) {
-  const Axis axis({0, 0.4, 0.9, 1.3, 1.8, 2.2, 2.5, 3.0, 3.2}, EndCondition::vacuum,
-                  EndCondition::boundary);
+  const Axis axis({0, 0.4, 0.9, 1.3, 1.8, 2.2, 2.5, 3.0, 3.2}, AxisEndCondition::vacuum,
+                  AxisEndCondition::boundary);
   const int cells = axis.cell_count(), degree = 4;
   const Eigen::VectorXd p = monomial_averages(axis, degree);
   EXPECT_NEAR((end_value_operator(axis, AxisEnd::right, degree + 1) * p)(0), std::pow(3.2, degree),

@@ -14,7 +14,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 Eigen::MatrixXd matrix_of(const Axis& axis, const Excitation& excitation) {
-  Eigen::MatrixXd matrix = local_excitation(axis, excitation, 6);
+  Eigen::MatrixXd matrix = drift_diffusion_matrix(axis, excitation, 6);
   if (excitation.exchange.size() > 0) matrix += excitation.exchange;
   return matrix;
 }
@@ -176,8 +176,8 @@ TEST(GrowthRate, CriticalWidthsOmitSimilarAndNarrowCells) {
   const auto law = tests::make_problem().impulses.law();
   const double l = default_regularisation_length(law);
   const Axis axis({0, l, 1.4 * l, 2.41 * l, 4.4 * l, 5.42 * l});
-  EXPECT_EQ(critical_cell_widths(axis, law, l).size(), 2u);
-  const auto all = critical_cell_widths(axis, law, 0.9 * l);
+  EXPECT_EQ(possibly_unstable_cell_widths(axis, law, l).size(), 2u);
+  const auto all = possibly_unstable_cell_widths(axis, law, 0.9 * l);
   ASSERT_EQ(all.size(), 3u);
   EXPECT_DOUBLE_EQ(all[0], 1.4 * l - l);
 }

@@ -9,7 +9,7 @@
 #include "fd_fpk/solve.hpp"
 #include "general_oscillators.hpp"
 #include "problem/case_file.hpp"
-#include "transform/change_of_frame.hpp"
+#include "transform/coordinate_transformation.hpp"
 
 // Motion that comes to rest in contact with a wall.
 namespace fpkcheck::fd_fpk {
@@ -159,7 +159,7 @@ TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   const auto p = tests::in_wall_coordinates(problem::load_case("stops"));
   const Grid grid = characteristic_grid(p, problem::scales(p), {}, {.x1_max = 1, .x2_max = 3});
   const Characteristics characteristics(p.system, grid, p.impulses.arrival_rate(), 8);
-  ASSERT_EQ(characteristics.contact_indices().size(), 2u);
+  ASSERT_EQ(characteristics.contact_rest_point_indices().size(), 2u);
   const SlopeReconstruction slopes(grid, characteristics.rest_points());
   Eigen::VectorXd q = Eigen::VectorXd::Zero(grid.size() + 2);
   for (int i = 0; i < grid.nx(); ++i) {
@@ -204,9 +204,9 @@ TEST(Contact, IsRefusedForTransportsWithoutAtoms) {
   EXPECT_NE(unsupported_reason(p, {.transport = TransportScheme::upwind}), "");
   EXPECT_NE(unsupported_reason(p, {.order = 3}), "");
   EXPECT_NE(unsupported_reason(p, {.nx = 40}), "");
-  EXPECT_EQ(unsupported_reason(p, {.equation = Equation::white}), "");
-  EXPECT_NE(unsupported_reason(
-                p, {.equation = Equation::white, .transport = TransportScheme::characteristics}),
+  EXPECT_EQ(unsupported_reason(p, {.equation = DensityEquation::white}), "");
+  EXPECT_NE(unsupported_reason(p, {.equation = DensityEquation::white,
+                                   .transport = TransportScheme::characteristics}),
             "");
   const auto van_der_pol =
       tests::in_wall_coordinates(tests::with_impulses(System({.damping = -0.1,

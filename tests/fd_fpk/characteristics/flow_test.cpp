@@ -32,15 +32,15 @@ TEST(Flow, OverdampedMotionDoesNotReturn) {
 
 // Steps become much longer than 1/c, and remain accurate.
 TEST(Flow, OverdampedMotionIsAccurateOverLongTimes) {
-  const auto follow = [](const Flow& flow, State state, double until) {
+  const auto follow = [](const Flow& flow, PhaseState state, double until) {
     double time = 0, longest = 0;
     for (int step = 0; time < until; ++step) {
       EXPECT_LT(step, 400);
       if (step >= 400) break;
       const double span =
-          std::min(flow.max_step(state, flow.accessible_interval(state)), until - time);
+          std::min(flow.max_time_step(state, flow.accessible_interval(state)), until - time);
       longest = std::max(longest, span);
-      state = flow.advance(state, span);
+      state = flow.advance_state(state, span);
       time += span;
     }
     EXPECT_GT(longest * flow.contraction_rate(state), 5);
@@ -50,7 +50,7 @@ TEST(Flow, OverdampedMotionIsAccurateOverLongTimes) {
     // Towards rest with roots s1, s2 of s^2 + c s + k = 0.
     const double c = 50, k = 2, s2 = -(c + std::sqrt(c * c - 4 * k)) / 2, s1 = k / s2;
     const Flow flow(tests::make_problem({.damping = c, .stiffness = k, .cubic = 0}).system);
-    const State end = follow(flow, {0, 3}, 80);
+    const PhaseState end = follow(flow, {0, 3}, 80);
     const double expected = 3 / (s1 - s2) * std::exp(s1 * 80);
     EXPECT_NEAR(end.y / expected, 1, 1e-4);
     EXPECT_NEAR(end.v / (s1 * expected), 1, 1e-4);
@@ -60,7 +60,7 @@ TEST(Flow, OverdampedMotionIsAccurateOverLongTimes) {
     const double c = 40, mu = 3;
     const Flow flow(tests::make_problem({.damping = c, .stiffness = 0, .cubic = mu}).system);
     const double y0 = 0.1, until = 1e6;
-    const State end = follow(flow, {y0, -mu / c * y0 * y0 * y0}, until);
+    const PhaseState end = follow(flow, {y0, -mu / c * y0 * y0 * y0}, until);
     const double expected = y0 / std::sqrt(1 + 2 * mu / c * y0 * y0 * until);
     EXPECT_NEAR(end.y / expected, 1, 1e-3);
     EXPECT_NEAR(end.v / (-mu / c * std::pow(expected, 3)), 1, 3e-3);
@@ -78,10 +78,10 @@ TEST(Flow, TurningPointOfAHardSpringFollowsFromItsEnergy) {
 
 TEST(Flow, StepsKeepTheEnergyOfAnUndampedMotion) {
   const Flow flow(tests::make_problem({.damping = 1e-12, .cubic = 3}).system);
-  State state{0.2, 1.1};
+  PhaseState state{0.2, 1.1};
   const double energy = flow.energy(state);
   for (int step = 0; step < 100; ++step) {
-    state = flow.advance(state, flow.max_step(state, flow.accessible_interval(state)));
+    state = flow.advance_state(state, flow.max_time_step(state, flow.accessible_interval(state)));
     if (state.y < 0) state = {-state.y, -state.v};  // the odd continuation
   }
   EXPECT_NEAR(flow.energy(state) / energy, 1, 3e-5);
@@ -89,10 +89,10 @@ TEST(Flow, StepsKeepTheEnergyOfAnUndampedMotion) {
 
 TEST(Flow, ImpactTimeGivesThePositionOfTheWall) {
   const Flow flow(tests::paper_case(2).system);
-  const State from{0.05, -0.7};
-  ASSERT_LT(flow.advance(from, 0.1).y, 0);
+  const PhaseState from{0.05, -0.7};
+  ASSERT_LT(flow.advance_state(from, 0.1).y, 0);
   const double time = flow.impact_time(from, 0.1, WallSide::left);
-  EXPECT_NEAR(flow.advance(from, time).y, 0, 1e-14);
+  EXPECT_NEAR(flow.advance_state(from, time).y, 0, 1e-14);
 }
 
 // For a constant force g0: heights u^2 / (2 g0), times 2 u / g0.
@@ -108,12 +108,12 @@ TEST(Flow, BallFliesAlongParabolas) {
 TEST(Flow, MeetsTheWallOnTheRightToo) {
   const Flow flow(
       problem::System({.damping = 0.1, .stiffness = 1}, {.right = 0.5, .right_restitution = 0.7}));
-  const State from{0.45, 0.7};
-  ASSERT_EQ(flow.wall_passed_at(flow.advance(from, 0.1).y), WallSide::right);
+  const PhaseState from{0.45, 0.7};
+  ASSERT_EQ(flow.passed_wall(flow.advance_state(from, 0.1).y), WallSide::right);
   const double time = flow.impact_time(from, 0.1, WallSide::right);
-  EXPECT_NEAR(flow.advance(from, time).y, 0.5, 1e-14);
-  EXPECT_FALSE(flow.wall_passed_at(0.5));
-  EXPECT_FALSE(flow.wall_passed_at(-10));
+  EXPECT_NEAR(flow.advance_state(from, time).y, 0.5, 1e-14);
+  EXPECT_FALSE(flow.passed_wall(0.5));
+  EXPECT_FALSE(flow.passed_wall(-10));
 }
 
 // U = -y^2/2 + y^4/4: wells of depth 1/4 at +-1, g' = 2 there.
@@ -137,7 +137,7 @@ TEST(Flow, ContractionIsMinusTheDivergence) {
   const Flow flow(problem::System(
       {.damping = 0.3, .van_der_pol = 0.7, .rayleigh = 0.2, .stiffness = 1, .cubic = 2},
       {.none = true}));
-  const State at{0.6, -0.8};
+  const PhaseState at{0.6, -0.8};
   const double h = 1e-5;
   const double slope =
       (flow.acceleration({at.y, at.v + h}) - flow.acceleration({at.y, at.v - h})) / (2 * h);
@@ -148,15 +148,16 @@ TEST(Flow, ContractionIsMinusTheDivergence) {
 TEST(Flow, OverdampedMotionIsAccurateForDampingThatDependsOnDisplacement) {
   const Flow flow(
       problem::System({.damping = 30, .van_der_pol = 40, .stiffness = 1}, {.none = true}));
-  State state{1, -1 / 70.0}, fine = state;
+  PhaseState state{1, -1 / 70.0}, fine = state;
   double time = 0;
   for (int step = 0; time < 40 && step < 5000; ++step) {
-    const double span = std::min(flow.max_step(state, flow.accessible_interval(state)), 40 - time);
-    state = flow.advance(state, span);
+    const double span =
+        std::min(flow.max_time_step(state, flow.accessible_interval(state)), 40 - time);
+    state = flow.advance_state(state, span);
     time += span;
   }
   ASSERT_DOUBLE_EQ(time, 40);
-  for (int step = 0; step < 8000; ++step) fine = flow.advance(fine, 40 / 8000.0);
+  for (int step = 0; step < 8000; ++step) fine = flow.advance_state(fine, 40 / 8000.0);
   EXPECT_NEAR(state.y / fine.y, 1, 1e-3);
   EXPECT_NEAR(state.v / fine.v, 1, 1e-2);
 }

@@ -16,8 +16,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 Options along(double refinement = 1) {
   return {.transport = TransportScheme::characteristics, .refinement = refinement};
@@ -46,9 +46,9 @@ TEST(AlongCharacteristics, MeetsTheExactDensityWithinItsStatedError) {
   for (const double refinement : {0.5, 1.0, 2.0}) {
     const auto solution = solve(p, along(refinement)).solution;
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
-    const double of_y = distance(transform::marginal(*solution.density, Variable::y, y),
+    const double of_y = distance(transform::marginal(*solution.density, StateVariable::y, y),
                                  exact.displacement_averages(y));
-    const double of_v = distance(transform::marginal(*solution.density, Variable::ydot, v),
+    const double of_v = distance(transform::marginal(*solution.density, StateVariable::ydot, v),
                                  exact.velocity_averages(v));
     ASSERT_TRUE(solution.error);
     EXPECT_LT(of_y, 1.25 * solution.error->y_l1);
@@ -102,7 +102,7 @@ TEST(AlongCharacteristics, DistributeMassNearRestByTheDecayOfTheMotion) {
   // 1/64.
   const double bin = 0.05 * 0.86;
   const auto y =
-      transform::marginal(*solution.density, Variable::y,
+      transform::marginal(*solution.density, StateVariable::y,
                           std::vector<double>{0, bin / 64, bin / 16, bin / 4, bin, 2 * bin});
   double below = y.density[0] * y.width(0);
   EXPECT_LT(below, 1);
@@ -111,10 +111,11 @@ TEST(AlongCharacteristics, DistributeMassNearRestByTheDecayOfTheMotion) {
     below += mass;
     EXPECT_NEAR(mass / (below * (1 - std::pow(4, -exponent))), 1, 0.01) << b;
   }
-  for (const auto& [variable, end] : {std::pair{Variable::y, 1.0}, {Variable::ydot, 1.0}}) {
-    const auto fine =
-        transform::marginal(*solution.density, variable,
-                            tests::uniform_edges(variable == Variable::y ? 0 : -end, end, 997));
+  for (const auto& [variable, end] :
+       {std::pair{StateVariable::y, 1.0}, {StateVariable::ydot, 1.0}}) {
+    const auto fine = transform::marginal(
+        *solution.density, variable,
+        tests::uniform_edges(variable == StateVariable::y ? 0 : -end, end, 997));
     for (const double density : fine.density) EXPECT_GE(density, 0);
   }
   EXPECT_LT(std::abs(*summary.balances.momentum), 5e-4);
@@ -141,8 +142,8 @@ TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
       ASSERT_EQ(upwind.solution.status, Status::ok) << upwind.solution.reason;
       ASSERT_EQ(other.solution.status, Status::ok) << other.solution.reason;
       const double apart =
-          transform::l1(transform::marginal(*upwind.solution.density, Variable::y, y),
-                        transform::marginal(*other.solution.density, Variable::y, y));
+          transform::l1(transform::marginal(*upwind.solution.density, StateVariable::y, y),
+                        transform::marginal(*other.solution.density, StateVariable::y, y));
       EXPECT_LT(apart, 2e-3) << restitution << " " << cubic;
       EXPECT_NEAR(other.summary.impact_rate / upwind.summary.impact_rate, 1, 2e-3);
       EXPECT_NEAR(other.solution.moments.v2 / upwind.solution.moments.v2, 1, 1e-3);
@@ -187,8 +188,8 @@ TEST(Options, CharacteristicsRequireKfAndImpactMap) {
   const auto refused = [](const Options& options) {
     EXPECT_THROW(validate(options), std::exception);
   };
-  refused({.equation = Equation::km4, .transport = TransportScheme::characteristics});
-  refused({.impact = Impact::delta, .transport = TransportScheme::characteristics});
+  refused({.equation = DensityEquation::km4, .transport = TransportScheme::characteristics});
+  refused({.impact = ImpactCondition::delta, .transport = TransportScheme::characteristics});
   refused({.transport = TransportScheme::characteristics, .nx = 40});
 }
 

@@ -78,17 +78,17 @@ TEST(Gmres, ExceptionsOfCallbacksPropagate) {
   EXPECT_EQ(number_of(times, nearly), 0);
 }
 
-TEST(CallbackException, ReturnsFlagsOfCallbacks) {
-  CallbackException thrown;
+TEST(CallbackExceptionStore, ReturnsFlagsOfCallbacks) {
+  CallbackExceptionStore thrown;
   EXPECT_EQ(thrown.invoke([] { return 3; }), 3);
   EXPECT_NO_THROW(thrown.rethrow());
 }
 
-TEST(CallbackException, RethrowsTheFirstExceptionOnce) {
-  CallbackException thrown;
+TEST(CallbackExceptionStore, RethrowsTheFirstExceptionOnce) {
+  CallbackExceptionStore thrown;
   const auto callback = [](int number) { return [number]() -> int { throw number; }; };
-  EXPECT_EQ(thrown.invoke(callback(1)), CallbackException::kUnrecoverable);
-  EXPECT_EQ(thrown.invoke(callback(2)), CallbackException::kUnrecoverable);
+  EXPECT_EQ(thrown.invoke(callback(1)), CallbackExceptionStore::kUnrecoverable);
+  EXPECT_EQ(thrown.invoke(callback(2)), CallbackExceptionStore::kUnrecoverable);
   try {
     thrown.rethrow();
     FAIL() << "nothing was thrown";
@@ -98,8 +98,8 @@ TEST(CallbackException, RethrowsTheFirstExceptionOnce) {
   EXPECT_NO_THROW(thrown.rethrow());
 }
 
-TEST(CallbackException, RethrowsTheSameObject) {
-  CallbackException thrown;
+TEST(CallbackExceptionStore, RethrowsTheSameObject) {
+  CallbackExceptionStore thrown;
   const std::exception* inside = nullptr;
   thrown.invoke([&]() -> int {
     try {

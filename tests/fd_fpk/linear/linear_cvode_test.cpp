@@ -26,14 +26,14 @@ LinearOdeSystem decay() {
 }
 
 const Eigen::VectorXd kStart = Eigen::VectorXd::Ones(6);
-const BdfControl kControl{.max_order = 2,
-                          .relative_tolerance = 1e-7,
-                          .absolute_tolerance = 1e-9,
-                          .linear_tolerance = 1e-3,
-                          .max_steps = 5000};
+const BdfSettings kControl{.max_order = 2,
+                           .relative_tolerance = 1e-7,
+                           .absolute_tolerance = 1e-9,
+                           .linear_tolerance = 1e-3,
+                           .max_steps = 5000};
 
-TEST(LinearCvode, FollowsTheExactSolution) {
-  LinearCvode cvode(decay(), kStart, kControl);
+TEST(LinearCvodeIntegrator, FollowsTheExactSolution) {
+  LinearCvodeIntegrator cvode(decay(), kStart, kControl);
   for (const double time : {0.5, 2.0}) {
     const auto [flag, reached] = cvode.advance(time);
     ASSERT_GE(flag, 0) << cvode.error_message();
@@ -46,18 +46,18 @@ TEST(LinearCvode, FollowsTheExactSolution) {
   EXPECT_GT(cvode.factorisation_count(), 0);
 }
 
-TEST(LinearCvode, StopsWithAMessageAtTheMaximumNumberOfSteps) {
-  BdfControl control = kControl;
+TEST(LinearCvodeIntegrator, StopsWithAMessageAtTheMaximumNumberOfSteps) {
+  BdfSettings control = kControl;
   control.max_steps = 5;
-  LinearCvode cvode(decay(), kStart, control);
+  LinearCvodeIntegrator cvode(decay(), kStart, control);
   EXPECT_LT(cvode.advance(2).flag, 0);
   EXPECT_NE(cvode.error_message().find("mxstep"), std::string::npos) << cvode.error_message();
 }
 
-TEST(LinearCvode, AFailedFactorisationReturnsAFlag) {
+TEST(LinearCvodeIntegrator, AFailedFactorisationReturnsAFlag) {
   LinearOdeSystem system = decay();
   system.factor = [](double) { return false; };
-  LinearCvode cvode(system, kStart, kControl);
+  LinearCvodeIntegrator cvode(system, kStart, kControl);
   EXPECT_LT(cvode.take_step().flag, 0);
 }
 
@@ -66,9 +66,9 @@ struct ThrownByTheSystem {
 };
 
 // SUNDIALS is C: the exception must not propagate through its frames, and must not be lost.
-TEST(LinearCvode, ExceptionsOfCallbacksPropagate) {
+TEST(LinearCvodeIntegrator, ExceptionsOfCallbacksPropagate) {
   const auto number_of = [](const LinearOdeSystem& system) {
-    LinearCvode cvode(system, kStart, kControl);
+    LinearCvodeIntegrator cvode(system, kStart, kControl);
     try {
       cvode.advance(2);
     } catch (const ThrownByTheSystem& thrown) {

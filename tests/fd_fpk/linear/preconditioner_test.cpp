@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "fd_fpk/operator/discretisation.hpp"
-#include "fd_fpk/operator/operator.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "paper_cases.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -33,7 +33,7 @@ class Preconditioners : public testing::Test {
 TEST_F(Preconditioners, KeepTheStationaryFactorsForStepsOfManyDecayTimes) {
   constexpr double kDecayTimes = 200;
   Preconditioner kept = made(), fresh = made();
-  ASSERT_TRUE(kept.factor_stationary());
+  ASSERT_TRUE(kept.factorise_stationary());
   ASSERT_TRUE(kept.factorise(kDecayTimes / loss_));
   ASSERT_TRUE(fresh.factorise(kDecayTimes / loss_));
   EXPECT_EQ(kept.factorisation_count(), 1);
@@ -44,7 +44,7 @@ TEST_F(Preconditioners, KeepTheStationaryFactorsForStepsOfManyDecayTimes) {
 
 TEST_F(Preconditioners, FactorAgainForShortStepsAndAfterThem) {
   Preconditioner used = made(), fresh = made();
-  ASSERT_TRUE(used.factor_stationary());
+  ASSERT_TRUE(used.factorise_stationary());
   const Eigen::VectorXd stationary = solved(used);
   ASSERT_TRUE(used.factorise(100 / loss_));
   ASSERT_TRUE(used.factorise(0.1 / loss_));
@@ -54,7 +54,7 @@ TEST_F(Preconditioners, FactorAgainForShortStepsAndAfterThem) {
   // The stationary factors have been replaced.
   ASSERT_TRUE(used.factorise(100 / loss_));
   EXPECT_EQ(used.factorisation_count(), 3);
-  ASSERT_TRUE(used.factor_stationary());
+  ASSERT_TRUE(used.factorise_stationary());
   EXPECT_LT((solved(used) - stationary).norm(), 1e-10 * stationary.norm());
 }
 

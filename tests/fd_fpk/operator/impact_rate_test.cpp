@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "fd_fpk/linear/eigenvectors.hpp"
+#include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "general_oscillators.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 #include "thorough.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -22,7 +22,7 @@ struct Rates {
   double flux;    ///< flux of the extrapolation to the walls
 };
 
-Rates rates(const Problem& given, Impact impact, double origin_refinement,
+Rates rates(const Problem& given, ImpactCondition impact, double origin_refinement,
             double refinement = 0.7) {
   const Problem p = tests::in_wall_coordinates(given);
   const Options options{
@@ -57,8 +57,8 @@ Problem of_everything() {
 // For small losses the flux into the wall converges fast enough to be a reference: with the power 2
 // - beta of the cell width, which is 1.8 in this test.
 TEST(ImpactRate, IsTheLimitOfTheFluxIntoTheWalls) {
-  for (const Impact impact : {Impact::map, Impact::delta}) {
-    if (impact == Impact::delta && !tests::is_thorough()) continue;
+  for (const ImpactCondition impact : {ImpactCondition::map, ImpactCondition::delta}) {
+    if (impact == ImpactCondition::delta && !tests::is_thorough()) continue;
     constexpr double kFine = 1.4;
     const Rates coarse = rates(of_everything(), impact, 12, kFine),
                 fine = rates(of_everything(), impact, 48, kFine);
@@ -88,8 +88,8 @@ TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
       averages = initial_gaussian(on.grid, scales).cwiseProduct(Eigen::VectorXd(x.reverse()));
     }
     const auto op = fokker_planck_operator(p, options, on);
-    return impact_rate(p.system, on.excitation, Impact::map, on.grid, averages, op * averages,
-                       transport_order(options));
+    return impact_rate(p.system, on.excitation, ImpactCondition::map, on.grid, averages,
+                       op * averages, transport_order(options));
   };
   const double one = rate(both, false);
   EXPECT_GT(one, 0);
@@ -99,11 +99,11 @@ TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
 // Without losses, or without noise, the rate is the flux.
 TEST(ImpactRate, IsTheFluxWhereTheDensityIsBounded) {
   const System elastic({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 1});
-  const auto under_noise = rates(tests::with_noise(elastic, 0.2), Impact::map, 1);
+  const auto under_noise = rates(tests::with_noise(elastic, 0.2), ImpactCondition::map, 1);
   EXPECT_EQ(under_noise.stated, under_noise.flux);
   const System losing({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.7});
-  const auto under_impulses =
-      rates(tests::with_impulses(losing, tests::gaussian_impulses(2, 0.2)), Impact::map, 16);
+  const auto under_impulses = rates(tests::with_impulses(losing, tests::gaussian_impulses(2, 0.2)),
+                                    ImpactCondition::map, 16);
   EXPECT_EQ(under_impulses.stated, under_impulses.flux);
 }
 

@@ -45,9 +45,9 @@ TEST(Observables, ImpactFluxIsThatOfTheOutgoingHalf) {
   const Grid grid = make_grid(64, 128, 6 * s, 6.5 * w);
   const Eigen::VectorXd averages = cell_averages({s, w}, grid);
   const double wall = 2 / (s * std::sqrt(2 * M_PI));
-  EXPECT_NEAR(impact_flux(grid, averages, 5, 1), wall * w / std::sqrt(2 * M_PI), 1e-5);
-  EXPECT_NEAR(impact_flux(grid, averages, 5, 3), wall * 2 * std::pow(w, 3) / std::sqrt(2 * M_PI),
-              1e-5);
+  EXPECT_NEAR(wall_speed_moment(grid, averages, 5, 1), wall * w / std::sqrt(2 * M_PI), 1e-5);
+  EXPECT_NEAR(wall_speed_moment(grid, averages, 5, 3),
+              wall * 2 * std::pow(w, 3) / std::sqrt(2 * M_PI), 1e-5);
 }
 
 // The folded Gaussian with w = sqrt(k) s is the density of a linear elastic oscillator under white

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "problem/features.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

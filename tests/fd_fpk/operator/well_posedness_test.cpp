@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kRate = 3.17;  // the default length of two_point is then 0.8 of an automatic cell
 
-WellPosedness posedness_of(const problem::Problem& problem, Options options) {
-  options.equation = Equation::km4;
+WellPosednessCheck posedness_of(const problem::Problem& problem, Options options) {
+  options.equation = DensityEquation::km4;
   return check_well_posedness(problem, options,
                               discretise(problem, options, initial_box(problem, options)));
 }
@@ -23,7 +23,7 @@ double advised(const std::string& ill_posed_reason) {
   return std::stod(ill_posed_reason.substr(ill_posed_reason.find(before) + before.size()));
 }
 
-TEST(WellPosedness, DefaultRegularisationLengthIsWellPosed) {
+TEST(WellPosednessCheck, DefaultRegularisationLengthIsWellPosed) {
   for (const std::string law : {"two_point", "uniform", "gaussian"}) {
     for (const double rate : {kRate, 1000.0}) {
       const auto p = tests::make_problem({.rate = rate, .law = law});
@@ -34,7 +34,7 @@ TEST(WellPosedness, DefaultRegularisationLengthIsWellPosed) {
   EXPECT_EQ(posedness_of(graded, {}).ill_posed_reason, "");
 }
 
-TEST(WellPosedness, AdvisedRegularisationLengthIsWellPosed) {
+TEST(WellPosednessCheck, AdvisedRegularisationLengthIsWellPosed) {
   for (const std::string law : {"two_point", "gaussian"}) {
     const auto p = tests::make_problem({.law = law});
     const auto literal = posedness_of(p, {.regularisation_length = 0});
@@ -49,7 +49,7 @@ TEST(WellPosedness, AdvisedRegularisationLengthIsWellPosed) {
 
 // Cells at the origin are 16 times narrower than cells far from the origin; compared with the
 // narrow cells the regularisation length is long.
-TEST(WellPosedness, WideCellsFarOutAreCheckedToo) {
+TEST(WellPosednessCheck, WideCellsFarOutAreCheckedToo) {
   const auto p = tests::make_problem({.restitution = 0.8, .rate = kRate, .law = "two_point"});
   const double of_law = default_regularisation_length(p.impulses.law());
   const auto found = posedness_of(p, {.regularisation_length = of_law});

@@ -36,13 +36,14 @@ TEST(SolveDeadline, EvenTheFirstSolveIsAborted) {
 
 TEST(SolveDeadline, AStepIsAborted) {
   const auto p = tests::paper_case(1);
-  const Options options{.equation = Equation::white, .nx = 16, .nv = 32};
+  const Options options{.equation = DensityEquation::white, .nx = 16, .nv = 32};
   const Discretisation on = discretise(p, options, initial_box(p, options));
   const auto op = fokker_planck_operator(p, options, on);
   const auto march = [&](double seconds) {
     Preconditioner preconditioner(p, on.excitation, options.impact, on.grid);
-    return march_to_stationarity(op, preconditioner, initial_gaussian(on.grid, problem::scales(p)),
-                                 1e-10, 20, Deadline(seconds));
+    return integrate_to_stationarity(op, preconditioner,
+                                     initial_gaussian(on.grid, problem::scales(p)), 1e-10, 20,
+                                     Deadline(seconds));
   };
   const PseudoTransientResult late = march(0);
   EXPECT_TRUE(late.out_of_time);

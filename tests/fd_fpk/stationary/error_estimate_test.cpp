@@ -16,8 +16,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 const Deadline kNoDeadline(HUGE_VAL);
 
@@ -203,15 +203,15 @@ TEST(ErrorEstimate, ExtrapolationGivesTheLimitOfAManufacturedSequence) {
       const auto solve_one = solver_of_order(4, requests);
       const auto solution = tolerance ? solve_to_tolerance(solve_one, options, kNoDeadline).solution
                                       : solve_with_error_estimate(solve_one, options).solution;
-      const auto fine = transform::marginal(solution, Variable::y, edges);
-      const auto limit = transform::richardson_limit_marginal(solution, Variable::y, edges);
+      const auto fine = transform::marginal(solution, StateVariable::y, edges);
+      const auto limit = transform::richardson_limit_marginal(solution, StateVariable::y, edges);
       for (std::size_t k = 0; k < limit.size(); ++k) {
         EXPECT_GT(std::abs(fine.density[k] - 0.25), 1e-5);
         EXPECT_NEAR(limit.density[k], 0.25, 1e-12);
       }
     }
   }
-  EXPECT_THROW(transform::richardson_limit_marginal(wave(0.1), Variable::y, edges),
+  EXPECT_THROW(transform::richardson_limit_marginal(wave(0.1), StateVariable::y, edges),
                std::logic_error);
 }
 

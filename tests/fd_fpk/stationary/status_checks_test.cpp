@@ -31,8 +31,8 @@ TEST(Resolution, AcceptsValuesUpToTheLimitsOfEitherSign) {
 
 TEST(Resolution, ABoxIsTooSmallWhereEitherWallCarriesDensity) {
   const Grid grid = make_grid(16, 32, 2.5, 3.5);
-  EXPECT_EQ(box_failure_reason({}, grid, {0.9 * kMaxWallDensity, 0.9 * kMaxWallDensity}), "");
-  EXPECT_NE(box_failure_reason({}, grid, {1.1 * kMaxWallDensity, 0}), "");
+  EXPECT_EQ(box_failure_reason({}, grid, {0.9 * kMaxBoxEdgeDensity, 0.9 * kMaxBoxEdgeDensity}), "");
+  EXPECT_NE(box_failure_reason({}, grid, {1.1 * kMaxBoxEdgeDensity, 0}), "");
   EXPECT_NE(box_failure_reason({}, grid, {kNotANumber, 0}), "");
   EXPECT_EQ(box_failure_reason({}, grid, {0, 0.02}, "at t = 1 "),
             "the box y <= 2.5, |y'| <= 3.5 is too small: at t = 1 the density on its wall is "
@@ -40,13 +40,14 @@ TEST(Resolution, ABoxIsTooSmallWhereEitherWallCarriesDensity) {
 }
 
 TEST(Resolution, AMessageStatesTheFreeSidesInPhysicalCoordinates) {
-  const auto said = [](const problem::Frame& frame, EndCondition left, EndCondition right) {
+  const auto said = [](const problem::WallFrame& frame, AxisEndCondition left,
+                       AxisEndCondition right) {
     const Grid grid = symmetric_grid({0, 1, 2}, {0, 1, 3}, left, right);
     const std::string objection = box_failure_reason(frame, grid, {0, 0, 0.02});
     return objection.substr(0, objection.find(" is too small"));
   };
-  using enum EndCondition;
-  const problem::Frame shifted{.origin = -0.5}, mirrored{.origin = 0.5, .mirrored = true};
+  using enum AxisEndCondition;
+  const problem::WallFrame shifted{.origin = -0.5}, mirrored{.origin = 0.5, .mirrored = true};
   EXPECT_EQ(said({}, vacuum, vacuum), "the box 0 <= y <= 2, |y'| <= 3");
   EXPECT_EQ(said(shifted, boundary, vacuum), "the box y <= 1.5, |y'| <= 3");
   EXPECT_EQ(said(mirrored, boundary, vacuum), "the box y >= -1.5, |y'| <= 3");

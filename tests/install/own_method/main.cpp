@@ -35,8 +35,8 @@ void validate(const Options& options) { description().validate(options); }
 transform::SolutionIdentity identity(const Options&) {
   return {.id = "linear",
           .method = "linear",
-          .equation = problem::Equation::white,
-          .impact = problem::Impact::map};
+          .equation = problem::DensityEquation::white,
+          .impact = problem::ImpactCondition::map};
 }
 
 std::optional<Options> options_of(std::string_view id) {
@@ -51,7 +51,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
         return std::exp(-y * y / (2 * a * a) - v * v / (2 * b * b)) / (std::numbers::pi * a * b);
       },
       options.widths * a, options.widths * b};
-  const auto marginals = transform::panel_marginals(density, density.y_max, density.v_max);
+  const auto marginals = transform::quadrature_marginals(density, density.y_max, density.v_max);
   transform::Solution solution{.identity = identity(options)};
   solution.status = transform::Status::ok;
   solution.density = density;
@@ -71,7 +71,7 @@ methods::Solver linear_solver() {
                                       .plot_style = [](const transform::SolutionIdentity&) {
                                         return transform::PlotStyle{.colour = "#808000"};
                                       }}}};
-  return methods::with_traits<Options>(
+  return methods::with_solver_traits<Options>(
       std::move(entry),
       {.description = description(),
        .validate = validate,

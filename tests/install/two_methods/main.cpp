@@ -16,10 +16,10 @@ int main() {
   const auto comparison = compare::compare_solutions(compare::comparison_axes(problem), solutions);
   for (const auto& pair : comparison.pairs) {
     std::printf("%s - %s, %s: L1 %.5f\n", pair.a.c_str(), pair.b.c_str(),
-                pair.variable == transform::Variable::y ? "p(y)" : "p(y')", pair.distances.l1);
+                pair.variable == transform::StateVariable::y ? "p(y)" : "p(y')", pair.distances.l1);
   }
   // docs/results.md: 0.00234 and 0.00465.
   const auto l1 = compare::l1_distance_between(comparison.pairs, "epc-gaussian-n6", "fd-kf",
-                                               transform::Variable::y);
+                                               transform::StateVariable::y);
   return l1 && *l1 > 0.0020 && *l1 < 0.0027 ? 0 : 1;
 }

@@ -11,8 +11,8 @@
 #include "base/input_error.hpp"
 #include "mcs/deposit/deposit_simd.hpp"
 #include "mcs/motion/advance.hpp"
+#include "mcs/scalar_trajectory.hpp"
 #include "mcs/solve.hpp"
-#include "mcs/trajectory.hpp"
 #include "numerics/simd/instruction_set.hpp"
 #include "paper_cases.hpp"
 #include "uniform_edges.hpp"
@@ -108,7 +108,7 @@ struct Setting {
   BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
   DepositPlan plan{grid(), kRate, kInterval};
 
-  Stream advanced(std::uint32_t s, const simd::CodeVariant& lanes) const {
+  Stream advanced(std::uint32_t s, const simd::SimdVariant& lanes) const {
     ImpulseSource source(problem.impulses, 21, s);
     const Impulse first = source.next_impulse();
     Stream stream{.branch = {.y = 0.3,
@@ -118,7 +118,7 @@ struct Setting {
                              .until_sample = kInterval / 2,
                              .remaining = 0},
                   .source = source,
-                  .record = StreamRecord(y, v)};
+                  .record = StreamStatistics(y, v)};
     stream.record.deposit = DepositedSums(plan.grid);
     std::vector<Stream> copies(static_cast<std::size_t>(lanes.width), stream);
     std::vector<Stream*> all;
@@ -138,7 +138,7 @@ TEST(DepositedSums, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
   const Setting setting;
   const double variance = setting.problem.impulses.law().moment(2);
   for (std::uint32_t s = 0; s < 3; ++s) {
-    const Stream stream = setting.advanced(s, simd::available_code_variants().back());
+    const Stream stream = setting.advanced(s, simd::available_simd_variants().back());
     for (const auto& [p, q] :
          {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {2, 2}, {0, 3}, {3, 1}}) {
       tests::Trajectory trajectory(setting.oscillator,
@@ -161,10 +161,10 @@ TEST(DepositedSums, TakesShiftsInPlaceOfTheLattice) {
   Setting setting;
   const double variance = setting.problem.impulses.law().moment(2), d = std::sqrt(variance);
   const DepositedSums lattice =
-      setting.advanced(0, simd::available_code_variants().back()).record.deposit;
+      setting.advanced(0, simd::available_simd_variants().back()).record.deposit;
   setting.plan.grid.shifts = {{-d, 0.5}, {d, 0.5}};
   const DepositedSums shifted =
-      setting.advanced(0, simd::available_code_variants().back()).record.deposit;
+      setting.advanced(0, simd::available_simd_variants().back()).record.deposit;
   EXPECT_EQ(*std::ranges::max_element(shifted.lattice), 0);
   for (const auto& [p, q] : {std::pair{0, 2}, {1, 1}, {2, 2}, {0, 3}}) {
     const auto after = [&, power = q](double v) {
@@ -179,7 +179,7 @@ TEST(DepositedSums, HasTheSameBitsForAnyWidthAndInstructions) {
   const Setting setting;
   const DepositedSums reference =
       setting.advanced(1, {simd::InstructionSet::baseline, 1}).record.deposit;
-  for (const simd::CodeVariant& lanes : simd::available_code_variants()) {
+  for (const simd::SimdVariant& lanes : simd::available_simd_variants()) {
     SCOPED_TRACE(lanes.width);
     const DepositedSums deposit = setting.advanced(1, lanes).record.deposit;
     EXPECT_EQ(deposit.flow, reference.flow);
@@ -194,7 +194,7 @@ TEST(DepositedSums, HasTheSameBitsForAnyWidthAndInstructions) {
 
 TEST(DepositedSums, CountsEverySampleInTheSmoothBins) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_code_variants().back());
+  const Stream stream = setting.advanced(0, simd::available_simd_variants().back());
   const DepositedSums& deposit = stream.record.deposit;
   const auto sum = [](const std::vector<double>& x) {
     return std::accumulate(x.begin(), x.end(), 0.0);
@@ -212,7 +212,7 @@ TEST(DepositedSums, CountsEverySampleInTheSmoothBins) {
 
 TEST(DepositedSums, RecordsImpactsAndImpulses) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_code_variants().back());
+  const Stream stream = setting.advanced(0, simd::available_simd_variants().back());
   const auto [before, after, beyond] = stream.record.deposit.impacts;
   EXPECT_GT(stream.record.impacts, 3);
   EXPECT_NEAR(after / before, 0.6, 1e-14);
@@ -241,7 +241,7 @@ TEST(DepositedSums, RefusesGridsThatItCannotUse) {
     EXPECT_THROW(validate(options), InputError);
   };
   EXPECT_NO_THROW(validate(Options{.deposit = grid()}));
-  refused([](Options& o) { o.equation = Equation::white; });
+  refused([](Options& o) { o.equation = DensityEquation::white; });
   refused([](Options& o) { o.tails = true; });
   refused([](Options& o) { o.deposit->y_knots.erase(o.deposit->y_knots.begin()); });
   refused([](Options& o) { o.deposit->v_knots[10] -= 1; });

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "paper_cases.hpp"
-#include "statistics.hpp"
+#include "simulate_and_compare.hpp"
 
 namespace fpkcheck::mcs {
 namespace {

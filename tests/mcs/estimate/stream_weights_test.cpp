@@ -34,13 +34,13 @@ TEST(StreamWeights, ArePlainForEqualExcessPowers) {
   const StreamWeights weights(std::vector<double>(8, 0.0));
   for (std::size_t s = 0; s < weights.size(); ++s) EXPECT_DOUBLE_EQ(weights[s], 1.0 / 8);
   const std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8};
-  const Estimate estimate = weights.estimate(values), plain = plain_estimate(values);
+  const Estimate estimate = weights.estimate(values), plain = unweighted_estimate(values);
   EXPECT_DOUBLE_EQ(estimate.mean, 4.5);
   EXPECT_DOUBLE_EQ(plain.mean, 4.5);
   EXPECT_DOUBLE_EQ(plain.standard_error, std::sqrt(6.0 / 8));
   // Two slopes leave five degrees of freedom instead of seven.
   EXPECT_DOUBLE_EQ(estimate.standard_error, plain.standard_error * std::sqrt(7.0 / 5));
-  EXPECT_NEAR(weights.interval_factor(), 2.570582, 1e-6);  // Student's t
+  EXPECT_NEAR(weights.confidence_interval_factor(), 2.570582, 1e-6);  // Student's t
 }
 
 // Many experiments with 16 streams each: x = 2 + 3 b + b^2 + noise, b skewed with mean zero. The
@@ -61,7 +61,8 @@ TEST(StreamWeights, AreUnbiasedAndTheirIntervalsCoverTheTruth) {
     }
     const StreamWeights weights(excess);
     const Estimate estimate = weights.estimate(values);
-    covered += std::abs(estimate.mean - 2) < weights.interval_factor() * estimate.standard_error;
+    covered += std::abs(estimate.mean - 2) <
+               weights.confidence_interval_factor() * estimate.standard_error;
     sum += estimate.mean - 2;
     sum_of_squares += (estimate.mean - 2) * (estimate.mean - 2);
   }

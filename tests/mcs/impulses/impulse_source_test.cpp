@@ -89,7 +89,7 @@ TEST(ImpulseSource, DrawsTheAtomsOfATable) {
                                      .intensity = 0.3,
                                      .mean = 0.1,
                                      .table = tests::kAtoms});
-  ImpulseSource source(train, 6, 0), mirrored(train.mirror_image(), 6, 0);
+  ImpulseSource source(train, 6, 0), mirrored(train.with_negated_amplitudes(), 6, 0);
   const auto atoms = train.law().atoms();
   std::vector<int> count(atoms.size());
   for (int n = 0; n < kDraws; ++n) {
@@ -120,7 +120,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCumulativeOfLawsOfAnySkewness) {
   for (const auto& train :
        {train_of("exponential", 2), train_of("exponential", -2), train_of("gamma", 0.01),
         train_of("gamma", -0.5), train_of("gamma", 1.6), train_of("gamma", -2),
-        train_of("tabulated", {}), train_of("tabulated", {}).mirror_image()}) {
+        train_of("tabulated", {}), train_of("tabulated", {}).with_negated_amplitudes()}) {
     SCOPED_TRACE(fmt::format("{} {}", train.law().name(), train.law().skewness()));
     ImpulseSource source(train, 5, 0);
     std::vector<double> drawn(kDraws);
@@ -178,7 +178,7 @@ TEST(ImpulseSource, GoesOnFromAnyNumber) {
   ImpulseSource whole(problem.impulses, 9, 4);
   for (int n = 0; n < 50; ++n) {
     ImpulseSource resumed(problem.impulses, 9, 4);
-    resumed.continue_from(whole.number());
+    resumed.seek_to(whole.number());
     EXPECT_EQ(resumed.number(), whole.number());
     const Impulse expected = whole.next_impulse(), found = resumed.next_impulse();
     EXPECT_EQ(found.waiting, expected.waiting) << n;
@@ -250,7 +250,7 @@ TEST(ImpulseBlock, HasTheSameBitsForAnyInstructions) {
          {poisson_excitation(problem.impulses), white_noise_excitation(problem.impulses, 0.05)}) {
       const UniformNumbers u = uniform_numbers(1, 2, RandomNumberPurpose::impulses, 32);
       const ImpulseBlock expected = baseline::make_impulse_block(excitation, u);
-      for (const simd::CodeVariant& lanes : simd::available_code_variants()) {
+      for (const simd::SimdVariant& lanes : simd::available_simd_variants()) {
         const auto make =
             simd::select_variant(lanes.instructions, baseline::make_impulse_block,
                                  avx2::make_impulse_block, avx512::make_impulse_block);

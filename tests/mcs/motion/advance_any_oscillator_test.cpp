@@ -42,7 +42,7 @@ struct FreeStreams {
                                     .until_sample = kBetweenSamples / 2,
                                     .remaining = 0},
                          .source = ImpulseSource(standard_normal_impulses(), 1, number),
-                         .record = StreamRecord(y, v),
+                         .record = StreamStatistics(y, v),
                          .noise = NoiseSource(1, number)});
       if (kicks.is_present()) {
         streams.back().branch.kick_interval = kicks.longest_interval;
@@ -53,7 +53,7 @@ struct FreeStreams {
   }
 
   void advance(double time,
-               const simd::CodeVariant& lanes = simd::available_code_variants().back()) {
+               const simd::SimdVariant& lanes = simd::available_simd_variants().back()) {
     motion.y_bins = &y;
     motion.v_bins = &v;
     std::vector<Stream*> pointers;
@@ -195,7 +195,7 @@ TEST(AdvanceAnyOscillator, ComesToRestAfterInfinitelyManyBounces) {
   for (const double rest_speed : {1e-1, 1e-4}) {
     FreeStreams free(ball(r, rest_speed), {{u * u / 2, 0}, {u * u / 2, 0}});
     free.advance(time);
-    const StreamRecord& record = free[0].record;
+    const StreamStatistics& record = free[0].record;
     const double to_rest = u * (1 + r) / (1 - r);
     EXPECT_EQ(free[0].branch.y, 0);
     EXPECT_EQ(free[0].branch.v, 0);
@@ -247,7 +247,7 @@ TEST(AdvanceAnyOscillator, GivesTheSameBitsForAnyWidthAndInstructions) {
   for (const auto& kicks : {NoiseKicks{}, noise}) {
     FreeStreams reference(walls, starts, kicks);
     reference.advance(100, {simd::InstructionSet::baseline, 1});
-    for (const simd::CodeVariant& lanes : simd::available_code_variants()) {
+    for (const simd::SimdVariant& lanes : simd::available_simd_variants()) {
       SCOPED_TRACE(lanes.width);
       FreeStreams group(walls, starts, kicks);
       group.advance(100, lanes);

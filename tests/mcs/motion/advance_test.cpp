@@ -5,7 +5,7 @@
 #include <cmath>
 #include <deque>
 
-#include "mcs/trajectory.hpp"
+#include "mcs/scalar_trajectory.hpp"
 #include "paper_cases.hpp"
 #include "thorough.hpp"
 #include "uniform_edges.hpp"
@@ -33,11 +33,11 @@ struct Group {
                                     .until_sample = kInterval / 2,
                                     .remaining = 0},
                          .source = source,
-                         .record = StreamRecord(y, v)});
+                         .record = StreamStatistics(y, v)});
     }
   }
 
-  void advance(double time, const simd::CodeVariant& lanes) {
+  void advance(double time, const simd::SimdVariant& lanes) {
     std::vector<Stream*> pointers;
     for (Stream& stream : streams) pointers.push_back(&stream);
     mcs::advance({.oscillator = oscillator,
@@ -64,7 +64,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
   for (const Group& start : groups_of_all_kinds()) {
     Group reference(start);
     reference.advance(300, {simd::InstructionSet::baseline, 1});
-    for (const simd::CodeVariant& lanes : simd::available_code_variants()) {
+    for (const simd::SimdVariant& lanes : simd::available_simd_variants()) {
       SCOPED_TRACE(lanes.width);
       Group group(start);
       group.advance(300, lanes);
@@ -86,7 +86,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
   }
 }
 
-/// Computes the sums of a StreamRecord from the scalar trajectory.
+/// Computes the sums of a StreamStatistics from the scalar trajectory.
 struct Tally {
   double until_sample = kInterval / 2;
   double samples = 0, yyv = 0, impacts = 0, impact_speed = 0, impact_energy = 0, work = 0;
@@ -110,7 +110,7 @@ TEST(Advance, AgreesWithTheScalarTrajectory) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.6, .rate = 3});
   Group group(problem);
   constexpr double kTime = 30;
-  group.advance(kTime, simd::available_code_variants().back());
+  group.advance(kTime, simd::available_simd_variants().back());
   for (std::size_t s = 0; s < group.streams.size(); ++s) {
     const auto n = static_cast<double>(s);
     tests::Trajectory trajectory(group.oscillator,
@@ -139,7 +139,7 @@ double total(const std::vector<double>& sums) {
 // Between two impacts there is one maximum more than minima.
 TEST(Advance, CountsOneMaximumMoreThanMinimaFromImpactToImpact) {
   Group group(tests::paper_case(1));
-  group.advance(3000, simd::available_code_variants().back());
+  group.advance(3000, simd::available_simd_variants().back());
   for (const Stream& stream : group.streams) {
     EXPECT_GT(total(stream.record.troughs), 10);
     EXPECT_NEAR(total(stream.record.peaks) - total(stream.record.troughs), stream.record.impacts,
@@ -159,7 +159,7 @@ TEST(Advance, EndsAfterABoundedNumberOfFlightsAtStrongLossesAndRest) {
                                          .intensity = 0.1 * rate,
                                          .mean = mean * std::sqrt(0.1)}));
         const double time = tests::part_unless_thorough(40, 200) / std::min(rate, 1.0);
-        group.advance(time, simd::available_code_variants().back());
+        group.advance(time, simd::available_simd_variants().back());
         for (const Stream& stream : group.streams) {
           const auto impulses = static_cast<double>(stream.record.impulses);
           EXPECT_LE(stream.record.impacts, time * 2 + impulses);

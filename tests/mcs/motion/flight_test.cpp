@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mcs/motion/polynomial_flight.hpp"
-#include "mcs/trajectory.hpp"
+#include "mcs/scalar_trajectory.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::mcs {

@@ -4,7 +4,7 @@
 
 #include "general_oscillators.hpp"
 #include "paper_cases.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 
 namespace fpkcheck::mcs {
 namespace {

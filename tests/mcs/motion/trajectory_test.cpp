@@ -1,4 +1,4 @@
-#include "mcs/trajectory.hpp"
+#include "mcs/scalar_trajectory.hpp"
 
 #include <gtest/gtest.h>
 

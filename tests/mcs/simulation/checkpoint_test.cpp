@@ -56,7 +56,7 @@ class Checkpoint : public testing::Test {
 // any.
 TEST_F(Checkpoint, IsNotWrittenDuringShutdown) {
   const auto wait_in_vain = [&] {
-    base::stop_writes_of_other_threads();
+    base::wait_and_block_other_writers();
     std::thread([&] {
       Options options = brief(false);
       options.checkpoint = file_;
@@ -102,7 +102,7 @@ TEST_F(Checkpoint, OfAnotherSimulationIsRefused) {
   refused([](auto& o) { o.streams = 11; });
   refused([](auto& o) { o.step = 0.5; });
   refused([](auto& o) { o.tails = true; });
-  refused([](auto& o) { o.equation = Equation::white; });
+  refused([](auto& o) { o.equation = DensityEquation::white; });
   refused([](auto& o) { o.v_edges = {-1, 0, 1}; });
   problem_ = tests::make_problem({.restitution = 0.71});
   refused([](auto&) {});

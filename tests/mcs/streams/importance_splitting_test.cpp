@@ -12,7 +12,7 @@
 
 #include "mcs/estimate/stream_weights.hpp"
 #include "paper_cases.hpp"
-#include "statistics.hpp"
+#include "simulate_and_compare.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -23,7 +23,7 @@ Stream make_stream(const problem::Problem& problem, double y, double v) {
       .branch =
           {.y = y, .v = v, .until_impulse = 1, .amplitude = 0, .until_sample = 1, .remaining = 1},
       .source = ImpulseSource(problem.impulses, 1, 0),
-      .record = StreamRecord(bins, bins)};
+      .record = StreamStatistics(bins, bins)};
 }
 
 /// Resumes every branch without advancing it. The results are the number of branches and the sum of
@@ -66,7 +66,7 @@ TEST(ImportanceSplitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   Stream stream = make_stream(problem, 1, 1);
   splitting.split_initial_state(stream);
   stream.branch.v = 0;  // E = 1.5
-  splitting.update_after_impulse(stream);
+  splitting.split_or_end_branch(stream);
   EXPECT_EQ(stream.branch.energy_level, 1);  // energy level of the next branch
   EXPECT_EQ(Followed(splitting, stream).branches, 3u);
 }
@@ -133,7 +133,7 @@ struct Walk {
         above[k] += branch.v > kSpeeds[k] ? counted : 0;
       branch.v = 0.8 * branch.v - (unit(engine) < 0.2 ? std::log(1 - unit(engine)) : 0);
       ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
-      splitting.update_after_impulse(stream);
+      splitting.split_or_end_branch(stream);
       most_waiting = std::max(most_waiting, stream.pending_branches.size());
     }
     impulses = stream.record.impulses;
@@ -161,8 +161,9 @@ struct Walks {
                             static_cast<double>(ImportanceSplitting::kImpulseAllowance);
       most_for_one = std::max(most_for_one, beyond / static_cast<double>(walk.impulses));
     }
-    weight = plain_estimate(weights);
-    std::ranges::transform(all, above.begin(), [](const auto& of) { return plain_estimate(of); });
+    weight = unweighted_estimate(weights);
+    std::ranges::transform(all, above.begin(),
+                           [](const auto& of) { return unweighted_estimate(of); });
   }
 };
 
@@ -199,7 +200,7 @@ TEST(ImportanceSplitting, ThresholdsArePassedByAQuarterEach) {
   for (int k = 0; k <= 4000; ++k) edges.push_back(0.01 * k);
   for (int k = 0; k < 4000; ++k) weights.push_back(std::exp(-edges[k]) - std::exp(-edges[k + 1]));
   weights.push_back(0);
-  const auto thresholds = choose_thresholds(BinFinder(edges), weights, 0, 1e-4);
+  const auto thresholds = choose_energy_thresholds(BinFinder(edges), weights, 0, 1e-4);
   ASSERT_EQ(thresholds.size(), 6u);  // 4^-6 > 1e-4 > 4^-7
   for (std::size_t i = 0; i < thresholds.size(); ++i) {
     EXPECT_NEAR(thresholds[i], static_cast<double>(i + 1) * std::log(4.0), 0.0101);

@@ -10,8 +10,8 @@
 namespace fpkcheck::methods {
 namespace {
 
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 
 std::string refusal_of_argument(const std::string& text) {
   return tests::refusal([&] { parse_external_argument(text); });
@@ -21,13 +21,13 @@ TEST(ExternalArguments, SetTheEquationOfAFile) {
   const auto whole = parse_external_argument("a/mine.csv:own,equation=km4,impact=delta,order=6");
   EXPECT_EQ(whole.file, "a/mine.csv");
   EXPECT_EQ(whole.label, "own");
-  EXPECT_EQ(whole.equation, Equation::km4);
-  EXPECT_EQ(whole.impact, Impact::delta);
+  EXPECT_EQ(whole.equation, DensityEquation::km4);
+  EXPECT_EQ(whole.impact, ImpactCondition::delta);
   EXPECT_EQ(whole.order, 6);
   const auto bare = parse_external_argument("a/mine.csv,equation=kf");
   EXPECT_EQ(bare.label, "mine");
   EXPECT_FALSE(bare.has_label);
-  EXPECT_EQ(bare.equation, Equation::kf);
+  EXPECT_EQ(bare.equation, DensityEquation::kf);
   EXPECT_FALSE(bare.impact);
   const auto run = parse_external_argument("summary.json:m8,solution=epc-moment-n8,case=case2");
   EXPECT_EQ(run.solution, "epc-moment-n8");

@@ -7,10 +7,10 @@
 #include <random>
 
 #include "exact/closed_forms.hpp"
-#include "methods/builtin.hpp"
-#include "methods/external/between_walls.hpp"
+#include "methods/builtin_solvers.hpp"
+#include "methods/external/external_labels.hpp"
 #include "methods/external/external_samples.hpp"
-#include "methods/external/labels.hpp"
+#include "methods/external/range_between_walls.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "refusal.hpp"
@@ -19,18 +19,18 @@
 namespace fpkcheck::methods {
 namespace {
 
-using problem::Equation;
+using problem::DensityEquation;
 using tests::contains;
 using tests::refusal;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 using Function = std::function<double(double, double)>;
 
 // External densities at r = 1, where the density under white noise is known exactly.
 class ExternalDensities : public testing::Test {
  protected:
   Method of(const Function& p,
-            const ExternalDensity& own = {.label = "own", .equation = Equation::white},
+            const ExternalDensity& own = {.label = "own", .equation = DensityEquation::white},
             const JointDensityOptions& how = {}) {
     std::vector<double> values;
     for (const double y : points_.y_points()) {
@@ -39,12 +39,12 @@ class ExternalDensities : public testing::Test {
     return make_method_from_density_values(own, how, points_, values);
   }
   transform::Solution solved(const Method& method) {
-    return solve_with(method, problem_, {axes_, {}});
+    return solve_with_method(method, problem_, {axes_, {}});
   }
 
   problem::Problem problem_ = tests::make_problem({.restitution = 1});
   compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
-  DensityPoints points_{axes_, problem_.system.walls()};
+  DensityQuadratureGrid points_{axes_, problem_.system.walls()};
   exact::WhiteNoiseDensity exact_{problem_};
 };
 
@@ -59,7 +59,7 @@ TEST_F(ExternalDensities, ReproduceTheFunction) {
   EXPECT_NEAR(transform::metric_number(own.metrics, "balances.virial").value(), 0, 1e-7);
   EXPECT_NEAR(transform::metric_number(own.metrics, "balances.momentum").value(), 0, 1e-7);
   EXPECT_EQ(transform::equation_and_impact_text(own.identity), "white/map");
-  const auto y = transform::marginal(own, Variable::y, axes_.y_edges);
+  const auto y = transform::marginal(own, StateVariable::y, axes_.y_edges);
   // The average over a bin differs from the density at its centre.
   for (const std::size_t b : {0, 20, 70}) {
     EXPECT_NEAR(y.density[b] / exact_.displacement_marginal(y.centre(b)), 1, 3e-3);
@@ -71,14 +71,14 @@ TEST_F(ExternalDensities, AreClosuresWithABudgetIfTheirEquationIsGiven) {
   auto methods = builtin_registry().select_methods("fd-white,fd-kf", {});
   methods.insert(methods.begin(), of(p, {.label = "nobody"}));
   methods.insert(methods.begin() + 1,
-                 of(p, {.label = "own", .equation = Equation::white}, {.accuracy = 1}));
+                 of(p, {.label = "own", .equation = DensityEquation::white}, {.accuracy = 1}));
   const auto one = run_cases({problem_}, methods, 0, {}).front();
   const auto& own = *one.find("own");
   EXPECT_EQ(own.identity.role, transform::SolutionRole::closure);
   EXPECT_EQ(one.find("nobody")->identity.role, transform::SolutionRole::external);
   EXPECT_EQ(own.status, Status::ok);
   // The error against the full problem is that of the white-noise model.
-  const double far = one.l1("own", "fd-kf", Variable::y).value();
+  const double far = one.l1("own", "fd-kf", StateVariable::y).value();
   EXPECT_GT(own.error.value().y_l1, far);
   EXPECT_LT(own.error.value().y_l1, 1.7 * far);
   ASSERT_EQ(one.budget.size(), 2u);
@@ -92,8 +92,8 @@ TEST_F(ExternalDensities, AreClosuresWithABudgetIfTheirEquationIsGiven) {
 
 TEST_F(ExternalDensities, AreInadmissibleIfNoDensity) {
   const auto status_of = [&](const Function& p, bool normalise = true) {
-    const auto own = solved(
-        of(p, {.label = "own", .equation = Equation::kf}, {.normalise = normalise, .accuracy = 1}));
+    const auto own = solved(of(p, {.label = "own", .equation = DensityEquation::kf},
+                               {.normalise = normalise, .accuracy = 1}));
     return std::string(name(own.status)) + ": " + own.reason;
   };
   EXPECT_EQ(status_of([&](double y, double v) { return exact_(y, v); }, false),
@@ -141,11 +141,11 @@ TEST_F(ExternalDensities, SamplesEstimateTheirSamplingError) {
     y.push_back(std::abs(normal(engine)));
     v.push_back(normal(engine));
   }
-  const auto drawn =
-      solved(make_method_from_samples({.label = "drawn", .equation = Equation::white}, y, v));
+  const auto drawn = solved(
+      make_method_from_samples({.label = "drawn", .equation = DensityEquation::white}, y, v));
   const auto exact = solved(of([](double a, double b) { return std::exp(-a * a - b * b); }));
   for (const auto variable : transform::kVariables) {
-    const auto& edges = compare::bin_edges(axes_, variable);
+    const auto& edges = compare::comparison_bin_edges(axes_, variable);
     const double far = l1(marginal(drawn, variable, edges), marginal(exact, variable, edges));
     const double expected = transform::expected_l1_error(*drawn.sampling, variable).value();
     EXPECT_NEAR(far / expected, 1, 0.3);

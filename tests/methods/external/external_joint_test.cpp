@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "epc/solve.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/external/external_methods.hpp"
 #include "methods/run_cases.hpp"
 #include "refusal.hpp"
@@ -22,11 +22,11 @@ namespace fpkcheck::methods {
 namespace {
 
 namespace fs = std::filesystem;
-using problem::Equation;
-using problem::Impact;
+using problem::DensityEquation;
+using problem::ImpactCondition;
 using tests::contains;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 // A synthetic run with the paper's equation, and files of its densities.
 class JointDensityFiles : public testing::Test {
@@ -35,9 +35,10 @@ class JointDensityFiles : public testing::Test {
     const auto before = std::ranges::find(solutions_, "fd-km4", &transform::Solution::id);
     auto delta =
         tests::smooth_density({2.5, 0.05, 2.3, -0.02}, axes_.y_edges.back(), axes_.v_edges.back());
-    solutions_.insert(
-        before, tests::solution(tests::identity("fd-km4-delta", "fd", Equation::km4, Impact::delta),
-                                delta));
+    solutions_.insert(before,
+                      tests::solution(tests::identity("fd-km4-delta", "fd", DensityEquation::km4,
+                                                      ImpactCondition::delta),
+                                      delta));
   }
 
   const transform::Solution& solution(const std::string& id) const {
@@ -64,7 +65,7 @@ class JointDensityFiles : public testing::Test {
     std::vector<transform::Solution> all;
     for (const auto& method : external_methods(arguments, builtin_registry(), problem_.name)) {
       method.check ? method.check(problem_) : void();
-      all.push_back(solve_with(method, problem_, {axes_, {}}));
+      all.push_back(solve_with_method(method, problem_, {axes_, {}}));
     }
     all.insert(all.end(), solutions_.begin(), solutions_.end());
     return results::make_case_result(problem_, axes_, all);
@@ -110,8 +111,8 @@ TEST_F(JointDensityFiles, WithoutAnEquationHaveDistancesOnly) {
   EXPECT_EQ(mine.identity.role, transform::SolutionRole::external);
   EXPECT_TRUE(transform::is_external(mine.identity));
   EXPECT_EQ(transform::equation_and_impact_text(mine.identity), "given/-");
-  EXPECT_LT(*one.l1("mine", "fd-kf", Variable::y), 2e-4);
-  EXPECT_LT(*one.l1("mine", "fd-kf", Variable::ydot), 2e-4);
+  EXPECT_LT(*one.l1("mine", "fd-kf", StateVariable::y), 2e-4);
+  EXPECT_LT(*one.l1("mine", "fd-kf", StateVariable::ydot), 2e-4);
   EXPECT_EQ(std::ranges::count(one.budget, "mine", &compare::ErrorBudgetRow::solution), 0);
   EXPECT_EQ(transform::metric_text(mine.metrics, "files[0].form"), "joint points");
 }
@@ -127,16 +128,16 @@ TEST_F(JointDensityFiles, WithExactImpactsHaveTheChainOfTheMap) {
 }
 
 TEST_F(JointDensityFiles, OfARunReproduceItsDensities) {
-  const results::Run run{results::this_program("fpkcheck run"), {case_with({})}};
+  const results::Run run{results::current_program("fpkcheck run"), {case_with({})}};
   std::ofstream(path("joint.nc"), std::ios::binary) << results::joint_netcdf(run);
   const std::string file = path("joint.nc");
   const auto one = case_with({file + ":a,solution=fd-kf", file + ",solution=fd-km4-delta"});
   EXPECT_EQ(one.solutions[0].id(), "a");
   EXPECT_EQ(one.solutions[1].id(), "given-fd-km4-delta");
   EXPECT_EQ(transform::equation_and_impact_text(one.solutions[1].identity), "km4/delta");
-  EXPECT_LT(*one.l1("a", "fd-kf", Variable::y), 2e-5);
-  EXPECT_LT(*one.l1("a", "fd-kf", Variable::ydot), 2e-5);
-  EXPECT_LT(*one.l1("given-fd-km4-delta", "fd-km4-delta", Variable::y), 2e-5);
+  EXPECT_LT(*one.l1("a", "fd-kf", StateVariable::y), 2e-5);
+  EXPECT_LT(*one.l1("a", "fd-kf", StateVariable::ydot), 2e-5);
+  EXPECT_LT(*one.l1("given-fd-km4-delta", "fd-km4-delta", StateVariable::y), 2e-5);
   EXPECT_TRUE(contains(refusal({file}), "solutions; select one by solution=: "));
   EXPECT_TRUE(contains(refusal({file + ":a,solution=fd"}), "contains no solution 'fd'; use "));
   EXPECT_TRUE(contains(refusal({file + ":a,solution=fd-kf,case=case9"}), "no case 'case9'"));
@@ -165,10 +166,10 @@ TEST_F(JointDensityFiles, MayBeExternalNetCdf) {
   };
   const auto one = case_with({write("a.nc", false, "y"), write("b.nc", true, "y")});
   for (const char* id : {"a", "b"}) {
-    EXPECT_LT(*one.l1(id, "fd-kf", Variable::y), 1e-3);
-    EXPECT_LT(*one.l1(id, "fd-kf", Variable::ydot), 1e-3);
+    EXPECT_LT(*one.l1(id, "fd-kf", StateVariable::y), 1e-3);
+    EXPECT_LT(*one.l1(id, "fd-kf", StateVariable::ydot), 1e-3);
   }
-  EXPECT_LT(*one.l1("a", "b", Variable::y), 1e-12);
+  EXPECT_LT(*one.l1("a", "b", StateVariable::y), 1e-12);
   EXPECT_TRUE(contains(refusal({write("c.nc", false, "q")}), "name them y and v"));
   EXPECT_TRUE(contains(refusal({path("a.nc") + ":d,solution=fd-kf"}), "omit the key solution"));
 }
@@ -187,8 +188,8 @@ TEST_F(JointDensityFiles, MayBeClosedForms) {
   const auto& mine = one.solutions.front();
   EXPECT_EQ(mine.status, Status::ok) << mine.reason;
   EXPECT_EQ(mine.identity.order, 4);
-  EXPECT_LT(*one.l1("mine", "fd-kf", Variable::y), 1e-4);
-  EXPECT_LT(*one.l1("mine", "fd-kf", Variable::ydot), 1e-3);
+  EXPECT_LT(*one.l1("mine", "fd-kf", StateVariable::y), 1e-4);
+  EXPECT_LT(*one.l1("mine", "fd-kf", StateVariable::ydot), 1e-3);
   // A given normalisation constant is used without normalisation.
   const auto wrong = case_with({write("wrong.json", support + "\"C\": 0.1, ")});
   EXPECT_EQ(wrong.solutions.front().status, Status::inadmissible);
@@ -204,23 +205,23 @@ TEST_F(JointDensityFiles, MayBeTheClosedFormOfASummary) {
   auto problem = tests::paper_case(2);
   problem.name = "case2";
   const results::Run run{
-      results::this_program("fpkcheck run"),
+      results::current_program("fpkcheck run"),
       {results::make_case_result(problem, compare::comparison_axes(problem), {solved})}};
-  std::ofstream(path("summary.json")) << results::summary_text(run);
+  std::ofstream(path("summary.json")) << results::run_summary_text(run);
 
   const auto axes = compare::comparison_axes(problem);
   const auto method =
       external_methods(std::vector{path("summary.json") + ",solution=epc-gaussian-n6"},
                        builtin_registry())
           .front();
-  const auto again = solve_with(method, problem, {axes, {}});
+  const auto again = solve_with_method(method, problem, {axes, {}});
   EXPECT_EQ(again.id(), "given-epc-gaussian-n6");
   EXPECT_EQ(transform::equation_and_impact_text(again.identity), "km4/delta");
   EXPECT_EQ(again.identity.order, 6);
   EXPECT_EQ(again.status, Status::ok) << again.reason;
   EXPECT_NEAR(again.moments.v2 / solved.moments.v2, 1, 1e-7);
   for (const auto variable : transform::kVariables) {
-    const auto& edges = compare::bin_edges(axes, variable);
+    const auto& edges = compare::comparison_bin_edges(axes, variable);
     EXPECT_LT(l1(marginal(again, variable, edges), marginal(solved, variable, edges)), 1e-6);
   }
   EXPECT_TRUE(contains(refusal({path("summary.json") + ":a,solution=mcs"}), "no solution 'mcs'"));

@@ -16,7 +16,7 @@ namespace fpkcheck::methods {
 namespace {
 
 using tests::contains;
-using transform::Variable;
+using transform::StateVariable;
 
 const problem::Walls kPaper{.left = problem::Wall{0, 1}, .right = {}};
 
@@ -72,7 +72,7 @@ TEST(ExternalMarginal, IsReadInAllFormats) {
         points(1, "# run 7\n\n# y' p\n", "  {}   {} \n"), points(1, "\"v\"\t\"p\"\n", "{}\t{}\n"),
         points(1, "", "{},+{},0.01\n")}) {
     const ExternalMarginal marginal = read(text);
-    EXPECT_EQ(marginal.variable(), Variable::ydot) << text.substr(0, 40);
+    EXPECT_EQ(marginal.variable(), StateVariable::ydot) << text.substr(0, 40);
     EXPECT_EQ(marginal.file().form, "points");
     EXPECT_LT(l1_to_bell(marginal.average_over_bins(edges)), 2e-4) << text.substr(0, 40);
     EXPECT_NEAR(marginal.moment(2), 1, 2e-3);
@@ -110,10 +110,11 @@ TEST(ExternalMarginal, ConvergesWithTheNumberOfPoints) {
 
 TEST(ExternalMarginal, DetectsItsVariableByNamesOrSigns) {
   const std::string rows = "0 1\n1 1\n2 1\n3 1\n";
-  EXPECT_EQ(read(rows).variable(), Variable::y);
-  EXPECT_EQ(read("ydot p\n" + rows).variable(), Variable::ydot);
-  EXPECT_EQ(read("x p(y')\n" + rows).variable(), Variable::y);  // contradictory names: by signs
-  EXPECT_EQ(read("-1 1\n" + rows).variable(), Variable::ydot);
+  EXPECT_EQ(read(rows).variable(), StateVariable::y);
+  EXPECT_EQ(read("ydot p\n" + rows).variable(), StateVariable::ydot);
+  EXPECT_EQ(read("x p(y')\n" + rows).variable(),
+            StateVariable::y);  // contradictory names: by signs
+  EXPECT_EQ(read("-1 1\n" + rows).variable(), StateVariable::ydot);
   EXPECT_TRUE(contains(refusal("y p\n-1 1\n" + rows),
                        "mine.csv:2: y = -1 under the names 'y,p' (must be y >= 0; name"));
   EXPECT_TRUE(contains(refusal("x p\n-1 1\n" + rows), "name the abscissa 'v' for"));
@@ -123,13 +124,13 @@ TEST(ExternalMarginal, IgnoresUnitsInNames) {
   const std::string rows = "0,1\n1,1\n2,1\n3,1\n";
   for (const char* header : {"velocity [m/s],density [s/m]\n", "Velocity (m/s),p (s/m)\n",
                              "y'[m/s],p\n", "bin,p(y') [s/m]\n", "# dy/dt [m/s] p [s/m]\n"}) {
-    EXPECT_EQ(read(header + rows).variable(), Variable::ydot) << header;
+    EXPECT_EQ(read(header + rows).variable(), StateVariable::ydot) << header;
   }
   const std::string negative = "-1,1\n" + rows;
   // Files often name any ordinate y.
-  EXPECT_EQ(read("x,y\n" + negative).variable(), Variable::ydot);
-  EXPECT_EQ(read("x,y\n" + rows).variable(), Variable::y);
-  EXPECT_EQ(read("v,y\n" + rows).variable(), Variable::ydot);
+  EXPECT_EQ(read("x,y\n" + negative).variable(), StateVariable::ydot);
+  EXPECT_EQ(read("x,y\n" + rows).variable(), StateVariable::y);
+  EXPECT_EQ(read("v,y\n" + rows).variable(), StateVariable::ydot);
   EXPECT_TRUE(contains(refusal("y,y\n" + negative), "under the names 'y,y'"));
   EXPECT_TRUE(contains(refusal("x [mm],p [1/mm]\n" + negative), "under the names 'x,p'"));
 }

@@ -9,13 +9,13 @@
 
 #include "exact/energy_law.hpp"
 #include "general_oscillators.hpp"
-#include "methods/builtin.hpp"
-#include "methods/external/between_walls.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/external/external_density.hpp"
 #include "methods/external/external_marginal.hpp"
 #include "methods/external/external_methods.hpp"
 #include "methods/external/external_samples.hpp"
 #include "methods/external/joint_table.hpp"
+#include "methods/external/range_between_walls.hpp"
 #include "methods/run_cases.hpp"
 #include "refusal.hpp"
 #include "results/joint_netcdf.hpp"
@@ -27,15 +27,15 @@
 namespace fpkcheck::methods {
 namespace {
 
-using problem::Equation;
+using problem::DensityEquation;
 using problem::Problem;
 using problem::System;
 using problem::Wall;
 using problem::WallParameters;
 using problem::Walls;
 using tests::contains;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 Problem bistable() {
   return tests::with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, {.none = true}),
@@ -76,13 +76,13 @@ std::vector<NamedProblem> with_exact_laws() {
           {"ring", ring()}};
 }
 
-DensityPoints points_of(const Problem& problem) {
+DensityQuadratureGrid points_of(const Problem& problem) {
   return {compare::comparison_axes(problem), problem.system.walls()};
 }
 
 Method own_law(const Problem& problem, const ExternalDensity& own = {.label = "own"}) {
   const exact::EnergyLaw law(problem);
-  const DensityPoints points = points_of(problem);
+  const DensityQuadratureGrid points = points_of(problem);
   std::vector<double> values;
   for (const double y : points.y_points()) {
     for (const double v : points.v_points()) values.push_back(law(y, v));
@@ -92,23 +92,23 @@ Method own_law(const Problem& problem, const ExternalDensity& own = {.label = "o
 
 transform::Solution solved(const Method& method, const Problem& problem) {
   if (method.check) method.check(problem);
-  return solve_with(method, problem, {compare::comparison_axes(problem), {}});
+  return solve_with_method(method, problem, {compare::comparison_axes(problem), {}});
 }
 
 using tests::refusal;
 
 // L1 distance from the exact law over the comparison bins.
 double distance_from_law(const transform::Solution& solution, const Problem& problem,
-                         Variable variable) {
+                         StateVariable variable) {
   const exact::EnergyLaw law(problem);
   const auto axes = compare::comparison_axes(problem);
-  const auto m = marginal(solution, variable, compare::bin_edges(axes, variable));
+  const auto m = marginal(solution, variable, compare::comparison_bin_edges(axes, variable));
   const double third = std::sqrt(0.6);
   double sum = 0;
   for (std::size_t b = 0; b < m.size(); ++b) {
     const auto p = [&](double at) {
       const double x = m.centre(b) + at * m.width(b) / 2;
-      return variable == Variable::y ? law.displacement_marginal(x) : law.velocity_marginal(x);
+      return variable == StateVariable::y ? law.displacement_marginal(x) : law.velocity_marginal(x);
     };
     sum += m.width(b) * std::abs(m.density[b] - (5 * p(-third) + 8 * p(0) + 5 * p(third)) / 18);
   }
@@ -140,7 +140,7 @@ TEST(ExternalMethodsOfAnyOscillator, ReproduceExactDensities) {
 TEST(ExternalMethodsOfAnyOscillator, HaveErrorEstimatesIfTheirEquationIsGiven) {
   for (const auto& problem : {bistable(), mirrored()}) {
     const auto one = run_cases(
-        {problem}, {own_law(problem, {.label = "own", .equation = Equation::white})}, 0, {});
+        {problem}, {own_law(problem, {.label = "own", .equation = DensityEquation::white})}, 0, {});
     const auto& own = one.front().solutions.front();
     EXPECT_EQ(own.status, Status::ok) << own.reason;
     ASSERT_TRUE(own.error);
@@ -151,7 +151,7 @@ TEST(ExternalMethodsOfAnyOscillator, HaveErrorEstimatesIfTheirEquationIsGiven) {
 
 TEST(ExternalMethodsOfAnyOscillator, AreCutOffOnlyAtEndsWithoutAWall) {
   const auto status_of = [](const Problem& problem) {
-    const DensityPoints points = points_of(problem);
+    const DensityQuadratureGrid points = points_of(problem);
     std::vector<double> values;
     for (std::size_t i = 0; i < points.y_points().size(); ++i) {
       for (const double v : points.v_points()) values.push_back(std::exp(-8 * v * v));
@@ -234,7 +234,7 @@ TEST_F(FilesOfAnyOscillator, OfMarginalsMayHaveAnySignOfY) {
         std::tuple{two_walls(), -0.5, 1.0}, std::tuple{gap(), -0.5, 6.0}}) {
     SCOPED_TRACE(from);
     const auto own = of(marginal_of(problem, from, to, false), problem);
-    EXPECT_LT(distance_from_law(own, problem, Variable::y), 1e-3);
+    EXPECT_LT(distance_from_law(own, problem, StateVariable::y), 1e-3);
     EXPECT_EQ(transform::metric_text(own.metrics, "files[0].variable"), "y");
     // Extrapolated to the walls from the centres of the cells: no note on a cut-off.
     EXPECT_FALSE(transform::metric_text(own.metrics, "files[0].notes[0]"))
@@ -270,8 +270,8 @@ TEST_F(FilesOfAnyOscillator, OfJointDensitiesReproduceTheDensity) {
     SCOPED_TRACE(from);
     const auto own = of(joint_of(problem, from, to), problem);
     EXPECT_EQ(own.status, Status::ok) << own.reason;
-    EXPECT_LT(distance_from_law(own, problem, Variable::y), 3e-3);
-    EXPECT_LT(distance_from_law(own, problem, Variable::ydot), 3e-3);
+    EXPECT_LT(distance_from_law(own, problem, StateVariable::y), 3e-3);
+    EXPECT_LT(distance_from_law(own, problem, StateVariable::ydot), 3e-3);
     const auto momentum = transform::metric_number(own.metrics, "balances.momentum");
     EXPECT_NEAR(momentum.value_or(0), 0, 2e-3);
   }
@@ -289,17 +289,18 @@ TEST_F(FilesOfAnyOscillator, OfARunReproduceItsDensities) {
       }
     }
     transform::Solution kept;
-    kept.identity = tests::identity("fd-kf", "fd", Equation::kf, problem::Impact::map);
+    kept.identity =
+        tests::identity("fd-kf", "fd", DensityEquation::kf, problem::ImpactCondition::map);
     kept.status = Status::ok;
     kept.mass = 1;
     kept.density = cells;
-    const results::Run run{results::this_program("fpkcheck run"),
+    const results::Run run{results::current_program("fpkcheck run"),
                            {results::make_case_result(problem, axes, {kept})}};
     std::ofstream(path("joint.nc"), std::ios::binary) << results::joint_netcdf(run);
     const auto own = of(path("joint.nc") + ",solution=fd-kf", problem);
     EXPECT_EQ(own.status, Status::ok) << own.reason;
-    EXPECT_LT(distance_from_law(own, problem, Variable::y), 1e-3);
-    EXPECT_LT(distance_from_law(own, problem, Variable::ydot), 1e-3);
+    EXPECT_LT(distance_from_law(own, problem, StateVariable::y), 1e-3);
+    EXPECT_LT(distance_from_law(own, problem, StateVariable::ydot), 1e-3);
   }
   // The last density has y >= -0.5.
   EXPECT_TRUE(

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <random>
 
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "refusal.hpp"
 #include "report/findings.hpp"
@@ -23,16 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 using tests::contains;
-using transform::Variable;
+using transform::StateVariable;
 
 // A synthetic run, files of the marginals of its fd-kf, and the run with these files added.
 class ExternalMethods : public testing::Test {
  protected:
-  std::string write(const std::string& name, Variable variable, double standard_error = 0) {
+  std::string write(const std::string& name, StateVariable variable, double standard_error = 0) {
     const fs::path file = directory_.path() / name;
     std::ofstream out(file);
     const auto& density = std::get<transform::SmoothDensity>(*solutions_[6].density);
-    const auto& bins = compare::bin_edges(axes_, variable);
+    const auto& bins = compare::comparison_bin_edges(axes_, variable);
     const auto exact = transform::marginal(density, variable, bins);
     for (std::size_t b = 0; b < exact.size(); ++b) {
       out << (standard_error > 0
@@ -45,7 +45,7 @@ class ExternalMethods : public testing::Test {
   results::CaseResult case_with(const std::vector<std::string>& arguments) {
     std::vector<transform::Solution> all;
     for (const auto& method : external_methods(arguments, builtin_registry())) {
-      all.push_back(solve_with(method, problem_, {axes_, {}}));
+      all.push_back(solve_with_method(method, problem_, {axes_, {}}));
     }
     all.insert(all.end(), solutions_.begin(), solutions_.end());
     return results::make_case_result(problem_, axes_, all);
@@ -66,16 +66,16 @@ double observed(const transform::Solution& solution, const std::string& path) {
 }
 
 TEST_F(ExternalMethods, AnExactFileHasNoDistanceFromItsSolution) {
-  const auto one =
-      case_with({write("y.csv", Variable::y) + ":lab", write("v.csv", Variable::ydot) + ":lab",
-                 write("alone.csv", Variable::ydot)});
+  const auto one = case_with({write("y.csv", StateVariable::y) + ":lab",
+                              write("v.csv", StateVariable::ydot) + ":lab",
+                              write("alone.csv", StateVariable::ydot)});
   ASSERT_EQ(one.solutions.size(), 10u);
   const auto &lab = one.solutions[0], &alone = one.solutions[1], &full = one.solutions[8];
   EXPECT_EQ(lab.id(), "lab");
   EXPECT_EQ(alone.id(), "alone");
-  EXPECT_LT(*one.l1("lab", "fd-kf", Variable::y), 1e-9);
-  EXPECT_LT(*one.l1("lab", "fd-kf", Variable::ydot), 1e-9);
-  EXPECT_GT(*one.l1("lab", "mcs", Variable::y), 1e-4);
+  EXPECT_LT(*one.l1("lab", "fd-kf", StateVariable::y), 1e-9);
+  EXPECT_LT(*one.l1("lab", "fd-kf", StateVariable::ydot), 1e-9);
+  EXPECT_GT(*one.l1("lab", "mcs", StateVariable::y), 1e-4);
 
   EXPECT_EQ(lab.identity.method, "file");
   EXPECT_EQ(transform::equation_and_impact_text(lab.identity), "given/-");
@@ -93,7 +93,8 @@ TEST_F(ExternalMethods, AnExactFileHasNoDistanceFromItsSolution) {
 
 TEST_F(ExternalMethods, DifferencesAreComparedWithTheirErrors) {
   const auto sentence = [&](double standard_error) {
-    const auto all = report::findings(case_with({write("lab.csv", Variable::y, standard_error)}));
+    const auto all =
+        report::findings(case_with({write("lab.csv", StateVariable::y, standard_error)}));
     std::string own;
     for (const auto& text : all) {
       if (text.starts_with("lab differs")) own += text;
@@ -119,7 +120,7 @@ TEST_F(ExternalMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
     constexpr int kPoints = 3000;
     std::vector<double> fine{0};
     for (int k = 0; k < kPoints; ++k) fine.push_back(end * (k + 1) / kPoints);
-    const auto exact = transform::marginal(density, Variable::y, fine);
+    const auto exact = transform::marginal(density, StateVariable::y, fine);
     const fs::path file = directory_.path() / "dense.csv";
     std::ofstream out(file);
     std::mt19937_64 engine(3);
@@ -170,7 +171,7 @@ TEST_F(ExternalMethods, NoteMassBeyondTheAxes) {
 }
 
 TEST_F(ExternalMethods, TheWorseOfTwoFilesIsReported) {
-  const auto shorter = [&](const std::string& name, Variable variable, double factor) {
+  const auto shorter = [&](const std::string& name, StateVariable variable, double factor) {
     std::ifstream in(write("whole.csv", variable));
     const fs::path file = directory_.path() / name;
     std::ofstream out(file);
@@ -179,8 +180,8 @@ TEST_F(ExternalMethods, TheWorseOfTwoFilesIsReported) {
     return file.string();
   };
   for (const bool bad_first : {true, false}) {
-    const auto y = shorter("y.csv", Variable::y, bad_first ? 0.94 : 1);
-    const auto v = shorter("v.csv", Variable::ydot, bad_first ? 1 : 0.95);
+    const auto y = shorter("y.csv", StateVariable::y, bad_first ? 0.94 : 1);
+    const auto v = shorter("v.csv", StateVariable::ydot, bad_first ? 1 : 0.95);
     const auto lab = case_with({y + ":lab", v + ":lab"}).solutions[0];
     EXPECT_NEAR(lab.mass, bad_first ? 0.94 : 0.95, 1e-6);
     EXPECT_NEAR(observed(lab, "files[0].mass"), bad_first ? 0.94 : 1, 1e-6);
@@ -193,8 +194,8 @@ TEST_F(ExternalMethods, TheWorseOfTwoFilesIsReported) {
 }
 
 TEST_F(ExternalMethods, AreReportedFromTheSavedRun) {
-  const results::Run run{results::this_program("fpkcheck run"),
-                         {case_with({write("lab.csv", Variable::y, 1e-3)})}};
+  const results::Run run{results::current_program("fpkcheck run"),
+                         {case_with({write("lab.csv", StateVariable::y, 1e-3)})}};
   const fs::path saved = directory_.path() / "run";
   fs::create_directory(saved);
   report::write_report(saved, run);
@@ -208,9 +209,9 @@ TEST_F(ExternalMethods, AreReportedFromTheSavedRun) {
 }
 
 TEST_F(ExternalMethods, LabelsMustNotBeIdsOfMethods) {
-  const std::string y = write("y.csv", Variable::y), v = write("v.csv", Variable::ydot);
+  const std::string y = write("y.csv", StateVariable::y), v = write("v.csv", StateVariable::ydot);
   EXPECT_EQ(external_methods(std::vector{y}, builtin_registry()).front().id(), "y");
-  const std::string colon = write("a:b.csv", Variable::y);
+  const std::string colon = write("a:b.csv", StateVariable::y);
   EXPECT_EQ(external_methods(std::vector{colon}, builtin_registry()).front().id(), "a_b");
   EXPECT_EQ(external_methods(std::vector{colon + ":c"}, builtin_registry()).front().id(), "c");
   for (const char* label : {"", "a,b", "a b", "a/b", "much-too-long-for-a-table-of-80"}) {
@@ -226,7 +227,7 @@ TEST_F(ExternalMethods, LabelsMustNotBeIdsOfMethods) {
 
 // Names of netCDF variables and of gnuplot data blocks cannot contain '-' or '.'.
 TEST_F(ExternalMethods, LabelsMustDifferInLettersOrDigits) {
-  const auto y = write("y.csv", Variable::y), v = write("v.csv", Variable::ydot);
+  const auto y = write("y.csv", StateVariable::y), v = write("v.csv", StateVariable::ydot);
   EXPECT_TRUE(contains(refusal({y + ":fd_kf"}), "label 'fd_kf' is the name of a method"));
   EXPECT_TRUE(
       contains(refusal({y + ":epc.gaussian"}), "label 'epc.gaussian' is the name of a method"));

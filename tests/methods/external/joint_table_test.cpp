@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "exact/closed_forms.hpp"
-#include "methods/external/between_walls.hpp"
+#include "methods/external/range_between_walls.hpp"
 #include "paper_cases.hpp"
 #include "refusal.hpp"
 #include "saved_run.hpp"
@@ -16,7 +16,7 @@ namespace fpkcheck::methods {
 namespace {
 
 using tests::contains;
-using transform::Variable;
+using transform::StateVariable;
 
 JointTable read_joint(const std::string& text) {
   std::istringstream in(text);
@@ -45,9 +45,9 @@ class JointTables : public testing::Test {
   }
 
   double l1_of_y(const JointTable& table) const {
-    const auto values = evaluate_at(table, points_);
+    const auto values = evaluate_at_quadrature_points(table, points_);
     const auto averages = DensityIntegrals(points_, values).averages();
-    const auto found = transform::marginal(averages, Variable::y, axes_.y_edges);
+    const auto found = transform::marginal(averages, StateVariable::y, axes_.y_edges);
     double sum = 0;
     for (std::size_t b = 0; b < found.size(); ++b) {
       const double width = found.width(b), centre = found.centre(b);
@@ -62,7 +62,7 @@ class JointTables : public testing::Test {
   static constexpr double kEnd = 6;
   problem::Problem problem_ = tests::make_problem({.restitution = 1});
   compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
-  DensityPoints points_{axes_, problem_.system.walls()};
+  DensityQuadratureGrid points_{axes_, problem_.system.walls()};
   exact::WhiteNoiseDensity exact_{problem_};
 };
 
@@ -94,7 +94,7 @@ TEST_F(JointTables, AreExtrapolatedToTheWall) {
                           std::exp(-0.04 * j * j) * std::max(0.0, 5.0 - i));
     }
   }
-  const auto values = evaluate_at(read_joint(text), points_);
+  const auto values = evaluate_at_quadrature_points(read_joint(text), points_);
   // On the straight line through the first two points: 5 at y = 0.1 and 4 at y = 0.3.
   const std::size_t nv = points_.v_points().size(), middle = nv / 2;
   EXPECT_NEAR(values[middle] / values[nv * 2 + middle], 5.5 / (5.5 - 5 * points_.y_points()[2]),
@@ -110,7 +110,7 @@ TEST_F(JointTables, OfCellsConserveTheirAverages) {
       cells.averages.push_back(2 * exact_(y, v));
     }
   }
-  const auto values = evaluate_at(cells, points_);
+  const auto values = evaluate_at_quadrature_points(cells, points_);
   const DensityIntegrals integrals(points_, values);
   EXPECT_NEAR(integrals.mass(), transform::mass(cells), 1e-12);
   const auto averages = integrals.averages();

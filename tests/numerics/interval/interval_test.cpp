@@ -161,8 +161,8 @@ TEST(Bernstein, ProductsAndDerivativesAreThoseOfThePolynomials) {
 
 TEST(Bernstein, APolynomialIsCarriedToASegment) {
   call_with_upward_rounding([] {
-    const BernsteinCoefficients b = bernstein_on_segment(std::array{1.0, -3.0, 2.0, 5.0},
-                                                         Interval(0.5), Interval(1), Interval(3));
+    const BernsteinCoefficients b = bernstein_coefficients_on_segment(
+        std::array{1.0, -3.0, 2.0, 5.0}, Interval(0.5), Interval(1), Interval(3));
     for (const double t : {0.0, 0.25, 1.0}) {
       expect_value(bernstein_value(b, Interval(t)) / 100.0, cubic(1 + 2 * t - 0.5) / 100);
     }

@@ -8,8 +8,8 @@
 namespace fpkcheck::numerics {
 namespace {
 
-std::vector<SubtractProduct*> all_kinds() {
-  std::vector<SubtractProduct*> kinds{baseline::subtract_product, subtract_product};
+std::vector<SubtractProductKernel*> all_kinds() {
+  std::vector<SubtractProductKernel*> kinds{baseline::subtract_product, subtract_product};
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2")) kinds.push_back(avx2::subtract_product);
   if (__builtin_cpu_supports("avx512f")) kinds.push_back(avx512::subtract_product);
@@ -17,14 +17,14 @@ std::vector<SubtractProduct*> all_kinds() {
   return kinds;
 }
 
-TEST(SubtractProduct, IsTheProductForAnyShapeAndOrder) {
+TEST(SubtractProductKernel, IsTheProductForAnyShapeAndOrder) {
   for (const auto& [m, n, k] : {std::array{1, 1, 1}, {37, 19, 23}, {24, 8, 5}, {50, 3, 1}}) {
     const Eigen::MatrixXd a = Eigen::MatrixXd::Random(m + 2, k), b = Eigen::MatrixXd::Random(k, n);
     const Eigen::MatrixXd c = Eigen::MatrixXd::Random(m + 3, n), bt = b.transpose();
     Eigen::MatrixXd expected = c;
     expected.topRows(m) -= a.bottomRows(m) * b;
     Eigen::MatrixXd first;
-    for (SubtractProduct* const multiply : all_kinds()) {
+    for (SubtractProductKernel* const multiply : all_kinds()) {
       Eigen::MatrixXd by_columns = c, by_rows = c;
       multiply(by_columns.data(), m + 3, {&a(2, 0), 1, m + 2}, {b.data(), 1, k}, m, n, k);
       multiply(by_rows.data(), m + 3, {&a(2, 0), 1, m + 2}, {bt.data(), n, 1}, m, n, k);

@@ -35,7 +35,7 @@ void expect_relative(double value, double expected, int power) {
 
 TEST(GaussRules, NormalRuleGivesEveryMomentUpToItsDegree) {
   for (const int degree : {2, 6, 17, kDegree}) {
-    const QuadratureRule rule = normal_quadrature_rule(degree);
+    const QuadratureRule rule = gauss_hermite_rule(degree);
     for (int power = 0; power <= degree; power += 2) {
       expect_relative(power_average(rule, power), absolute_moment(power), power);
     }
@@ -46,7 +46,7 @@ TEST(GaussRules, NormalRuleGivesEveryMomentUpToItsDegree) {
 
 TEST(GaussRules, SignRuleGivesTheOddAbsoluteMoments) {
   for (const int degree : {1, 5, 6, kDegree}) {
-    const QuadratureRule rule = sign_weighted_normal_rule(degree);
+    const QuadratureRule rule = normal_rule_weighted_by_sign(degree);
     for (int power = 1; power <= degree; power += 2) {
       expect_relative(power_average(rule, power), absolute_moment(power), power);
     }
@@ -57,7 +57,7 @@ TEST(GaussRules, SignRuleGivesTheOddAbsoluteMoments) {
 
 TEST(GaussRules, AbsoluteRuleGivesTheEvenPowersTimesTheAbsoluteValue) {
   for (const int degree : {1, 4, 7, kDegree}) {
-    const QuadratureRule rule = absolute_weighted_normal_rule(degree);
+    const QuadratureRule rule = normal_rule_weighted_by_abs(degree);
     for (int power = 0; power <= degree; power += 2) {
       expect_relative(power_average(rule, power), absolute_moment(power + 1), power);
     }
@@ -84,16 +84,16 @@ TEST(GaussRules, LegendreRuleIntegratesPolynomialsUpToDegree2NMinus1) {
 
 TEST(GaussRules, ExponentialRuleGivesTheFactorials) {
   for (const int degree : {1, 6, 25}) {
-    const QuadratureRule rule = exponential_quadrature_rule(degree);
+    const QuadratureRule rule = gauss_laguerre_rule(degree);
     for (int power = 0; power <= degree; ++power)
       expect_relative(power_average(rule, power), std::tgamma(power + 1.0), power);
   }
 }
 
 TEST(GaussRules, TooLowADegreeIsNotExact) {
-  EXPECT_GT(std::abs(power_average(normal_quadrature_rule(4), 6) - absolute_moment(6)), 1.0);
-  EXPECT_GT(std::abs(power_average(sign_weighted_normal_rule(3), 5) - absolute_moment(5)), 1.0);
-  EXPECT_GT(std::abs(power_average(absolute_weighted_normal_rule(2), 4) - absolute_moment(5)), 1.0);
+  EXPECT_GT(std::abs(power_average(gauss_hermite_rule(4), 6) - absolute_moment(6)), 1.0);
+  EXPECT_GT(std::abs(power_average(normal_rule_weighted_by_sign(3), 5) - absolute_moment(5)), 1.0);
+  EXPECT_GT(std::abs(power_average(normal_rule_weighted_by_abs(2), 4) - absolute_moment(5)), 1.0);
 }
 
 }  // namespace

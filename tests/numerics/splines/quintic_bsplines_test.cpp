@@ -24,7 +24,7 @@ double combined(const QuinticBSplines& s, const std::vector<double>& c, double x
 
 TEST(QuinticBSplines, ReproducePowersAndTheirSlopes) {
   for (int p = 0; p <= 5; ++p) {
-    const auto c = splines().coefficients_of_power(p);
+    const auto c = splines().coefficients_of_monomial(p);
     for (const double x : {-5.0, -3.3, -0.01, 0.0, 0.4, 1.999, 4.2, 5.0}) {
       EXPECT_NEAR(combined(splines(), c, x, false), std::pow(x, p), 1e-11 * std::pow(5, p));
       const double slope = p == 0 ? 0 : p * std::pow(x, p - 1);
@@ -35,7 +35,7 @@ TEST(QuinticBSplines, ReproducePowersAndTheirSlopes) {
 
 TEST(QuinticBSplines, HaveTheCurvaturesOfPowers) {
   const auto curvature = [](int p, double x) {
-    const auto c = splines().coefficients_of_power(p);
+    const auto c = splines().coefficients_of_monomial(p);
     const auto at = splines().second_derivatives(x);
     double sum = 0;
     for (int l = 0; l <= QuinticBSplines::kDegree; ++l)
@@ -52,7 +52,7 @@ TEST(QuinticBSplines, HaveTheCurvaturesOfPowers) {
 }
 
 TEST(QuinticBSplines, AreContinuedAsConstants) {
-  const auto c = splines().coefficients_of_power(1);
+  const auto c = splines().coefficients_of_monomial(1);
   EXPECT_NEAR(combined(splines(), c, 7, false), 5, 1e-13);
   EXPECT_EQ(combined(splines(), c, 7, true), 0);
   EXPECT_NEAR(combined(splines(), c, -9, false), -5, 1e-13);

@@ -31,7 +31,7 @@ results::CaseResult with_known_numbers() {
   auto case_result = made_up_case();
   auto& row = case_result.budget[5];
   EXPECT_EQ(row.solution, "epc-gaussian-n6");
-  EXPECT_EQ(row.variable, transform::Variable::ydot);
+  EXPECT_EQ(row.variable, transform::StateVariable::ydot);
   row.total = 0.01111;
   row.total_tail = 0.2222;
   row.parts[0].l1 = 0.03333;

@@ -9,8 +9,8 @@ namespace {
 
 using tests::made_up_case;
 using tests::solution_of;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 TEST(FigureContent, SubtractsTheReference) {
   auto case_result = made_up_case();
@@ -19,7 +19,7 @@ TEST(FigureContent, SubtractsTheReference) {
   case_result.assess();
   EXPECT_EQ(figure_content(case_result).reference, "fd-kf");
   const auto content = figure_content(case_result);
-  const auto& kf = *case_result.curve("fd-kf", Variable::ydot);
+  const auto& kf = *case_result.curve("fd-kf", StateVariable::ydot);
   for (const auto& drawn : content.marginals[1].curves) {
     EXPECT_EQ(drawn.difference.values[70], drawn.curve->density[70] - kf.density[70]);
   }
@@ -37,9 +37,9 @@ TEST(FigureContent, HasAbsoluteDifferencesOverSmoothBins) {
   const auto content = figure_content(case_result);
   EXPECT_EQ(content.reference, "mcs");
   EXPECT_TRUE(content.smooth_differences);
-  const auto& simulated = *case_result.smooth_curve("mcs", Variable::y);
+  const auto& simulated = *case_result.smooth_curve("mcs", StateVariable::y);
   for (const auto& drawn : content.marginals[0].curves) {
-    const auto& own = *case_result.smooth_curve(drawn.curve->solution, Variable::y);
+    const auto& own = *case_result.smooth_curve(drawn.curve->solution, StateVariable::y);
     EXPECT_EQ(drawn.difference.abscissa, simulated.abscissa);
     for (const std::size_t k : {0u, 7u, 40u}) {
       EXPECT_EQ(drawn.difference.values[k], drawn.curve->solution == "mcs"
@@ -58,7 +58,7 @@ TEST(FigureContent, HasAbsoluteDifferencesOverSmoothBins) {
 TEST(FigureContent, SubtractsNothingWhereTheReferenceLacksACurve) {
   auto case_result = made_up_case();
   std::erase_if(case_result.curves, [](const auto& curve) {
-    return curve.solution == "mcs" && curve.variable == Variable::y;
+    return curve.solution == "mcs" && curve.variable == StateVariable::y;
   });
   EXPECT_EQ(figure_content(case_result).reference, "");
 }
@@ -90,7 +90,7 @@ TEST(FigureContent, AxisOfDifferencesContainsAllDrawnCurves) {
   for (auto case_result : {made_up_case(), tests::made_up_case_with_control_variates()}) {
     solution_of(case_result, "fd-white").status = Status::inaccurate;
     case_result.assess();
-    const auto raise = [&](std::vector<results::Curve>& curves) {
+    const auto raise = [&](std::vector<results::DensityCurve>& curves) {
       for (auto& curve : curves) {
         if (curve.solution == "fd-white") curve.density[20] += 0.3;
       }
@@ -117,10 +117,10 @@ TEST(FigureContent, DrawsLowerLayersFirst) {
 TEST(FigureContent, HasNoMarginalWithoutACurve) {
   auto case_result = made_up_case();
   std::erase_if(case_result.curves,
-                [](const auto& curve) { return curve.variable == Variable::y; });
+                [](const auto& curve) { return curve.variable == StateVariable::y; });
   const auto content = figure_content(case_result);
   ASSERT_EQ(content.marginals.size(), 1u);
-  EXPECT_EQ(content.marginals[0].variable, Variable::ydot);
+  EXPECT_EQ(content.marginals[0].variable, StateVariable::ydot);
 }
 
 }  // namespace

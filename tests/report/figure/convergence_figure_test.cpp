@@ -67,7 +67,7 @@ TEST(ConvergenceFigure, HasTheSameSeriesInAScript) {
 TEST(ConvergencePicture, ExistsForAFamilyOfTwoOrders) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  results::Run run{results::this_program(""), {tests::case_with_external_family({2, 4, 6})}};
+  results::Run run{results::current_program(""), {tests::case_with_external_family({2, 4, 6})}};
   const FigureOptions svg{.formats = {FigureFormat::svg}};
   const auto warnings = draw_pictures(directory.path(), run, svg);
   ASSERT_TRUE(warnings.empty()) << warnings.front();
@@ -91,7 +91,8 @@ TEST(OrderPlots, HaveACurveForEachFamilyOfClosures) {
   EXPECT_EQ(curve.at("x"), Json({2, 4, 6}));
   EXPECT_EQ(tests::figure_of(plots[1]).at("layout").at("yaxis").at("title").at("text"),
             "<i>L</i><sub>1</sub> distance of <i>p</i>(<i>y</i>\u2032) to fd-kf");
-  EXPECT_EQ(curve.at("y")[2], *case_result.l1("epc-gaussian-n6", "fd-kf", transform::Variable::y));
+  EXPECT_EQ(curve.at("y")[2],
+            *case_result.l1("epc-gaussian-n6", "fd-kf", transform::StateVariable::y));
   EXPECT_EQ(curve.at("marker").at("symbol"), Json({"circle", "circle-open", "circle"}));
   EXPECT_EQ(curve.at("customdata")[1], "epc-gaussian-n4 (inadmissible)");
   EXPECT_EQ(trace_of(plots[1], "error estimate of fd-kf").at("y")[0], 3e-5);
@@ -114,12 +115,12 @@ TEST(OrderPlots, HaveExternalDensitiesAtOrdersOrAsLines) {
   EXPECT_EQ(names_in(plots[0]), (Names{"epc-gaussian", "fd-white", "fd-km4",
                                        "distance of mcs to fd-kf", "error estimate of fd-kf"}));
   const Json level = trace_of(plots[0], "fd-white"), mark = trace_of(plots[0], "fd-km4");
-  const double l1 = *case_result.l1("fd-white", "fd-kf", transform::Variable::y);
+  const double l1 = *case_result.l1("fd-white", "fd-kf", transform::StateVariable::y);
   EXPECT_EQ(level.at("y"), Json({l1, l1}));
   EXPECT_EQ(level.at("x"), Json({1.5, 8.5}));
   EXPECT_EQ(level.at("mode"), "lines");
   EXPECT_EQ(mark.at("x"), Json({8}));
-  EXPECT_EQ(mark.at("y"), Json({*case_result.l1("fd-km4", "fd-kf", transform::Variable::y)}));
+  EXPECT_EQ(mark.at("y"), Json({*case_result.l1("fd-km4", "fd-kf", transform::StateVariable::y)}));
   EXPECT_EQ(mark.at("mode"), "markers");
 }
 

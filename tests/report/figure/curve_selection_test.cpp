@@ -53,9 +53,9 @@ TEST(CurveSelection, SelectsByIdFamilyOrSolver) {
 TEST(CurveSelection, RejectsAnUnknownName) {
   std::vector<transform::SolutionIdentity> available;
   for (const auto& solution : made_up_case().solutions) available.push_back(solution.identity);
-  EXPECT_NO_THROW(validate_curves({"all", "mcs", "epc", "epc-gaussian"}, available));
+  EXPECT_NO_THROW(require_available_curves({"all", "mcs", "epc", "epc-gaussian"}, available));
   try {
-    validate_curves({"mcs", "fd-kv"}, available);
+    require_available_curves({"mcs", "fd-kv"}, available);
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("--curves: 'fd-kv' matches no solution"))

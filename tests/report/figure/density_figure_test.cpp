@@ -46,7 +46,8 @@ TEST(DensityFigure, HasTheLetteredPanelsOfThePaperWithEveryCurve) {
     const auto& panel = figure.panels[k];
     EXPECT_EQ(panel.y.is_logarithmic, k % 3 == 1);
     for (const auto& solution : case_result.solutions) {
-      const bool is_drawn = case_result.curve(solution.id(), transform::Variable::y) != nullptr;
+      const bool is_drawn =
+          case_result.curve(solution.id(), transform::StateVariable::y) != nullptr;
       EXPECT_EQ(series_of(panel, solution.id()) != nullptr, is_drawn) << solution.id();
     }
     EXPECT_NE(series_of(panel, "epc-gaussian-n4 (inadmissible)"), nullptr);

@@ -30,7 +30,7 @@ TEST(CellWindow, RowsAreOfConstantVelocity) {
 TEST(SignedRoots, ComeBackWithTheirSign) {
   const std::vector<double> values{-2, 2, 0, 0.5, -1e-4, 1e-6};
   constexpr int kMany = 4096;
-  const auto packed = signed_roots(values, kMany);
+  const auto packed = quantise_signed_roots(values, kMany);
   EXPECT_EQ(packed.largest, 2);
   EXPECT_EQ(packed.roots[0], -kMany);
   EXPECT_EQ(packed.roots[3], kMany / 2);
@@ -42,7 +42,7 @@ TEST(SignedRoots, ComeBackWithTheirSign) {
 }
 
 TEST(SignedRoots, OfNothingAreNothing) {
-  EXPECT_EQ(signed_roots(std::vector<double>{0, 0}, 127).roots, (std::vector<int>{0, 0}));
+  EXPECT_EQ(quantise_signed_roots(std::vector<double>{0, 0}, 127).roots, (std::vector<int>{0, 0}));
 }
 
 TEST(SignedRoots, AreTheSumsOfTheirSteps) {

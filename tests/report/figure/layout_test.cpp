@@ -15,7 +15,7 @@ namespace {
 
 using tests::contains;
 
-TEST(Frame, TitlesAFigureWithTheNameAndTheParameters) {
+TEST(WallFrame, TitlesAFigureWithTheNameAndTheParameters) {
   auto problem = tests::paper_case(1);
   problem.name = "it's a_b";
   const auto title = figure_title(problem_title(problem), {.width = 1500, .height = 900});
@@ -24,7 +24,7 @@ TEST(Frame, TitlesAFigureWithTheNameAndTheParameters) {
       << title.command;
 }
 
-TEST(Frame, BreaksATitleThatIsLongerThanTheFigureIsWide) {
+TEST(WallFrame, BreaksATitleThatIsLongerThanTheFigureIsWide) {
   const auto problem = tests::paper_case(1);
   const auto wide = figure_title(problem_title(problem), {.width = 1500, .height = 900});
   const auto narrow = figure_title(
@@ -35,14 +35,14 @@ TEST(Frame, BreaksATitleThatIsLongerThanTheFigureIsWide) {
   EXPECT_GT(narrow.height, wide.height);
 }
 
-TEST(Frame, SizesBothFormats) {
+TEST(WallFrame, SizesBothFormats) {
   const std::string text = gnuplot_output_commands("stem", {.width = 12, .height = 34});
   EXPECT_NE(text.find("set terminal svg size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("set terminal pngcairo size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("target = 'stem'.'.'.format"), std::string::npos) << text;
 }
 
-TEST(Frame, DrawsMinusSignsNotHyphens) {
+TEST(WallFrame, DrawsMinusSignsNotHyphens) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "no gnuplot";
   const tests::TemporaryDirectory directory;
   const std::string script = gnuplot_output_commands("stem", {.width = 400, .height = 300}) +
@@ -56,7 +56,7 @@ TEST(Frame, DrawsMinusSignsNotHyphens) {
 }
 
 // 85 mm are 241 points, or 1004 pixels at 300 dots per inch; letters have 7.5 points.
-TEST(Frame, DrawsForPrintInItsSize) {
+TEST(WallFrame, DrawsForPrintInItsSize) {
   constexpr auto kColumn = FigureWidth::one_column;
   EXPECT_EQ(figure_width(kColumn, 1500), 471);
   EXPECT_EQ(figure_width(FigureWidth::two_columns, 1500), 942);

@@ -69,7 +69,7 @@ TEST_P(PictureLegend, HasAnEntryForEveryCurveThatIsDrawn) {
   const tests::TemporaryDirectory directory;
   const auto case_result = with_closures(GetParam());
   ASSERT_TRUE(
-      draw_pictures(directory.path(), {results::this_program(""), {case_result}}, kAllOfBoth)
+      draw_pictures(directory.path(), {results::current_program(""), {case_result}}, kAllOfBoth)
           .empty());
   const std::string svg = contents(directory.path() / "figures" / "case1.svg");
   for (const auto& solution : case_result.solutions) {
@@ -78,7 +78,8 @@ TEST_P(PictureLegend, HasAnEntryForEveryCurveThatIsDrawn) {
     if (solution.identity.plot_style.as_points) label += ", with 95 % intervals";
     // The SVG contains hidden titles as comments.
     const bool shown = contains(svg, " >" + label + "</tspan></text>");
-    EXPECT_EQ(shown, case_result.curve(solution.id(), transform::Variable::y) != nullptr) << label;
+    EXPECT_EQ(shown, case_result.curve(solution.id(), transform::StateVariable::y) != nullptr)
+        << label;
   }
 }
 

@@ -10,7 +10,7 @@
 namespace fpkcheck::report {
 namespace {
 
-using transform::Variable;
+using transform::StateVariable;
 
 TEST(MarginalAxisRanges, ContainAllDensitiesAboveTheFloor) {
   const auto case_result = tests::made_up_case();
@@ -28,8 +28,8 @@ TEST(MarginalAxisRanges, ContainAllDensitiesAboveTheFloor) {
 
 TEST(MarginalAxisRanges, ContainTheVisibleDensities) {
   const transform::Solution solution;
-  const results::Curve curve{
-      "toy", Variable::ydot, {-2.5, -1.5, -0.5, 0.5, 1.5}, {1e-7, 1e-5, 4, 1, 0}, {}, {}};
+  const results::DensityCurve curve{
+      "toy", StateVariable::ydot, {-2.5, -1.5, -0.5, 0.5, 1.5}, {1e-7, 1e-5, 4, 1, 0}, {}, {}};
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {0, 0, -0.5, 0.25, nothing}, {}, {}}};
   const auto ranges = density_axis_ranges(std::vector{drawn});
@@ -47,7 +47,8 @@ TEST(MarginalAxisRanges, ContainTheVisibleDensities) {
 TEST(MarginalAxisRanges, StartTheLogarithmicAxisBelowTheData) {
   const transform::Solution solution;
   const auto bottom = [&](std::vector<double> density) {
-    const results::Curve curve{"toy", Variable::y, {0.5, 1.5, 2.5}, std::move(density), {}, {}};
+    const results::DensityCurve curve{
+        "toy", StateVariable::y, {0.5, 1.5, 2.5}, std::move(density), {}, {}};
     return logarithmic_axis_bottom(
         density_axis_ranges(std::vector{DrawnCurve{&solution, &curve, {}}}));
   };
@@ -63,11 +64,11 @@ TEST(MarginalAxisRanges, StartTheLogarithmicAxisBelowTheData) {
 TEST(MarginalAxisRanges, ExcludeNarrowBinsFromTheLinearAxis) {
   const transform::Solution solution;
   // Bins of width 1, the first divided at 1/4.
-  const results::Curve curve{"toy", Variable::y, {0.125, 0.625, 1.5, 2.5}, {5000, 9, 4, 0.1},
-                             {},    {}};
+  const results::DensityCurve curve{
+      "toy", StateVariable::y, {0.125, 0.625, 1.5, 2.5}, {5000, 9, 4, 0.1}, {}, {}};
   const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {-70, 0.1, 0.3, 0.2}, {}, {}}};
   const auto ranges = density_axis_ranges(std::vector{drawn});
-  EXPECT_EQ(drawn.broad_bin_flags(), (std::vector{false, true, true, true}));
+  EXPECT_EQ(drawn.full_width_bin_flags(), (std::vector{false, true, true, true}));
   EXPECT_EQ(ranges.linear_top, 9);
   EXPECT_EQ(ranges.linear_to, 2.5);  // above 1/500 of 9
   EXPECT_EQ(ranges.largest_density, 5000);
@@ -77,7 +78,7 @@ TEST(MarginalAxisRanges, ExcludeNarrowBinsFromTheLinearAxis) {
 
 TEST(MarginalAxisRanges, OfADisplacementBeginAtTheWall) {
   const transform::Solution solution;
-  const results::Curve curve{"toy", Variable::y, {0.5, 1.5}, {1, 1}, {}, {}};
+  const results::DensityCurve curve{"toy", StateVariable::y, {0.5, 1.5}, {1, 1}, {}, {}};
   const auto ranges = density_axis_ranges(std::vector{DrawnCurve{&solution, &curve, {}}});
   EXPECT_EQ(ranges.linear_from, 0);
   EXPECT_EQ(ranges.logarithmic_from, 0);

@@ -18,19 +18,20 @@ TEST(ScriptParts, EveryShapeIsFilledOrOpen) {
 }
 
 TEST(ScriptParts, PartsAreLinesOfAScript) {
-  EXPECT_EQ(data_block("a", "1 2\n"), "$a << EOD\n1 2\nEOD\n");
+  EXPECT_EQ(gnuplot_data_block("a", "1 2\n"), "$a << EOD\n1 2\nEOD\n");
   EXPECT_EQ(panel_position_commands({0.1, 0.9, 0.8, 0.2}),
             "set lmargin at screen 0.1\nset rmargin at screen 0.9\n"
             "set tmargin at screen 0.8\nset bmargin at screen 0.2\n");
 }
 
 TEST(FigureText, IsConvertedToLatex) {
-  EXPECT_EQ(to_latex("{/:Italic p}({/:Italic y}')"), "$p$($y$')");
-  EXPECT_EQ(to_latex("10^{-5} ≤ {/:Italic L}_1, log_{10}"),
+  EXPECT_EQ(enhanced_text_to_latex("{/:Italic p}({/:Italic y}')"), "$p$($y$')");
+  EXPECT_EQ(enhanced_text_to_latex("10^{-5} ≤ {/:Italic L}_1, log_{10}"),
             "10$^{-5}$ $\\le$ $L$$_{1}$, log$_{10}$");
-  EXPECT_EQ(to_latex("λ E[Y²], 95 % |Δ|"), "$\\lambda$ E[Y$^2$], 95 \\% $|$$\\Delta$$|$");
-  EXPECT_EQ(to_latex("10^{−5} × −2"), "10$^{-5}$ $\\times$ $-$2");
-  EXPECT_EQ(to_latex("a -- b: --curves"), "a -{}- b: -{}-curves");
+  EXPECT_EQ(enhanced_text_to_latex("λ E[Y²], 95 % |Δ|"),
+            "$\\lambda$ E[Y$^2$], 95 \\% $|$$\\Delta$$|$");
+  EXPECT_EQ(enhanced_text_to_latex("10^{−5} × −2"), "10$^{-5}$ $\\times$ $-$2");
+  EXPECT_EQ(enhanced_text_to_latex("a -- b: --curves"), "a -{}- b: -{}-curves");
 }
 
 TEST(FigureText, HasNumbersWithMinusSigns) {
@@ -49,13 +50,13 @@ TEST(FigureText, IsLiteralIfPlain) {
 
 TEST(FigureText, AcceptsAnIncompleteMark) {
   for (const char* text : {"a_", "a^{", "{/:Italic y", "a\\", "^"}) {
-    EXPECT_NO_THROW(to_latex(text)) << text;
+    EXPECT_NO_THROW(enhanced_text_to_latex(text)) << text;
   }
 }
 
 TEST(Plot, VariablesAndDensitiesAreTypeset) {
-  EXPECT_EQ(variable_text(transform::Variable::y), "y");
-  EXPECT_EQ(density_text(transform::Variable::ydot), "p(y\u2032)");
+  EXPECT_EQ(variable_text(transform::StateVariable::y), "y");
+  EXPECT_EQ(density_text(transform::StateVariable::ydot), "p(y\u2032)");
 }
 
 }  // namespace

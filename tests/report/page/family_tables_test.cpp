@@ -27,7 +27,7 @@ TEST(FamilyTables, ShowAllMetrics) {
       family_tables(observed(MetricBuilder()
                                  .add_result("steps_taken", std::int64_t{12})
                                  .add_text("far.end", std::string("a<b"))
-                                 .add_work("far.edge_density", 1.23456e-9)
+                                 .add_diagnostic("far.edge_density", 1.23456e-9)
                                  .take_metrics(),
                              MetricBuilder().add_result("steps_taken", 0.5).take_metrics()));
   EXPECT_EQ(tests::headers_in(html, kCaption), "quantity|n2|n4");
@@ -60,13 +60,13 @@ TEST(FamilyTables, OmitRepeatedOptions) {
 }
 
 TEST(FamilyTables, KeepTheirOrderWithGroupsBehind) {
-  const std::string html = family_tables(
-      observed(MetricBuilder().add_work("tail.b", 1.0).add_work("z", 1.0).take_metrics(),
-               MetricBuilder()
-                   .add_work("tail.a", 1.0)
-                   .add_work("c", 1.0)
-                   .add_work("z", 1.0)
-                   .take_metrics()));
+  const std::string html = family_tables(observed(
+      MetricBuilder().add_diagnostic("tail.b", 1.0).add_diagnostic("z", 1.0).take_metrics(),
+      MetricBuilder()
+          .add_diagnostic("tail.a", 1.0)
+          .add_diagnostic("c", 1.0)
+          .add_diagnostic("z", 1.0)
+          .take_metrics()));
   const auto place = [&](const std::string& name) { return html.find('>' + name + "</th>"); };
   EXPECT_LT(place("c"), place("z"));
   EXPECT_LT(place("z"), place("tail: a"));
@@ -74,8 +74,8 @@ TEST(FamilyTables, KeepTheirOrderWithGroupsBehind) {
 }
 
 TEST(FamilyTables, AreOneForEachFamily) {
-  auto case_result = observed(MetricBuilder().add_work("a", 1.0).take_metrics(),
-                              MetricBuilder().add_work("b", 1.0).take_metrics());
+  auto case_result = observed(MetricBuilder().add_diagnostic("a", 1.0).take_metrics(),
+                              MetricBuilder().add_diagnostic("b", 1.0).take_metrics());
   case_result.solutions[1].identity.family = "<toy>";
   const std::string html = family_tables(case_result);
   EXPECT_TRUE(contains(html, kCaption));

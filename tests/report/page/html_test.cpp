@@ -90,8 +90,8 @@ TEST(TypedArray, NamesItsTypeInJson) {
 }
 
 TEST(PageParts, AreTheFilesWhole) {
-  EXPECT_TRUE(page_frame().starts_with("<!doctype html>"));
-  EXPECT_TRUE(page_frame().ends_with("</html>\n"));
+  EXPECT_TRUE(page_template().starts_with("<!doctype html>"));
+  EXPECT_TRUE(page_template().ends_with("</html>\n"));
   EXPECT_NE(page_style().find("@media print"), std::string::npos);
   EXPECT_NE(page_script().find("'drawn'"), std::string::npos);
   EXPECT_GT(plotly_script().size(), 500'000u);
@@ -99,7 +99,7 @@ TEST(PageParts, AreTheFilesWhole) {
 
 TEST(PageParts, TheFrameHasAPlaceForEach) {
   for (const std::string place : {"title", "style", "body", "plots", "plotly", "script"}) {
-    EXPECT_NE(page_frame().find("{{" + place + "}}"), std::string::npos) << place;
+    EXPECT_NE(page_template().find("{{" + place + "}}"), std::string::npos) << place;
   }
 }
 

@@ -30,7 +30,7 @@ inline results::CaseResult whole_case(const std::string& name = "case1") {
 }
 
 inline results::Run whole_run(const std::string& name = "case1") {
-  return {results::this_program("fpkcheck run"), {whole_case(name)}};
+  return {results::current_program("fpkcheck run"), {whole_case(name)}};
 }
 
 /// The JSON input of page.js.

@@ -1,5 +1,5 @@
 #include "report/page/page.hpp"
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -170,7 +170,7 @@ TEST(Page, OfASavedRunIsThatOfTheRun) {
   auto run = whole_run();
   for (auto& solution : run.cases[0].solutions) {
     solution.metrics = transform::MetricBuilder()
-                           .add_work("steps", std::int64_t{3})
+                           .add_diagnostic("steps", std::int64_t{3})
                            .add_result("tail.kind", std::string("confined"))
                            .add_result("last", 1e7)
                            .take_metrics();
@@ -182,7 +182,7 @@ TEST(Page, OfASavedRunIsThatOfTheRun) {
   // Single precision, as in the files of a run.
   for (double& p : run.cases[0].joints.back().density.averages) p = static_cast<float>(p);
   const tests::TemporaryDirectory directory;
-  base::PendingFiles files;
+  base::FileTransaction files;
   results::add_run_files(files, directory.path(), run);
   files.commit();
   EXPECT_TRUE(page(results::load_run(directory.path())) == page(run));
@@ -215,8 +215,8 @@ TEST(Page, OfFourCasesAndFifteenSolutionsStaysUnderAMegabyteEach) {
   }
   case_result.assess();
   ASSERT_EQ(case_result.solutions.size(), 15u);
-  EXPECT_LT(page({results::this_program("fpkcheck run"), {case_result}}).size(), 1'000'000u);
-  results::Run run{results::this_program("fpkcheck run"), {}};
+  EXPECT_LT(page({results::current_program("fpkcheck run"), {case_result}}).size(), 1'000'000u);
+  results::Run run{results::current_program("fpkcheck run"), {}};
   for (int c = 0; c < 4; ++c) {
     run.cases.push_back(case_result);
     run.cases.back().problem.name = "case" + std::to_string(c);

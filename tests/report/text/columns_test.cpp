@@ -19,7 +19,7 @@ std::vector<TextColumn> table() {
 }
 
 TEST(Columns, AreAlignedUnderTheirHeadersAndGroups) {
-  EXPECT_EQ(table_rows_text(table(), 100),
+  EXPECT_EQ(format_text_table(table(), 100),
             "                       L1 to mcs\n"
             "name    status        p(y)  p(y')\n"
             "a       ok             0.1   0.25\n"
@@ -27,16 +27,17 @@ TEST(Columns, AreAlignedUnderTheirHeadersAndGroups) {
 }
 
 TEST(Columns, OfLeastImportanceGoWhereTheRowsDoNotFit) {
-  const auto text = table_rows_text(table(), 28);
+  const auto text = format_text_table(table(), 28);
   EXPECT_EQ(text.find("p(y')"), std::string::npos);
   EXPECT_NE(text.find("p(y)"), std::string::npos);
-  EXPECT_NE(table_rows_text(table(), 10).find("inadmissible"), std::string::npos);  // never omitted
+  EXPECT_NE(format_text_table(table(), 10).find("inadmissible"),
+            std::string::npos);  // never omitted
 }
 
 // Without escape sequences the coloured table equals the plain table: widths count letters only.
 TEST(Columns, AreColouredByStatusAndOtherwiseTheSame) {
-  const auto plain = table_rows_text(table(), 100),
-             coloured = table_rows_text(table(), {100, true});
+  const auto plain = format_text_table(table(), 100),
+             coloured = format_text_table(table(), {100, true});
   EXPECT_EQ(plain.find('\x1b'), std::string::npos);
   EXPECT_NE(coloured.find("\x1b[32mok"), std::string::npos);            // green
   EXPECT_NE(coloured.find("\x1b[33minadmissible"), std::string::npos);  // yellow

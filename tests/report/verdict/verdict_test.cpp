@@ -9,7 +9,7 @@
 
 #include "../modified_case.hpp"
 #include "report/findings.hpp"
-#include "report/verdict/matrix_text.hpp"
+#include "report/verdict/verdict_text.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -22,7 +22,7 @@ using tests::set_l1;
 using tests::solution_of;
 
 results::Run run_of(std::vector<results::CaseResult> cases) {
-  return {results::this_program("fpkcheck run"), std::move(cases)};
+  return {results::current_program("fpkcheck run"), std::move(cases)};
 }
 
 std::string outcome_in(const Verdict& run_verdict, const std::string& subject) {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/input_error.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "results/run_json.hpp"
 #include "solved_run.hpp"
 #include "thorough.hpp"
@@ -37,8 +37,8 @@ TEST(SavedProblem, IsReadBackFromASummary) {
     auto saved = tests::case_of({});
     saved.problem = problem;
     saved.assess();
-    std::istringstream file(results::summary_text({results::this_program(""), {saved}}));
-    const auto again = results::read_summary(file, "summary.json").cases.at(0).problem;
+    std::istringstream file(results::run_summary_text({results::current_program(""), {saved}}));
+    const auto again = results::read_run_summary(file, "summary.json").cases.at(0).problem;
     EXPECT_EQ(again.name, problem.name);
     const auto was = problem::sections(problem), is = problem::sections(again);
     ASSERT_EQ(was.size(), is.size());
@@ -246,7 +246,7 @@ results::Run simulated_run(std::uint64_t seed, double intensity = 0.1, double ti
   const auto method = methods::builtin_registry().method_by_id(
       "mcs",
       {{"time", time}, {"seed", static_cast<std::int64_t>(seed)}, {"streams", std::int64_t{64}}});
-  return {results::this_program(""), methods::run_cases({problem}, {*method}, 0, {})};
+  return {results::current_program(""), methods::run_cases({problem}, {*method}, 0, {})};
 }
 
 TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {

@@ -18,7 +18,7 @@ TEST(CheckJson, HasEveryChangeAndEveryKind) {
   tests::scale(tests::solution(changed, "epc-moment-n8").moments.y2, 1e-6);
   tests::solution(changed, "fd-kf").status = transform::Status::failed;
   const auto two = check(tests::paper_baseline(), changed, {});
-  const auto json = nlohmann::json::parse(check_json(two, "fpkcheck check b", "b"));
+  const auto json = nlohmann::json::parse(check_result_json(two, "fpkcheck check b", "b"));
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["program"]["command"], "fpkcheck check b");
   EXPECT_EQ(json["baseline"], "b");
@@ -47,7 +47,7 @@ TEST(CheckTable, ListsTheChangesAndEndsWithASentence) {
   solution(changed, "fd-kf").status = transform::Status::failed;
   const auto two = check(paper_baseline(), changed, {});
   for (const std::size_t width : {80u, 100u}) {
-    const std::string text = check_table(two, width);
+    const std::string text = check_result_table(two, width);
     for (const char* part : {"epc-moment-n8", "E[y^2]", "0.39453765", "1e-06", "failed"}) {
       EXPECT_TRUE(contains(text, part)) << part << " not in:\n" << text;
     }
@@ -60,7 +60,7 @@ TEST(CheckTable, ListsTheChangesAndEndsWithASentence) {
 TEST(CheckTable, HasARowForEveryKindAndTheNotes) {
   auto same = check(paper_baseline(), solved_run(), {});
   same.notes = {"The curves were drawn by hand."};
-  const std::string text = check_table(same, 100);
+  const std::string text = check_result_table(same, 100);
   for (const auto& entry : kQuantityKindNames) {
     EXPECT_TRUE(contains(text, std::string(entry.name))) << entry.name;
   }
@@ -75,7 +75,7 @@ TEST(CheckTable, ShowsTheLargestChangesAlone) {
   solution(changed, "fd-kf").status = transform::Status::failed;
   const auto all = check(paper_baseline(), changed, {});
   ASSERT_GT(all.changed_quantities().size(), 50u);
-  const std::string text = check_table(all, 100);
+  const std::string text = check_result_table(all, 100);
   EXPECT_LT(std::ranges::count(text, '\n'), 65);
   EXPECT_TRUE(contains(text, "failed"));
   EXPECT_TRUE(contains(text, fmt::format("and {} more", all.changed_quantities().size() - 40)));

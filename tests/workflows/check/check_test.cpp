@@ -199,7 +199,7 @@ TEST(Check, ReportsTheLargestAllowedChangeOfEachKind) {
   scale(solution(other, "fd-km4").moments.y2, 5e-9);
   scale(solution(other, "fd-white").moments.y2, 1e-6);
   const auto compared = check(paper_baseline(), other, {});
-  for (const auto& summary : summarise_by_kind(compared)) {
+  for (const auto& summary : summarise_changes_by_kind(compared)) {
     if (summary.kind != QuantityKind::moment) continue;
     EXPECT_EQ(summary.moved, 1u);
     ASSERT_NE(summary.largest, nullptr);

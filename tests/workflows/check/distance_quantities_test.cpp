@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "solved_run.hpp"
-#include "workflows/check/quantities.hpp"
+#include "workflows/check/case_quantities.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -59,7 +59,7 @@ TEST(DistanceClaims, DistancesToASimulationMoveWithItsSamplingError) {
   const auto by = [](double l1) {
     return moved_by([&](results::Run& run) {
       for (auto& [a, b, variable, distances, error] : run.cases[0].pairs) {
-        if (b != "mcs" || variable != transform::Variable::y || a != "fd-kf") continue;
+        if (b != "mcs" || variable != transform::StateVariable::y || a != "fd-kf") continue;
         distances.l1 += l1;
         distances.kl += l1;  // not compared with a simulation
       }
@@ -143,11 +143,11 @@ TEST(BudgetClaims, ABudgetToAnotherSimulationIsJudgedByItsSampling) {
   EXPECT_EQ(by(l1(0), 1e-5), 1u);  // deterministic
 }
 
-using results::Curve;
+using results::DensityCurve;
 using tests::moved_by;
 
-Curve& simulated_curve(results::Run& run) {
-  return *std::ranges::find(run.cases[0].curves, "mcs", &Curve::solution);
+DensityCurve& simulated_curve(results::Run& run) {
+  return *std::ranges::find(run.cases[0].curves, "mcs", &DensityCurve::solution);
 }
 
 TEST(MarginalFigures, FindsEveryBinOfACurve) {
@@ -178,7 +178,7 @@ TEST(MarginalFigures, CurvesOnOtherBinsCannotBeCompared) {
 TEST(MarginalFigures, SimulatedBinsHaveToleranceByIntervalAndNumberOfBins) {
   const auto by = [](double errors) {
     return moved_by([&](results::Run& run) {
-      Curve& curve = simulated_curve(run);
+      DensityCurve& curve = simulated_curve(run);
       const double error = (curve.upper[20] - curve.density[20]) / 1.96;
       for (auto* values : {&curve.density, &curve.lower, &curve.upper}) {
         (*values)[20] += errors * std::sqrt(2.0) * error;
@@ -194,7 +194,7 @@ TEST(MarginalFigures, SimulatedBinsHaveToleranceByIntervalAndNumberOfBins) {
 
 TEST(MarginalFigures, FindsAnotherShapeOfASimulationByL1) {
   const auto moved = moved_by([](results::Run& run) {
-    Curve& curve = simulated_curve(run);  // too low near the wall, too high far from it
+    DensityCurve& curve = simulated_curve(run);  // too low near the wall, too high far from it
     for (std::size_t k = 0; k < curve.density.size(); ++k) {
       const double tilt = 0.05 * (curve.abscissa[k] - 0.5);
       for (auto* values : {&curve.density, &curve.lower, &curve.upper}) (*values)[k] *= 1 + tilt;

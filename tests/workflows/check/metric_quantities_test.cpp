@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "solved_run.hpp"
-#include "workflows/check/quantities.hpp"
+#include "workflows/check/case_quantities.hpp"
 
 namespace fpkcheck::check {
 namespace {

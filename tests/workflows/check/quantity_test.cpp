@@ -46,8 +46,8 @@ QuantityChange held(const Quantity& was, const Quantity& is) {
 
 Quantity number(double value, QuantityKind kind = QuantityKind::mass, double scale = 1) {
   Quantities quantities;
-  return PartQuantities{quantities, "solution", kWholeSolution}.append_number("x", kind, value, 0.1,
-                                                                              scale);
+  return PartQuantityAppender{quantities, "solution", kWholeSolutionPart}.append_number(
+      "x", kind, value, 0.1, scale);
 }
 
 TEST(Quantity, NumbersChangeInUnitsOfTheScaleOfTheBaseline) {
@@ -104,8 +104,8 @@ TEST(Quantity, AnL1IsAllowedItsExpectationAndSomeScatter) {
 TEST(Quantity, WordsMustBeTheSame) {
   const auto moved = [](const base::Value& was, const base::Value& is) {
     Quantities one, other;
-    PartQuantities{one, "solution", kWholeSolution}.append_word("x", was);
-    PartQuantities{other, "solution", kWholeSolution}.append_word("x", is);
+    PartQuantityAppender{one, "solution", kWholeSolutionPart}.append_word("x", was);
+    PartQuantityAppender{other, "solution", kWholeSolutionPart}.append_word("x", is);
     return held(one[0], other[0]).exceeds_tolerance();
   };
   EXPECT_FALSE(moved("ok", "ok"));
@@ -117,14 +117,15 @@ TEST(Quantity, WordsMustBeTheSame) {
 /// A list with this number of entries, in a group.
 Quantities list(std::size_t entries) {
   Quantities quantities;
-  const PartQuantities whole{quantities, "solution", kWholeSolution};
+  const PartQuantityAppender whole{quantities, "solution", kWholeSolutionPart};
   whole.begin(QuantityKind::status);
-  const PartQuantities group =
-      PartQuantities{quantities, "solution", "group"}.begin(QuantityKind::detail);
-  const PartQuantities one = PartQuantities{quantities, "solution", "group.list"}.begin(
+  const PartQuantityAppender group =
+      PartQuantityAppender{quantities, "solution", "group"}.begin(QuantityKind::detail);
+  const PartQuantityAppender one = PartQuantityAppender{quantities, "solution", "group.list"}.begin(
       QuantityKind::detail, static_cast<std::int64_t>(entries), group.name);
   for (std::size_t k = 0; k < entries; ++k) {
-    const PartQuantities entry{quantities, "solution", "group.list[" + std::to_string(k) + ']'};
+    const PartQuantityAppender entry{quantities, "solution",
+                                     "group.list[" + std::to_string(k) + ']'};
     entry.begin(QuantityKind::detail, "there", one.name)
         .append_number(entry.name + ".level", QuantityKind::detail, static_cast<double>(k), 0);
   }
@@ -144,7 +145,7 @@ TEST(Quantity, ReportsAChangedPartOnce) {
 
 TEST(Quantity, ReportsAMissingPartOnce) {
   Quantities none;
-  PartQuantities{none, "solution", kWholeSolution}.begin(QuantityKind::status);
+  PartQuantityAppender{none, "solution", kWholeSolutionPart}.begin(QuantityKind::status);
   const auto lost = compare_quantities("case", list(3), none);
   ASSERT_EQ(lost.size(), 1u);
   EXPECT_EQ(lost[0].name, "group");
@@ -154,7 +155,7 @@ TEST(Quantity, ReportsAMissingPartOnce) {
   ASSERT_EQ(won.size(), 1u);
   EXPECT_EQ(won[0].baseline, base::Value("missing"));
   ASSERT_EQ(compare_quantities("case", list(3), {}).size(), 1u);
-  EXPECT_EQ(compare_quantities("case", list(3), {})[0].name, kWholeSolution);
+  EXPECT_EQ(compare_quantities("case", list(3), {})[0].name, kWholeSolutionPart);
 }
 
 TEST(Quantity, IgnoresErrorsThatTheBaselineLacks) {
@@ -162,7 +163,7 @@ TEST(Quantity, IgnoresErrorsThatTheBaselineLacks) {
   EXPECT_TRUE(compare_quantities("case", {}, {error}).empty());
   EXPECT_EQ(compare_quantities("case", {error}, {}).size(), 1u);
   Quantities stated;
-  PartQuantities{stated, "s", kStatedError}
+  PartQuantityAppender{stated, "s", kErrorEstimatePart}
       .begin(QuantityKind::status)
       .append_number("error of E[y]", QuantityKind::detail, 1e-3, 1e-8);
   EXPECT_TRUE(compare_quantities("case", {}, stated).empty());

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "solved_run.hpp"
-#include "workflows/check/quantities.hpp"
+#include "workflows/check/case_quantities.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -21,8 +21,10 @@ TEST(SolutionClaims, StatusEquationMassAndBalanceAreFound) {
     return kinds(moved_by([&](results::Run& run) { change(solution(run, "fd-kf")); }));
   };
   EXPECT_EQ(by([](auto& fd) { fd.status = transform::Status::ill_posed; }), Kinds{status});
-  EXPECT_EQ(by([](auto& fd) { fd.identity.equation = problem::Equation::km4; }), Kinds{status});
-  EXPECT_EQ(by([](auto& fd) { fd.identity.impact = problem::Impact::delta; }), Kinds{status});
+  EXPECT_EQ(by([](auto& fd) { fd.identity.equation = problem::DensityEquation::km4; }),
+            Kinds{status});
+  EXPECT_EQ(by([](auto& fd) { fd.identity.impact = problem::ImpactCondition::delta; }),
+            Kinds{status});
   EXPECT_EQ(by([](auto& fd) { scale(fd.mass, 1e-6); }), Kinds{mass});
   EXPECT_EQ(by([](auto& fd) { fd.energy_residual -= 1e-6; }), Kinds{energy});
   EXPECT_EQ(by([](auto& fd) { fd.min_density -= 1e-13; }), Kinds{detail});

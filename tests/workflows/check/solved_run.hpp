@@ -10,8 +10,8 @@
 
 #include "paper_cases.hpp"
 #include "results/saved_run.hpp"
+#include "workflows/check/case_quantities.hpp"
 #include "workflows/check/check.hpp"
-#include "workflows/check/quantities.hpp"
 
 /// Runs to compare with each other; nothing is solved here.
 namespace fpkcheck::tests {

@@ -25,7 +25,7 @@ TEST(Tolerances, BonferroniThresholdGrowsWithTheNumber) {
 }
 
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 Solution simulation() {
   Solution one;
@@ -50,15 +50,15 @@ TEST(Chance, TheSameSeedGivesIdenticalDigits) {
 TEST(Chance, AnL1HasTheStatedSamplingTolerance) {
   const Solution one = simulation();
   Quantity quantity{.kind = QuantityKind::distance, .allowed = 1e-8};
-  set_sampling_tolerance(quantity, std::nullopt, Variable::y, {});
+  set_sampling_tolerance(quantity, std::nullopt, StateVariable::y, {});
   Solution silent = one;
   silent.sampling->y_99.reset();
-  set_sampling_tolerance(quantity, silent.sampling, Variable::y, {});
+  set_sampling_tolerance(quantity, silent.sampling, StateVariable::y, {});
   silent.sampling.reset();
-  set_sampling_tolerance(quantity, silent.sampling, Variable::y, {});
+  set_sampling_tolerance(quantity, silent.sampling, StateVariable::y, {});
   EXPECT_EQ(quantity.kind, QuantityKind::distance);
   EXPECT_EQ(quantity.allowed, 1e-8);
-  set_sampling_tolerance(quantity, one.sampling, Variable::ydot, {});
+  set_sampling_tolerance(quantity, one.sampling, StateVariable::ydot, {});
   EXPECT_EQ(quantity.kind, QuantityKind::simulated_l1);
   EXPECT_EQ(quantity.allowed, 4);
   EXPECT_EQ(quantity.error, 0.02);
@@ -79,17 +79,19 @@ TEST(Chance, MassHasBinomialStandardError) {
 
 TEST(Chance, ErrorsOfFewStreamsHaveLargerTolerance) {
   Solution few = simulation(), many = simulation();
-  few.metrics = transform::MetricBuilder().add_result(kStreams, std::int64_t{16}).take_metrics();
-  many.metrics = transform::MetricBuilder().add_result(kStreams, std::int64_t{1024}).take_metrics();
+  few.metrics =
+      transform::MetricBuilder().add_result(kStreamsMetric, std::int64_t{16}).take_metrics();
+  many.metrics =
+      transform::MetricBuilder().add_result(kStreamsMetric, std::int64_t{1024}).take_metrics();
   const Tolerances tolerances;
-  const double of_few = allowed_error_change(few, 1, 1, tolerances);
-  const double of_many = allowed_error_change(many, 1, 1, tolerances);
-  const double of_usual = allowed_error_change(simulation(), 1, 1, tolerances);
+  const double of_few = standard_error_change_tolerance(few, 1, 1, tolerances);
+  const double of_many = standard_error_change_tolerance(many, 1, 1, tolerances);
+  const double of_usual = standard_error_change_tolerance(simulation(), 1, 1, tolerances);
   EXPECT_NEAR(of_few, std::exp(1.25 * 4 / std::sqrt(15.0)) - 1, 1e-9);
   EXPECT_GT(of_few, of_usual);
   EXPECT_GT(of_usual, of_many);
-  EXPECT_GT(allowed_error_change(many, 1, 2, tolerances), of_many);
-  EXPECT_GT(allowed_error_change(many, 60, 1, tolerances), of_many);
+  EXPECT_GT(standard_error_change_tolerance(many, 1, 2, tolerances), of_many);
+  EXPECT_GT(standard_error_change_tolerance(many, 60, 1, tolerances), of_many);
 }
 
 }  // namespace

@@ -59,10 +59,10 @@ TEST(ClaimsFiles, JsonHasTheNumbersTheOutcomeAndThePapersWords) {
 
 TEST(ClaimsFiles, TheSummaryWithClaimsCanBeReadAsASummary) {
   const auto run = tests::run_with_distances();
-  const std::string text = summary_with_claims(judge_claims(run), run);
+  const std::string text = summary_json_with_claims(judge_claims(run), run);
   EXPECT_EQ(nlohmann::json::parse(text).at("claims").size(), paper_claims().size());
   std::istringstream in(text);
-  EXPECT_EQ(results::read_summary(in, "it").cases.size(), 4u);
+  EXPECT_EQ(results::read_run_summary(in, "it").cases.size(), 4u);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(ClaimsTable, HasARowForEveryClaimWithinTheWidth) {
   const auto judgements = judge_claims(tests::run_with_distances());
   for (const std::size_t width : {80u, 100u}) {
-    const std::string text = table(judgements, width);
+    const std::string text = claims_table_text(judgements, width);
     std::istringstream lines(text);
     std::size_t rows = 0;
     bool notes = false;
@@ -34,7 +34,8 @@ TEST(ClaimsTable, HasARowForEveryClaimWithinTheWidth) {
 }
 
 TEST(ClaimsTable, ShowsTheNumbersAndTheirLimits) {
-  const std::string text = table(judge_claims(tests::run_with_distances(0.0123, 0.1)), 100);
+  const std::string text =
+      claims_table_text(judge_claims(tests::run_with_distances(0.0123, 0.1)), 100);
   EXPECT_NE(text.find("1    2ab  n=6 agrees with MCS in p(y)           0.01230 <= 0.02    0.100 <= "
                       "0.2   established\n"),
             std::string::npos)
@@ -46,17 +47,17 @@ TEST(ClaimsTable, ShowsTheNumbersAndTheirLimits) {
 TEST(ClaimsTable, QuotesTheReasonOfAClosureOncePerCase) {
   auto run = tests::run_with_distances();
   tests::closure(run, 4, 4).reason = "why it is none";
-  const std::string text = table(judge_claims(run), 100);
+  const std::string text = claims_table_text(judge_claims(run), 100);
   EXPECT_EQ(count(text, "why it is none"), 1u) << text;
   EXPECT_GT(count(text, "case 4, n=4 agrees"), 2u) << text;
 }
 
 TEST(ClaimsTable, ClosesWithTheNumberOfEachOutcome) {
-  std::vector<Judgement> three(3);
+  std::vector<ClaimJudgement> three(3);
   three[0].outcome = ClaimOutcome::established;
   three[1].outcome = ClaimOutcome::not_established;
   EXPECT_EQ(
-      closing_sentence(three),
+      claim_count_sentence(three),
       "3 claims of the paper: 1 established (the run's numbers are as the claim states); 1 not "
       "established (the numbers are not as the claim states); 1 unjudged (a number that "
       "decides the claim is missing).");
@@ -66,7 +67,7 @@ TEST(ClaimsTable, ClosesWithTheNumberOfEachOutcome) {
 TEST(ClaimsTable, SummaryListsTheClaimsOfEachOtherOutcome) {
   const auto judgements = judge_claims(tests::run_with_distances());
   const auto sentences = outcome_summary(judgements);
-  EXPECT_EQ(sentences.front(), closing_sentence(judgements));
+  EXPECT_EQ(sentences.front(), claim_count_sentence(judgements));
   std::set<ClaimOutcome> outcomes;
   for (const auto& one : judgements) {
     if (one.outcome == ClaimOutcome::established) continue;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "epc/options.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "problem/case_file.hpp"
 #include "workflows/paper/criteria.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 TEST(Claims, CoverEveryPanelAndBothDensitiesOfEveryCase) {
   std::set<std::string> panels;
-  std::set<std::pair<int, transform::Variable>> densities;
+  std::set<std::pair<int, transform::StateVariable>> densities;
   for (const auto& claim : paper_claims()) {
     if (claim.cases.size() > 1) continue;
     for (const char panel : claim.panels) {
@@ -52,7 +52,7 @@ TEST(Claims, AreUniqueByCaseAndTextAndHaveQuotations) {
     EXPECT_EQ(claim.panels.find_first_not_of("abcd"), std::string::npos);
     // Each panel shows one of the two densities.
     for (const auto variable : claim.variables) {
-      const bool is_y = variable == transform::Variable::y;
+      const bool is_y = variable == transform::StateVariable::y;
       if (claim.panels.empty()) continue;
       EXPECT_NE(claim.panels.find_first_of(is_y ? "ab" : "cd"), std::string::npos)
           << claim_text(claim);

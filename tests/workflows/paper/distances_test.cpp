@@ -16,17 +16,18 @@ namespace {
 using tests::budget_row;
 using tests::case_in;
 using tests::run_with_distances;
-using transform::Variable;
+using transform::StateVariable;
 
 TEST(DistanceToTheSimulation, ComesFromTheErrorBudget) {
   auto run = run_with_distances();
-  auto& row = budget_row(run, 2, 6, Variable::ydot);
+  auto& row = budget_row(run, 2, 6, StateVariable::ydot);
   row.total = 0.013;
   row.total_tail = 0.17;
   row.parts.back().approximations = {compare::Approximation::discretisation};
   row.parts.back().tail = 0.004;
   std::string missing;
-  const auto distance = distance_to_simulation(case_in(run, 2), 6, Variable::ydot, missing);
+  const auto distance =
+      closure_distance_to_simulation(case_in(run, 2), 6, StateVariable::ydot, missing);
   ASSERT_TRUE(distance) << missing;
   EXPECT_EQ(distance->l1, 0.013);
   EXPECT_EQ(distance->tail, 0.17);
@@ -36,58 +37,61 @@ TEST(DistanceToTheSimulation, ComesFromTheErrorBudget) {
 
 TEST(DistanceToTheSimulation, IsInfiniteInTheTailWhereAClosureIsZeroInPartOfIt) {
   auto run = run_with_distances();
-  budget_row(run, 1, 4, Variable::y).tail_bins = 8;
+  budget_row(run, 1, 4, StateVariable::y).tail_bins = 8;
   std::string missing;
-  EXPECT_TRUE(std::isinf(distance_to_simulation(case_in(run, 1), 4, Variable::y, missing)->tail));
-  EXPECT_EQ(distance_to_simulation(case_in(run, 1), 6, Variable::y, missing)->tail, 0.1);
+  EXPECT_TRUE(std::isinf(
+      closure_distance_to_simulation(case_in(run, 1), 4, StateVariable::y, missing)->tail));
+  EXPECT_EQ(closure_distance_to_simulation(case_in(run, 1), 6, StateVariable::y, missing)->tail,
+            0.1);
 }
 
 TEST(DistanceToTheSimulation, IsEmptyWithoutADensityOrAnAccurateReference) {
   auto run = run_with_distances();
   std::string missing;
-  EXPECT_FALSE(distance_to_simulation(case_in(run, 1), 8, Variable::y, missing));
+  EXPECT_FALSE(closure_distance_to_simulation(case_in(run, 1), 8, StateVariable::y, missing));
   EXPECT_EQ(missing, "case1 has no density of epc-gaussian-n8");
 
   case_in(run, 1).solutions.back().sampling = {.y = 0.011, .ydot = 0.011};
   case_in(run, 1).assess();
-  EXPECT_FALSE(distance_to_simulation(case_in(run, 1), 6, Variable::y, missing));
+  EXPECT_FALSE(closure_distance_to_simulation(case_in(run, 1), 6, StateVariable::y, missing));
   EXPECT_EQ(missing, "the reference of case1 has an error of up to L1 0.011: simulate longer");
 
   case_in(run, 2).budget.clear();
-  EXPECT_FALSE(distance_to_simulation(case_in(run, 2), 6, Variable::y, missing));
+  EXPECT_FALSE(closure_distance_to_simulation(case_in(run, 2), 6, StateVariable::y, missing));
   EXPECT_EQ(missing, "case2 has no reference solution");
 
-  budget_row(run, 3, 6, Variable::y).total = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(distance_to_simulation(case_in(run, 3), 6, Variable::y, missing));
+  budget_row(run, 3, 6, StateVariable::y).total = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(closure_distance_to_simulation(case_in(run, 3), 6, StateVariable::y, missing));
   EXPECT_EQ(missing, "the distance of epc-gaussian-n6 in case3 is not a number");
 }
 
 TEST(DistanceToTheSimulation, MaximumIsTakenOfEachNumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Distance both =
-      larger_distances({.l1 = 1, .tail = 4}, {.l1 = 2, .tail = 3, .l1_error = 0.1});
+  const ClosureDistance both =
+      componentwise_maximum({.l1 = 1, .tail = 4}, {.l1 = 2, .tail = 3, .l1_error = 0.1});
   EXPECT_EQ(both.l1, 2);
   EXPECT_EQ(both.tail, 4);
   EXPECT_EQ(both.l1_error, 0.1);
-  EXPECT_TRUE(std::isnan(larger_distances({.tail = nan}, {.tail = 1}).tail));
-  EXPECT_TRUE(std::isnan(larger_distances({.tail = 1}, {.tail = nan}).tail));
+  EXPECT_TRUE(std::isnan(componentwise_maximum({.tail = nan}, {.tail = 1}).tail));
+  EXPECT_TRUE(std::isnan(componentwise_maximum({.tail = 1}, {.tail = nan}).tail));
 }
 
-using transform::Variable;
+using transform::StateVariable;
 
 // Bin averages of a Gaussian: its deviation is that of equivalent linearisation times a factor.
-results::Curve gaussian_curve(const problem::Problem& problem, Variable variable, double factor) {
+results::DensityCurve gaussian_curve(const problem::Problem& problem, StateVariable variable,
+                                     double factor) {
   const auto linear = problem::equivalent_linearisation(problem);
-  const bool is_y = variable == Variable::y;
+  const bool is_y = variable == StateVariable::y;
   const double sigma = factor * (is_y ? linear.displacement_deviation : linear.velocity_deviation);
   const auto axes = compare::comparison_axes(problem);
-  const auto& edges = compare::bin_edges(axes, variable);
-  results::Curve curve{.solution = "epc-gaussian-n2",
-                       .variable = variable,
-                       .abscissa = {},
-                       .density = {},
-                       .lower = {},
-                       .upper = {}};
+  const auto& edges = compare::comparison_bin_edges(axes, variable);
+  results::DensityCurve curve{.solution = "epc-gaussian-n2",
+                              .variable = variable,
+                              .abscissa = {},
+                              .density = {},
+                              .lower = {},
+                              .upper = {}};
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
     const double from = edges[k], to = edges[k + 1];
     const auto below = [&](double x) { return std::erf(x / (std::numbers::sqrt2 * sigma)); };
@@ -100,7 +104,7 @@ results::Curve gaussian_curve(const problem::Problem& problem, Variable variable
 TEST(Linearisation, DistanceToTheSameGaussianIsZero) {
   const auto problem = tests::paper_case(4);
   for (const auto variable : transform::kVariables) {
-    EXPECT_LT(l1_to_linearisation(gaussian_curve(problem, variable, 1), problem), 1e-12);
+    EXPECT_LT(l1_to_equivalent_linearisation(gaussian_curve(problem, variable, 1), problem), 1e-12);
   }
 }
 
@@ -112,7 +116,8 @@ TEST(Linearisation, DistanceToAnotherDeviationIsThatOfTwoGaussians) {
       2 * (std::erf(x / std::numbers::sqrt2) - std::erf(x / (s * std::numbers::sqrt2)));
   for (const auto variable : transform::kVariables) {
     // Up to the bins in which they cross.
-    EXPECT_NEAR(l1_to_linearisation(gaussian_curve(problem, variable, s), problem), l1, 0.01 * l1);
+    EXPECT_NEAR(l1_to_equivalent_linearisation(gaussian_curve(problem, variable, s), problem), l1,
+                0.01 * l1);
   }
 }
 

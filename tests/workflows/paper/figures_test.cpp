@@ -14,7 +14,7 @@ bool has(const report::PictureScript& figure, const std::string& part) {
 }
 
 TEST(PaperFigures, AreFigs2To5WithThePapersNames) {
-  const auto all = paper_figures(tests::run_with_distances());
+  const auto all = paper_figure_scripts(tests::run_with_distances());
   ASSERT_EQ(all.size(), 4u);
   EXPECT_EQ(all.front().stem, "paper-fig-2");
   EXPECT_EQ(all.back().stem, "paper-fig-5");
@@ -34,12 +34,13 @@ TEST(PaperFigures, AreFigs2To5WithThePapersNames) {
 
 TEST(PaperFigures, CoverThePeaksOfClosuresThatAreNotOk) {
   auto run = tests::run_with_distances();
-  const auto before = paper_figures(run).front().script;
+  const auto before = paper_figure_scripts(run).front().script;
   tests::closure(run, 1, 2).status = transform::Status::inaccurate;
   for (auto& curve : tests::case_in(run, 1).curves) {
     if (curve.solution == "epc-gaussian-n2") curve.density.front() = 77;
   }
-  EXPECT_NE(paper_figures(run).front().script.find("set yrange [0:83.16]"), std::string::npos);
+  EXPECT_NE(paper_figure_scripts(run).front().script.find("set yrange [0:83.16]"),
+            std::string::npos);
 }
 
 TEST(PaperFigures, LeaveOutMissingSolutions) {
@@ -47,7 +48,7 @@ TEST(PaperFigures, LeaveOutMissingSolutions) {
   run.cases.erase(run.cases.begin());
   std::erase_if(tests::case_in(run, 1).curves,
                 [](const auto& curve) { return curve.solution == "mcs"; });
-  const auto all = paper_figures(run);
+  const auto all = paper_figure_scripts(run);
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all.front().stem, "paper-fig-3");
   EXPECT_FALSE(has(all.front(), "MCS"));

@@ -17,8 +17,8 @@ using tests::case_in;
 using tests::closure;
 using tests::find_judgement;
 using tests::run_with_distances;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 constexpr const char* kAgrees = "n=6 agrees with MCS in p(y)";
 constexpr const char* kDiffers = "n=2 differs from MCS in p(y')";
@@ -61,8 +61,8 @@ TEST(Judge, ForClaimsOnTheTailTheTailAloneDecides) {
 
 TEST(Judge, BetterMeansBetterByMoreThanTheReferenceError) {
   auto run = run_with_distances();
-  auto& own = budget_row(run, 3, 6, Variable::ydot);
-  const auto& rival = budget_row(run, 3, 2, Variable::ydot);
+  auto& own = budget_row(run, 3, 6, StateVariable::ydot);
+  const auto& rival = budget_row(run, 3, 2, StateVariable::ydot);
   const double open = 0.0015;  // error of the simulation in p(y')
   own.total_tail = rival.total_tail / 2;
   own.total = rival.total - 1.1 * open;
@@ -83,11 +83,11 @@ TEST(Judge, BetterMeansBetterByMoreThanTheReferenceError) {
 
 TEST(Judge, BetterInOnePanelIsDecidedByItsNumberAlone) {
   auto run = run_with_distances();
-  budget_row(run, 4, 6, Variable::y).total = 0.001;
-  budget_row(run, 4, 6, Variable::y).total_tail = 5;
+  budget_row(run, 4, 6, StateVariable::y).total = 0.001;
+  budget_row(run, 4, 6, StateVariable::y).total_tail = 5;
   EXPECT_EQ(outcome(run, 4, "n=6 is better than n=4 in p(y), L1"), ClaimOutcome::established);
-  budget_row(run, 4, 6, Variable::ydot).total = 0.5;
-  budget_row(run, 4, 6, Variable::ydot).total_tail = 0.01;
+  budget_row(run, 4, 6, StateVariable::ydot).total = 0.5;
+  budget_row(run, 4, 6, StateVariable::ydot).total_tail = 0.01;
   EXPECT_EQ(outcome(run, 4, "n=6 is better than n=4 in p(y'), tail"), ClaimOutcome::established);
 }
 
@@ -110,8 +110,8 @@ TEST(Judge, AgreementOfAnInadmissibleClosureIsQualified) {
 TEST(Judge, OfAllCasesTheWorstDecides) {
   auto run = run_with_distances();
   EXPECT_EQ(outcome(run, 0, kAgrees), ClaimOutcome::established);
-  budget_row(run, 3, 6, Variable::y).total = 0.025;
-  budget_row(run, 3, 6, Variable::ydot).total = 0.5;
+  budget_row(run, 3, 6, StateVariable::y).total = 0.025;
+  budget_row(run, 3, 6, StateVariable::ydot).total = 0.5;
   const auto all = find_judgement(run, 0, kAgrees);
   EXPECT_EQ(all.outcome, ClaimOutcome::not_established);
   EXPECT_EQ(all.l1.value, 0.025);
@@ -123,9 +123,9 @@ TEST(Judge, LessGaussianIsFurtherFromTheGaussianThanInCase1) {
   constexpr const char* kLess = "p(y) is less Gaussian than in case 1";
   auto run = run_with_distances();
   EXPECT_EQ(outcome(run, 2, kLess), ClaimOutcome::not_established);
-  budget_row(run, 2, 2, Variable::y).total = 0.02;
+  budget_row(run, 2, 2, StateVariable::y).total = 0.02;
   EXPECT_EQ(outcome(run, 2, kLess), ClaimOutcome::established);
-  budget_row(run, 1, 2, Variable::y).total = 0.03;
+  budget_row(run, 1, 2, StateVariable::y).total = 0.03;
   EXPECT_EQ(outcome(run, 2, kLess), ClaimOutcome::not_established);
 }
 
@@ -136,8 +136,8 @@ TEST(Judge, OrderTwoIsComparedWithEquivalentLinearisation) {
             ClaimOutcome::not_established);  // the made-up solution is another Gaussian
   EXPECT_GT(off.l1.value.value(), kSameGaussianL1);
   auto run = run_with_distances();
-  std::erase_if(case_in(run, 2).curves, [](const results::Curve& curve) {
-    return curve.solution == paper_closure_id(2) && curve.variable == Variable::ydot;
+  std::erase_if(case_in(run, 2).curves, [](const results::DensityCurve& curve) {
+    return curve.solution == paper_closure_id(2) && curve.variable == StateVariable::ydot;
   });
   EXPECT_EQ(outcome(run, 0, kSame), ClaimOutcome::unjudged);
 }
@@ -151,7 +151,7 @@ TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
   auto& eighth = closure(run, 1, 8);
   eighth.status = Status::inadmissible;
   eighth.metrics =
-      transform::MetricBuilder().add_work("plain_newton_converges", true).take_metrics();
+      transform::MetricBuilder().add_diagnostic("plain_newton_converges", true).take_metrics();
   const auto found = find_judgement(run, 1, kNotFound);
   EXPECT_EQ(found.outcome, ClaimOutcome::not_established);
   EXPECT_EQ(found.note,
@@ -159,7 +159,7 @@ TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
             "equations but is no probability density (inadmissible)");
 
   eighth.metrics =
-      transform::MetricBuilder().add_work("plain_newton_converges", false).take_metrics();
+      transform::MetricBuilder().add_diagnostic("plain_newton_converges", false).take_metrics();
   eighth.status = Status::ok;
   const auto otherwise = find_judgement(run, 1, kNotFound);
   EXPECT_EQ(otherwise.outcome, ClaimOutcome::established);
@@ -180,7 +180,7 @@ TEST(Judge, ClaimsWithoutNumbersAreUnjudgedWithAReason) {
       {[](auto& run) { case_in(run, 1).budget.clear(); }, "case1 has no reference solution"},
       {[](auto& run) { case_in(run, 1).solutions.back().sampling = {.y = 0.1, .ydot = 0.1}; },
        "the reference of case1 has an error of up to L1 0.1: simulate longer"},
-      {[=](auto& run) { budget_row(run, 1, 6, Variable::y).total_tail = nan; },
+      {[=](auto& run) { budget_row(run, 1, 6, StateVariable::y).total_tail = nan; },
        "no bin of the tail is positive and resolved in all solutions"}};
   for (const auto& [lose, why] : losses) {
     auto run = run_with_distances();

@@ -15,7 +15,7 @@ namespace fpkcheck::tests {
 inline results::Run run_with_distances(double l1 = 0.01, double tail = 0.1) {
   // Shared by the tests; each test changes its own copy.
   static const results::CaseResult made_up = made_up_case();
-  results::Run run{results::this_program("fpkcheck paper"), {4, made_up}};
+  results::Run run{results::current_program("fpkcheck paper"), {4, made_up}};
   for (int number = 1; number <= 4; ++number) {
     auto& problem = run.cases[static_cast<std::size_t>(number) - 1].problem;
     problem = paper_case(number);
@@ -37,7 +37,7 @@ inline results::CaseResult& case_in(results::Run& run, int number) {
 }
 
 inline compare::ErrorBudgetRow& budget_row(results::Run& run, int number, int order,
-                                           transform::Variable variable) {
+                                           transform::StateVariable variable) {
   for (auto& row : case_in(run, number).budget) {
     if (row.solution == paper::paper_closure_id(order) && row.variable == variable) return row;
   }
@@ -52,8 +52,8 @@ inline transform::Solution& closure(results::Run& run, int number, int order) {
 }
 
 /// The judgement of a claim, by the number of its case (0: all four) and its text.
-inline paper::Judgement find_judgement(const results::Run& run, int number,
-                                       const std::string& claim_text) {
+inline paper::ClaimJudgement find_judgement(const results::Run& run, int number,
+                                            const std::string& claim_text) {
   for (const auto& one : paper::judge_claims(run)) {
     const auto& cases = one.claim.cases;
     const bool is_here = number == 0 ? cases.size() == 4 : cases == std::vector<int>{number};

@@ -7,7 +7,7 @@
 
 #include "epc/solve.hpp"
 #include "judged_run.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 
@@ -21,17 +21,17 @@ std::vector<transform::Solution> quick_references(const problem::Problem& proble
   auto solution =
       epc::solve(problem, {.order = 6, .formulation = epc::Formulation::polar}).solution;
   solution.error = transform::ErrorEstimate{.y_l1 = 2e-4, .ydot_l1 = 2e-4, .moments = {}};
-  using problem::Equation;
-  using problem::Impact;
+  using problem::DensityEquation;
+  using problem::ImpactCondition;
   auto equation = solution;
-  equation.identity = tests::identity("fd-kf", "fd", Equation::kf, Impact::map);
-  solution.identity = tests::identity("mcs", "mcs", Equation::kf, Impact::exact);
+  equation.identity = tests::identity("fd-kf", "fd", DensityEquation::kf, ImpactCondition::map);
+  solution.identity = tests::identity("mcs", "mcs", DensityEquation::kf, ImpactCondition::exact);
   return {std::move(equation), std::move(solution)};
 }
 
-const std::vector<Judgement>& judgements() {
+const std::vector<ClaimJudgement>& judgements() {
   static const auto all = [] {
-    results::Run run{results::this_program("fpkcheck paper"), {}};
+    results::Run run{results::current_program("fpkcheck paper"), {}};
     for (int number = 1; number <= 4; ++number) {
       auto problem = tests::paper_case(number);
       problem.name = paper_case_name(number);
@@ -41,7 +41,7 @@ const std::vector<Judgement>& judgements() {
         // Without `accuracy` no error estimate is computed: the claims do not need it.
         const auto method = methods::builtin_registry().method_by_id(paper_closure_id(order),
                                                                      {{"accuracy", base::Value()}});
-        solutions.push_back(methods::solve_with(*method, problem, {axes, {}}));
+        solutions.push_back(methods::solve_with_method(*method, problem, {axes, {}}));
       }
       std::ranges::move(quick_references(problem), std::back_inserter(solutions));
       run.cases.push_back(results::make_case_result(problem, axes, std::move(solutions)));
@@ -70,7 +70,7 @@ TEST(ThePaper, ClaimsOnVelocityAndOrdersFourAndEightOfCase4Fail) {
     if (one.outcome != ClaimOutcome::not_established) continue;
     const bool less_gaussian_velocity =
         one.claim.relation == ClaimedRelation::further_than_in_case_1 &&
-        one.claim.variables.front() == transform::Variable::ydot;
+        one.claim.variables.front() == transform::StateVariable::ydot;
     const bool of_case_4 =
         one.claim.cases == std::vector<int>{4} && (one.claim.order == 4 || one.claim.order == 8);
     EXPECT_TRUE(less_gaussian_velocity || of_case_4) << claim_text(one.claim);

@@ -124,7 +124,7 @@ TEST(TransientFigure, IsDrawnOfBothMarginals) {
   }
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto warnings = write_transient(
+  const auto warnings = write_transient_files(
       directory.path(), run, {.formats = {report::FigureFormat::png, report::FigureFormat::svg}});
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const auto stem = directory.path() / "figures" / "transient-it_s_a__case_";

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "made_up_studies.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "toy_methods.hpp"
 
 namespace fpkcheck::study {
@@ -28,7 +28,7 @@ TEST(GridStudy, ConvergesAtTheOrderOfEachScheme) {
   std::vector<std::string> told;
   const auto study =
       study_grid(without_losses(),
-                 {.equation = problem::Equation::white,
+                 {.equation = problem::DensityEquation::white,
                   .orders = {5, 3, 5},
                   .levels = 4,
                   .coarsest = 0.5,

@@ -24,7 +24,8 @@ inline transform::Solution not_ok(const transform::SolutionIdentity& who,
 
 /// Two schemes on three grids each; the density of the coarsest grid is not ok.
 inline study::GridStudy made_up_grid_study() {
-  const auto fd = identity("fd-kf", "fd", problem::Equation::kf, problem::Impact::map);
+  const auto fd =
+      identity("fd-kf", "fd", problem::DensityEquation::kf, problem::ImpactCondition::map);
   study::GridStudy study{paper_case(1), fd, {}, {}, {}};
   study.problem.name = "case1";
   for (const int order : {3, 5}) {
@@ -54,7 +55,7 @@ inline study::GridStudy made_up_grid_study() {
       {not_ok(closure_identity("gaussian", 4), transform::Status::inadmissible)});
   study.others.push_back({ok(closure_identity("moment", 4), 0.03), {{5e-4, 6e-4}}});
   study.others.push_back(
-      {ok(identity("mcs", "mcs", problem::Equation::kf, problem::Impact::exact), 2),
+      {ok(identity("mcs", "mcs", problem::DensityEquation::kf, problem::ImpactCondition::exact), 2),
        {{1e-3, 2e-3}}});
   study.others.back().solution.sampling = {.y = 0.0011, .ydot = 0.0015};
   return study;
@@ -62,7 +63,8 @@ inline study::GridStudy made_up_grid_study() {
 
 /// gaussian at n = 2, 4, 8 and moment at n = 4, 6; gaussian-n8 followed a branch.
 inline study::ClosureOrderStudy made_up_order_study() {
-  const auto fd = identity("fd-kf", "fd", problem::Equation::kf, problem::Impact::map);
+  const auto fd =
+      identity("fd-kf", "fd", problem::DensityEquation::kf, problem::ImpactCondition::map);
   study::ClosureOrderStudy study{paper_case(1), ok(fd, 0.6), {}};
   study.problem.name = "case1";
   const auto add = [&](const std::string& formulation, int order, double l1) {
@@ -75,8 +77,8 @@ inline study::ClosureOrderStudy made_up_order_study() {
     row.solution.metrics = transform::MetricBuilder()
                                .add_result("order", transform::value_from_count(order))
                                .add_result("formulation", formulation.substr(0, 6))
-                               .add_work("iterations", transform::value_from_count(7 * order))
-                               .add_work("residual", 1e-15)
+                               .add_diagnostic("iterations", transform::value_from_count(7 * order))
+                               .add_diagnostic("residual", 1e-15)
                                .add_result("support.edge_density", 1e-14)
                                .add_result("leading_form", std::string("negative"))
                                .take_metrics();
@@ -94,12 +96,12 @@ inline study::ClosureOrderStudy made_up_order_study() {
   lost.solution.metrics = transform::MetricBuilder()
                               .add_result("branch.end", std::string("white_noise"))
                               .add_result("branch.furthest", 0.655)
-                              .add_work("branch.points[0].fraction", 0.0)
-                              .add_work("branch.points[0].norm", 1.0)
-                              .add_work("branch.points[0].fold", false)
-                              .add_work("branch.points[1].fraction", 0.655)
-                              .add_work("branch.points[1].norm", 2.5)
-                              .add_work("branch.points[1].fold", true)
+                              .add_diagnostic("branch.points[0].fraction", 0.0)
+                              .add_diagnostic("branch.points[0].norm", 1.0)
+                              .add_diagnostic("branch.points[0].fold", false)
+                              .add_diagnostic("branch.points[1].fraction", 0.655)
+                              .add_diagnostic("branch.points[1].norm", 2.5)
+                              .add_diagnostic("branch.points[1].fold", true)
                               .take_metrics();
   add("moment", 4, 0.008);
   add("moment", 6, 0.002);
@@ -110,7 +112,7 @@ inline study::ClosureOrderStudy made_up_order_study() {
 
 /// Rows without growth, rows that grow, and one row without results.
 inline study::RegularisationStudy made_up_regularisation_study() {
-  using Row = fd_fpk::RegularisationRow;
+  using Row = fd_fpk::RegularisationSchemeResult;
   const auto settled = [&](const char* scheme, double step, double length) {
     return Row{.scheme = scheme,
                .step = step,

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "made_up_studies.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "refusal.hpp"
 #include "toy_methods.hpp"
 
@@ -40,7 +40,8 @@ TEST(ClosureOrderStudy, AcceptsAnExternallyRegisteredClosure) {
   EXPECT_LT(study.rows[1].l1->y, study.rows[0].l1->y / 2);
 }
 
-std::string refusal(const ClosureOrderStudyOptions& options, const methods::Registry& registry) {
+std::string refusal(const ClosureOrderStudyOptions& options,
+                    const methods::SolverRegistry& registry) {
   return tests::refusal([&] { study_closure_orders(tests::paper_case(1), options, registry, {}); });
 }
 
@@ -55,7 +56,7 @@ TEST(ClosureOrderStudy, RefusesUnknownFormulationsAndOrders) {
 }
 
 TEST(ClosureOrderStudy, RefusesARegistryWithoutAReference) {
-  methods::Registry registry;
+  methods::SolverRegistry registry;
   registry.add(tests::toy_solver({"toy", "toy-flat", transform::SolutionRole::closure, true}));
   EXPECT_TRUE(refusal({{"flat"}, {2}}, registry).starts_with("no reference for the closures:"));
 }
@@ -72,8 +73,8 @@ TEST(ClosureOrderStudy, HasConvergedIfRequiredClosuresAreOk) {
 
 TEST(ClosureOrderStudy, FindsTheBranchInTheMetrics) {
   const auto study = tests::made_up_order_study();
-  EXPECT_FALSE(solution_branch(study.rows[0].solution.metrics));
-  const auto followed = solution_branch(study.rows[2].solution.metrics);
+  EXPECT_FALSE(read_solution_branch(study.rows[0].solution.metrics));
+  const auto followed = read_solution_branch(study.rows[2].solution.metrics);
   ASSERT_TRUE(followed);
   EXPECT_EQ(followed->end, "white_noise");
   EXPECT_EQ(followed->largest_fraction, 0.655);

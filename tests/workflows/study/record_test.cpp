@@ -10,36 +10,36 @@
 namespace fpkcheck::study {
 namespace {
 
-const std::vector<Record> kRows{{{"name", std::string("one")},
-                                 {"n", transform::value_from_count(7)},
-                                 {"at.x", 0.125},
-                                 {"none", {}}},
-                                {{"name", std::string("two")}, {"at.x", HUGE_VAL}}};
+const std::vector<StudyRecord> kRows{{{"name", std::string("one")},
+                                      {"n", transform::value_from_count(7)},
+                                      {"at.x", 0.125},
+                                      {"none", {}}},
+                                     {{"name", std::string("two")}, {"at.x", HUGE_VAL}}};
 
-TEST(Record, IsALineOfCsvWithEmptyCellsForMissingValues) {
+TEST(StudyRecord, IsALineOfCsvWithEmptyCellsForMissingValues) {
   EXPECT_EQ(csv_text(kRows, "name n x=at.x none missing"),
             "name,n,x,none,missing\none,7,0.125,,\ntwo,,,,\n");
 }
 
-TEST(Record, IsARowOfATableWithDashesForMissingValues) {
+TEST(StudyRecord, IsARowOfATableWithDashesForMissingValues) {
   const std::string text = table_text(
       kRows, {{"", "who", "name", ""}, {"", "n", "n", ""}, {"", "x", "at.x", "{:.1e}"}}, 80);
   EXPECT_EQ(text, "who  n        x\none  7  1.2e-01\ntwo  -        -\n");
 }
 
-TEST(Record, MissingNumbersAreADash) {
+TEST(StudyRecord, MissingNumbersAreADash) {
   EXPECT_EQ(number_text(0.125, "{:.2f}"), "0.12");
   EXPECT_EQ(number_text(std::nullopt, "{:.2f}"), "-");
   EXPECT_EQ(number_text(std::nan(""), "{:.2f}"), "-");
 }
 
-TEST(Record, ListsEndWithAnd) {
+TEST(StudyRecord, ListsEndWithAnd) {
   EXPECT_EQ(join_with_and({}), "");
   EXPECT_EQ(join_with_and({"2"}), "2");
   EXPECT_EQ(join_with_and({"2", "4", "6"}), "2, 4 and 6");
 }
 
-TEST(Record, ReasonsAreShownForSolutionsThatAreNotOk) {
+TEST(StudyRecord, ReasonsAreShownForSolutionsThatAreNotOk) {
   const auto who = tests::closure_identity("moment", 4);
   EXPECT_EQ(status_reason_text("it", tests::ok(who, 1), 80), "");
   EXPECT_EQ(status_reason_text("it", tests::not_ok(who, transform::Status::failed), 80),

@@ -13,7 +13,7 @@ namespace fpkcheck::tests {
 
 struct ToyOptions {
   int order = 2;
-  problem::Equation equation = problem::Equation::kf;
+  problem::DensityEquation equation = problem::DensityEquation::kf;
 };
 
 inline const base::Description<ToyOptions>& toy_description() {
@@ -30,10 +30,10 @@ struct Toy {
   std::string solver, family;
   transform::SolutionRole role;
   bool with_order = false;
-  problem::Impact impact = problem::Impact::map;
+  problem::ImpactCondition impact = problem::ImpactCondition::map;
 
   transform::SolutionIdentity identity(const ToyOptions& options) const {
-    const bool white = options.equation == problem::Equation::white;
+    const bool white = options.equation == problem::DensityEquation::white;
     const std::string stem = family + (white ? "-white" : "");
     transform::SolutionIdentity who{
         .id = with_order ? fmt::format("{}-n{}", stem, options.order) : stem,
@@ -63,7 +63,7 @@ inline methods::Solver toy_solver(const Toy& toy) {
        {toy.identity({}).id},
        [](const transform::SolutionIdentity&) { return transform::PlotStyle{}; }});
   solver.options_of = [toy](std::string_view id) -> std::optional<base::Values> {
-    for (const auto equation : {problem::Equation::kf, problem::Equation::white}) {
+    for (const auto equation : {problem::DensityEquation::kf, problem::DensityEquation::white}) {
       for (int order = 2; order < 20; ++order) {
         const ToyOptions options{order, equation};
         if (toy.identity(options).id == id) return toy_description().values(options);
@@ -86,16 +86,16 @@ inline methods::Solver toy_solver(const Toy& toy) {
   return solver;
 }
 
-inline methods::Registry toy_registry() {
+inline methods::SolverRegistry toy_registry() {
   using transform::SolutionRole;
-  methods::Registry registry;
+  methods::SolverRegistry registry;
   registry.add(toy_solver({"toy", "toy-flat", SolutionRole::closure, true}));
-  registry.add(
-      toy_solver({"other", "other-flat", SolutionRole::closure, true, problem::Impact::delta}));
+  registry.add(toy_solver(
+      {"other", "other-flat", SolutionRole::closure, true, problem::ImpactCondition::delta}));
   registry.add(toy_solver({"plain", "plain", SolutionRole::closure}));
   registry.add(toy_solver({"cells", "cells", SolutionRole::equation}));
-  registry.add(
-      toy_solver({"dice", "dice", SolutionRole::simulation, false, problem::Impact::exact}));
+  registry.add(toy_solver(
+      {"dice", "dice", SolutionRole::simulation, false, problem::ImpactCondition::exact}));
   return registry;
 }
 

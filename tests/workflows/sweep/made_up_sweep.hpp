@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "paper_cases.hpp"
 #include "workflows/sweep/plan/plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
@@ -44,7 +44,7 @@ inline sweep::PointResult result_of(const sweep::Plan& plan, std::size_t point) 
                               .seconds = 1 + number,
                               .moments = transform::Moments{.y2 = number, .v2 = 2 * number}});
   }
-  result.methods.front().l1 = sweep::MarginalL1Pair{0.01 * static_cast<double>(point + 1), 0.02};
+  result.methods.front().l1 = sweep::MarginalL1Values{0.01 * static_cast<double>(point + 1), 0.02};
   result.methods.front().budget = {{"closure + impact", {0.3, 0.4}}};
   return result;
 }

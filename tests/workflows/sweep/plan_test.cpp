@@ -51,25 +51,25 @@ TEST(Axis, WithoutACountIsARangeWithoutValues) {
 const Axis kRates = parse_axis("impulse.rate", "1,2", "x");
 const Axis kLosses = parse_axis("system.restitution", "0.8,0.9,1", "x");
 
-TEST(Points, OfAProductTheLastAxisVariesFastest) {
-  const Points points = make_points({kRates, kLosses}, PlanDesign::product, 0);
+TEST(PlanPoints, OfAProductTheLastAxisVariesFastest) {
+  const PlanPoints points = make_points({kRates, kLosses}, PlanDesign::product, 0);
   ASSERT_EQ(points.size(), 6);
   EXPECT_EQ(points[1], (std::vector<base::Value>{1.0, 0.9}));
   EXPECT_EQ(points[3], (std::vector<base::Value>{2.0, 0.8}));
 }
 
-TEST(Points, OfAListHaveTheKthValues) {
+TEST(PlanPoints, OfAListHaveTheKthValues) {
   const Axis two = parse_axis("system.restitution", "0.8,0.9", "x");
-  EXPECT_EQ(make_points({kRates, two}, PlanDesign::list, 0), (Points{{1.0, 0.8}, {2.0, 0.9}}));
+  EXPECT_EQ(make_points({kRates, two}, PlanDesign::list, 0), (PlanPoints{{1.0, 0.8}, {2.0, 0.9}}));
   EXPECT_THROW(make_points({kRates, kLosses}, PlanDesign::list, 0), InputError);
 }
 
 // Each sixteenth of each range gets the same number of points, unlike random points.
-TEST(Points, OfASobolSequenceFillTheBoxEvenly) {
+TEST(PlanPoints, OfASobolSequenceFillTheBoxEvenly) {
   const std::vector<Axis> axes{parse_axis("impulse.rate", "log:0.1:10", "x"),
                                parse_axis("system.restitution", "0.5:1", "x"),
                                parse_axis("system.cubic", "1:2", "x")};
-  const Points points = make_points(axes, PlanDesign::sobol, 255);
+  const PlanPoints points = make_points(axes, PlanDesign::sobol, 255);
   ASSERT_EQ(points.size(), 255);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     std::array<int, 16> counts{};
@@ -135,7 +135,7 @@ TEST_F(PlanFile, MayNameItsCaseOrBeACaseAlone) {
 }
 
 std::string difference(const Plan& before, const Plan& now) {
-  return plan_difference(plan_json(before), plan_json(now));
+  return first_plan_difference(plan_json(before), plan_json(now));
 }
 
 TEST(PlanJson, IsReadBackUnchanged) {

@@ -32,7 +32,7 @@ TEST(PointQueue, AssignsEachPointOnceTheLongestFirst) {
   for (auto point = queue.take_next_point(); point; point = queue.take_next_point()) {
     EXPECT_TRUE(seen.insert(*point).second);
     order.push_back(*point);
-    queue.record_solved(*point, seconds(*point));
+    queue.record_solve_time(*point, seconds(*point));
   }
   EXPECT_EQ(seen.size(), 200);
   // After the initial sample the order is by time; the last points are short.
@@ -58,34 +58,35 @@ bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(JournaledQueue, ReportsThePointsOfAResumedSweep) {
+TEST(JournaledPointQueue, ReportsThePointsOfAResumedSweep) {
   const tests::TemporaryDirectory directory;
   const Plan plan = tests::small_plan();
   const auto file = directory.path() / "journal";
   {
-    JournaledQueue fresh(plan, directory.path(), {}, {});
+    JournaledPointQueue fresh(plan, directory.path(), {}, {});
     EXPECT_EQ(fresh.resumption_text(), "");
     for (const std::size_t point : {4, 0}) fresh.store({tests::result_of(plan, point), {}});
   }
   {
-    const JournaledQueue again(plan, directory.path(), {}, {});
+    const JournaledPointQueue again(plan, directory.path(), {}, {});
     const std::string text = again.resumption_text();
     EXPECT_TRUE(says(text, "2 of 6 points kept, 4 to solve")) << text;
     EXPECT_FALSE(says(text, "damaged")) << text;
   }
   // A killed process leaves the last line incomplete.
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 9);
-  const std::string text = JournaledQueue(plan, directory.path(), {}, {}).resumption_text();
+  const std::string text = JournaledPointQueue(plan, directory.path(), {}, {}).resumption_text();
   EXPECT_TRUE(says(text, "1 of 6 points kept, 5 to solve")) << text;
   EXPECT_TRUE(says(text, "1 damaged line")) << text;
 }
 
 // A shard counts its own points alone.
-TEST(JournaledQueue, OfAShardCountsItsPoints) {
+TEST(JournaledPointQueue, OfAShardCountsItsPoints) {
   const tests::TemporaryDirectory directory;
   const Plan plan = tests::small_plan();
   Journal(directory.path() / "journal.2-of-3", plan).append(tests::result_of(plan, 1));
-  const std::string text = JournaledQueue(plan, directory.path(), {2, 3}, {}).resumption_text();
+  const std::string text =
+      JournaledPointQueue(plan, directory.path(), {2, 3}, {}).resumption_text();
   EXPECT_TRUE(says(text, "journal.2-of-3: 1 of 2 points kept, 1 to solve")) << text;
 }
 
@@ -108,8 +109,8 @@ TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
     EXPECT_EQ(kept.moments->y4, solution.moments.y4);
     EXPECT_EQ(kept.error->ydot, solution.error->ydot_l1);
     if (m == 2) continue;
-    EXPECT_EQ(kept.l1->y, run[0].l1(solution.id(), "fd-kf", transform::Variable::y));
-    EXPECT_EQ(kept.l1->ydot, run[0].l1(solution.id(), "fd-kf", transform::Variable::ydot));
+    EXPECT_EQ(kept.l1->y, run[0].l1(solution.id(), "fd-kf", transform::StateVariable::y));
+    EXPECT_EQ(kept.l1->ydot, run[0].l1(solution.id(), "fd-kf", transform::StateVariable::ydot));
   }
   ASSERT_FALSE(point.result.methods[0].budget.empty());
   EXPECT_EQ(point.result.methods[0].budget[0].l1.y, run[0].budget[0].parts[0].l1);
@@ -171,7 +172,7 @@ TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
   plan.marginals = true;
   std::size_t told = 0;
   {
-    JournaledQueue progress(plan, directory.path(), {}, [&](const PointQueue::State& at) {
+    JournaledPointQueue progress(plan, directory.path(), {}, [&](const PointQueue::State& at) {
       EXPECT_EQ(at.total, 5);
       told = at.done;
     });
@@ -180,7 +181,7 @@ TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
   }
   EXPECT_EQ(told, 5);
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "marginals" / "000004.csv"));
-  JournaledQueue again(plan, directory.path(), {}, {});
+  JournaledPointQueue again(plan, directory.path(), {}, {});
   EXPECT_FALSE(again.take_next_point());
   EXPECT_EQ(again.state().done, 5);
 }

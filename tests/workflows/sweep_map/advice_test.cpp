@@ -16,9 +16,9 @@ using tests::made_up_map;
 using tests::made_up_place;
 using transform::Status;
 
-Ids promised_ids(const Advice& advice) {
+Ids promised_ids(const MethodRecommendation& advice) {
   Ids ids;
-  for (const auto& one : advice.promised_methods()) ids.push_back(one.id);
+  for (const auto& one : advice.sufficiently_accurate_methods()) ids.push_back(one.id);
   return ids;
 }
 
@@ -29,14 +29,14 @@ Ids promised_ids(const ValidityMap& map, double accuracy = 0.01,
 
 const Ids kAll{"epc-moment-n4", "epc-polar-n6", "fd-kf"}, kButTheQuickest{"epc-polar-n6", "fd-kf"};
 
-TEST(Advice, HasTheFastestFirst) {
+TEST(MethodRecommendation, HasTheFastestFirst) {
   EXPECT_EQ(promised_ids(made_up_map()), kAll);
   auto map = made_up_map();
   for (auto& point : map.points) point.method_results[0]->seconds = 10;
   EXPECT_EQ(promised_ids(map), (Ids{"epc-polar-n6", "fd-kf", "epc-moment-n4"}));
 }
 
-TEST(Advice, HasTheMostAccurateFirstAmongSimilarTimes) {
+TEST(MethodRecommendation, HasTheMostAccurateFirstAmongSimilarTimes) {
   auto map = made_up_map();
   for (auto& point : map.points) point.method_results[1]->seconds = 0.044;
   EXPECT_EQ(promised_ids(map), (Ids{"epc-polar-n6", "epc-moment-n4", "fd-kf"}));
@@ -48,19 +48,19 @@ TEST(Advice, HasTheMostAccurateFirstAmongSimilarTimes) {
   EXPECT_EQ(recommend_methods(made_up_place(), 0.01, map).methods.front().id, "epc-moment-n4");
 }
 
-TEST(Advice, HasTheResultsOfNearbyPoints) {
+TEST(MethodRecommendation, HasTheResultsOfNearbyPoints) {
   const auto found = recommend_methods(made_up_place(), 0.01, made_up_map());
   EXPECT_EQ(found.nearest_distance, 0);
   EXPECT_EQ(found.nearby_points, 5);
   EXPECT_FALSE(found.is_outside_map());
-  const auto best = found.promised_methods().front();
+  const auto best = found.sufficiently_accurate_methods().front();
   EXPECT_EQ(best.points, 5);
   EXPECT_EQ(best.ok, 5);
   EXPECT_EQ(best.worst_l1, 0.004);
   EXPECT_EQ(best.seconds, 0.03);
 }
 
-TEST(Advice, DoesNotPromiseAMethodWithALargeErrorNearby) {
+TEST(MethodRecommendation, DoesNotPromiseAMethodWithALargeErrorNearby) {
   auto map = made_up_map();
   map.points[4].method_results[0]->l1 = 0.011;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
@@ -69,15 +69,15 @@ TEST(Advice, DoesNotPromiseAMethodWithALargeErrorNearby) {
   EXPECT_EQ(promised_ids(map), kAll);
 }
 
-TEST(Advice, DoesNotPromiseAMethodThatIsNotOkNearby) {
+TEST(MethodRecommendation, DoesNotPromiseAMethodThatIsNotOkNearby) {
   auto map = made_up_map();
   map.points[0].method_results[0]->status = Status::inaccurate;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
-  map.points[0].method_results[0] = MappedResult{Status::not_converged, {}, false, 0.03};
+  map.points[0].method_results[0] = ValidityMapResult{Status::not_converged, {}, false, 0.03};
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
 }
 
-TEST(Advice, AddsTheErrorOfTheReference) {
+TEST(MethodRecommendation, AddsTheErrorOfTheReference) {
   auto map = made_up_map();
   map.points[2].method_results[2]->l1 = 0.007;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
@@ -86,7 +86,7 @@ TEST(Advice, AddsTheErrorOfTheReference) {
   EXPECT_EQ(promised_ids(map, 0.0069), Ids{});
 }
 
-TEST(Advice, NeedsFourPointsForEachMethod) {
+TEST(MethodRecommendation, NeedsFourPointsForEachMethod) {
   auto map = made_up_map();
   map.points[0].method_results[0] = std::nullopt;
   EXPECT_EQ(promised_ids(map), kAll);
@@ -100,23 +100,23 @@ TEST(Advice, NeedsFourPointsForEachMethod) {
   EXPECT_EQ(promised_ids(map), kAll);
 }
 
-TEST(Advice, DetectsAProblemOutsideTheMap) {
+TEST(MethodRecommendation, DetectsAProblemOutsideTheMap) {
   const auto far = recommend_methods(made_up_place(10, 0.7), 0.01, made_up_map());
   EXPECT_TRUE(far.is_outside_map());
   EXPECT_NEAR(far.nearest_distance, 2, 1e-12);
-  EXPECT_TRUE(far.promised_methods().empty());
+  EXPECT_TRUE(far.sufficiently_accurate_methods().empty());
 
   const auto mean =
       recommend_methods(tests::make_problem({.mean = 0.1}), 0.01, shipped_validity_map());
   EXPECT_TRUE(mean.is_outside_map());
-  EXPECT_TRUE(mean.promised_methods().empty());
+  EXPECT_TRUE(mean.sufficiently_accurate_methods().empty());
   EXPECT_FALSE(
       recommend_methods(tests::make_problem(), 0.01, shipped_validity_map()).is_outside_map());
 }
 
-TEST(Advice, CountsUnderestimatedErrors) {
+TEST(MethodRecommendation, CountsUnderestimatedErrors) {
   auto map = made_up_map();
-  map.points[1].method_results[0] = MappedResult{Status::ok, 0.02, true, 0.03};
+  map.points[1].method_results[0] = ValidityMapResult{Status::ok, 0.02, true, 0.03};
   const auto underestimated = [&](double accuracy) {
     const auto found = recommend_methods(made_up_place(), accuracy, map);
     return std::ranges::find(found.methods, "epc-moment-n4", &NearbyMethodResults::id)
@@ -127,7 +127,7 @@ TEST(Advice, CountsUnderestimatedErrors) {
   EXPECT_EQ(underestimated(0.02), 0);
 }
 
-TEST(Advice, AStricterAccuracyPromisesNoMoreMethods) {
+TEST(MethodRecommendation, AStricterAccuracyPromisesNoMoreMethods) {
   const auto& map = shipped_validity_map();
   for (std::size_t k = 0; k < map.points.size(); k += 37) {
     const auto sorted_ids = [&](double accuracy) {
@@ -146,7 +146,7 @@ TEST(Advice, AStricterAccuracyPromisesNoMoreMethods) {
 
 // Units of length and time reduced to a third and a half, as in
 // tests/workflows/sweep_map/validity_map_test.cpp.
-TEST(Advice, DoesNotDependOnUnits) {
+TEST(MethodRecommendation, DoesNotDependOnUnits) {
   const auto one = recommend_methods(tests::make_problem({}), 0.005, shipped_validity_map());
   const auto other = recommend_methods(
       tests::make_problem(
@@ -154,7 +154,7 @@ TEST(Advice, DoesNotDependOnUnits) {
       0.005, shipped_validity_map());
   EXPECT_NEAR(one.nearest_distance, other.nearest_distance, 1e-9);
   EXPECT_EQ(one.nearby_points, other.nearby_points);
-  EXPECT_FALSE(one.promised_methods().empty());
+  EXPECT_FALSE(one.sufficiently_accurate_methods().empty());
   EXPECT_EQ(promised_ids(one), promised_ids(other));
 }
 

@@ -16,8 +16,8 @@ inline sweep::MapCoordinates made_up_place(double impulses = 10, double restitut
           .relative_mean = 0};
 }
 
-inline sweep::MappedResult answer(double l1, double seconds,
-                                  transform::Status status = transform::Status::ok) {
+inline sweep::ValidityMapResult answer(double l1, double seconds,
+                                       transform::Status status = transform::Status::ok) {
   return {.status = status, .l1 = l1, .underestimated = false, .seconds = seconds};
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "problem/problem.hpp"
 #include "thorough.hpp"
 #include "workflows/sweep/execution/solve_point.hpp"
@@ -31,7 +31,8 @@ LeftOut left_out(double accuracy) {
   for (auto& point : map.points) {
     const MapCoordinates coordinates = point.coordinates;
     point.coordinates.law = "left out";
-    const auto promised = recommend_methods(coordinates, accuracy, map).promised_methods();
+    const auto promised =
+        recommend_methods(coordinates, accuracy, map).sufficiently_accurate_methods();
     point.coordinates = coordinates;
     ++found.points;
     if (promised.empty()) continue;
@@ -89,8 +90,8 @@ TEST(Promises, HoldForProblemsBetweenThePoints) {
   int solved = 0;
   for (std::uint64_t number = 1; solved < wanted && number < 1000; ++number) {
     const auto problem = problem_inside(number);
-    const auto promised =
-        recommend_methods(problem, kAccuracy, shipped_validity_map()).promised_methods();
+    const auto promised = recommend_methods(problem, kAccuracy, shipped_validity_map())
+                              .sufficiently_accurate_methods();
     if (promised.empty() || promised.front().id == "fd-kf") continue;
     SCOPED_TRACE(problem.name + ": " + problem::parameters_text(problem));
     const std::string id = promised.front().id;

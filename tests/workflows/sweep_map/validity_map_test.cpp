@@ -6,7 +6,7 @@
 
 #include "base/input_error.hpp"
 #include "made_up_map.hpp"
-#include "methods/builtin.hpp"
+#include "methods/builtin_solvers.hpp"
 #include "paper_cases.hpp"
 #include "refusal.hpp"
 #include "workflows/sweep/map/validity_map.hpp"

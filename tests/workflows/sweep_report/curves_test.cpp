@@ -14,11 +14,11 @@ using tests::points_of;
 using Names = std::vector<std::string>;
 
 report::Figure distances_of(const SweepResults& results) {
-  return distances_figure(SweepView(results));
+  return distance_curves_figure(SweepView(results));
 }
 
 report::Figure moments_of(const SweepResults& results) {
-  return moments_figure(SweepView(results));
+  return moment_curves_figure(SweepView(results));
 }
 
 bool shows(const report::Figure& figure, const std::string& name) {
@@ -90,7 +90,7 @@ TEST(Distances, HaveAGapWhereAPointIsMissing) {
 TEST(Distances, NameNoReferenceWherePointsHaveSeveral) {
   auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   results.points[4].reference = "fd-white";
-  results.points[4].methods[tests::made_up_reference].l1 = MarginalL1Pair{1e-3, 2e-3};
+  results.points[4].methods[tests::made_up_reference].l1 = MarginalL1Values{1e-3, 2e-3};
   const auto figure = distances_of(results);
   EXPECT_TRUE(figure.panels[0].y.label.ends_with(" to the reference"));
   EXPECT_TRUE(points_of(figure.panels[0], "fd-kf").ends_with("0.9 nan, 1 0.001"));
@@ -142,7 +142,7 @@ TEST(Moments, HaveAxesThatCoverOkSolutions) {
 TEST(Scatter, HasAPanelForEachKeyWithAllMethods) {
   const auto results =
       tests::made_up_sweep({tests::kFiveRestitutions, tests::kThreeRates, tests::kTwoLaws});
-  const auto figure = scatter_figure(SweepView(results));
+  const auto figure = distance_scatter_figure(SweepView(results));
   ASSERT_EQ(figure.panels.size(), 3u);
   EXPECT_TRUE(figure.panels[0].x.label.starts_with("system.restitution"));
   EXPECT_TRUE(figure.panels[1].x.label.starts_with("impulse.rate"));
@@ -162,10 +162,11 @@ TEST(Scatter, MediansAreOfOkSolutions) {
       {{"system.restitution", "0.6,0.7"}, {"impulse.rate", "1,2,3"}, {"system.cubic", "0.1"}});
   for (std::size_t k = 0; k < 3; ++k) {
     const double l1 = std::vector{0.1, 0.5, 0.2}[k];
-    results.points[k].methods[tests::made_up_white].l1 = MarginalL1Pair{l1, l1 / 2};
+    results.points[k].methods[tests::made_up_white].l1 = MarginalL1Values{l1, l1 / 2};
   }
   const auto medians = [&] {
-    return points_of(scatter_figure(SweepView(results)).panels[0], "median of fd-white where ok");
+    return points_of(distance_scatter_figure(SweepView(results)).panels[0],
+                     "median of fd-white where ok");
   };
   EXPECT_EQ(medians(), "0.6 0.2, 0.7 0.03");
   results.points[1].methods[tests::made_up_white].status = transform::Status::inaccurate;
@@ -177,7 +178,7 @@ TEST(Scatter, PartsOfARangeHaveMediansOfSeveralPoints) {
   const auto results = tests::made_up_sweep(tests::made_up_plan(
       {{"system.restitution", "0.6:1"}, {"impulse.rate", "log:0.1:10"}, {"system.cubic", "0:1"}},
       PlanDesign::sobol, 40));
-  const auto figure = scatter_figure(SweepView(results));
+  const auto figure = distance_scatter_figure(SweepView(results));
   const auto& panel = figure.panels[0];
   EXPECT_EQ(tests::series_of(panel, "fd-white").points.size(), 40u);
   EXPECT_EQ(tests::series_of(panel, "median of fd-white where ok").points.size(), 4u);

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "made_up_sweep.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "saved_run.hpp"
 #include "script_legend.hpp"
 #include "temporary_directory.hpp"
-#include "workflows/sweep/report/figure/pictures.hpp"
+#include "workflows/sweep/report/figure/sweep_figures.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -38,7 +38,7 @@ std::vector<SweepResults> all_kinds() {
     auto broken = kinds[k];
     for (auto& point : broken.points) {
       point.methods[tests::made_up_gaussian] = tests::made_up_failure();
-      point.methods[tests::made_up_white].l1 = MarginalL1Pair{0, 0};
+      point.methods[tests::made_up_white].l1 = MarginalL1Values{0, 0};
     }
     broken.points.pop_back();
     if (!broken.points.empty()) broken.points[0].reference.clear();
@@ -52,9 +52,9 @@ TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutWarnings) {
   const tests::TemporaryDirectory directory;
   std::size_t kind = 0;
   for (const auto& results : all_kinds()) {
-    for (const auto& picture : sweep_pictures(results)) {
+    for (const auto& picture : sweep_figures(results)) {
       const auto script = directory.path() / fmt::format("{}-{}.gp", picture.stem, kind);
-      base::write_file(script, picture.script);
+      base::write_file_atomically(script, picture.script);
       const auto image = directory.path() / "picture.svg";
       const auto outcome = report::run_gnuplot(
           "gnuplot", {"format='svg'", "target=" + report::gnuplot_string(image.string())}, script);
@@ -69,7 +69,7 @@ TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutWarnings) {
 TEST(SweepDrawing, HasLegendEntriesForEveryKind) {
   for (const auto& results : all_kinds()) {
     for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
-      for (const auto& picture : sweep_pictures(results, width)) {
+      for (const auto& picture : sweep_figures(results, width)) {
         EXPECT_FALSE(tests::plot_elements(picture.script).empty()) << picture.stem;
         const auto untold = tests::elements_without_entry(picture.script);
         EXPECT_TRUE(untold.empty()) << picture.stem << untold.front();
@@ -80,11 +80,11 @@ TEST(SweepDrawing, HasLegendEntriesForEveryKind) {
 
 TEST(SweepDrawing, LeavesNoPicturesOfAnotherPlan) {
   const tests::TemporaryDirectory directory;
-  base::write_file(directory.path() / "sweep-moments.svg", "of another plan");
-  base::write_file(directory.path() / "mine.svg", "not ours");
+  base::write_file_atomically(directory.path() / "sweep-moments.svg", "of another plan");
+  base::write_file_atomically(directory.path() / "mine.svg", "not ours");
   const auto results = tests::made_up_sweep({tests::kFiveRestitutions, tests::kThreeRates});
   const auto warnings =
-      draw_sweep(directory.path(), sweep_pictures(results), {}, "no-such-gnuplot");
+      draw_sweep_figures(directory.path(), sweep_figures(results), {}, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(tests::contains(warnings[0], "install gnuplot")) << warnings[0];
   EXPECT_FALSE(exists(directory.path() / "sweep-moments.svg"));

@@ -27,7 +27,7 @@ TEST(KeyAxis, IsLogarithmicForLogarithmicSpacing) {
 
 TEST(KeyAxis, PlacesWordsAtEqualDistances) {
   const KeyAxis laws = axis_of(tests::kTwoLaws);
-  EXPECT_TRUE(laws.has_words());
+  EXPECT_TRUE(laws.is_categorical());
   EXPECT_EQ(laws.coordinate(std::string("laplace")), 1);
   EXPECT_EQ(tests::tics_of(laws.axis()), "gaussian 0, laplace 1");
   EXPECT_EQ(laws.axis().from, -0.5);

@@ -21,16 +21,16 @@ enum MadeUpMethod { made_up_gaussian, made_up_moment, made_up_white, made_up_ref
 inline sweep::Plan made_up_plan(const std::vector<KeyAndValues>& axes,
                                 sweep::PlanDesign design = sweep::PlanDesign::product,
                                 std::size_t sobol_points = 0) {
-  using problem::Equation;
-  using problem::Impact;
+  using problem::DensityEquation;
+  using problem::ImpactCondition;
   sweep::Plan plan{.base = paper_case(1), .axes = {}, .design = design};
   plan.sobol_points = sobol_points;
   plan.base.name = "case1";
   for (const auto& [key, values] : axes)
     plan.axes.push_back(sweep::parse_axis(key, values, "test"));
   for (const auto& who : {closure_identity("gaussian", 4), closure_identity("moment", 4),
-                          identity("fd-white", "fd", Equation::white, Impact::map),
-                          identity("fd-kf", "fd", Equation::kf, Impact::map)}) {
+                          identity("fd-white", "fd", DensityEquation::white, ImpactCondition::map),
+                          identity("fd-kf", "fd", DensityEquation::kf, ImpactCondition::map)}) {
     plan.methods.emplace_back();
     plan.methods.back().identity = who;
   }
@@ -54,20 +54,20 @@ inline sweep::SweepResults made_up_sweep(sweep::Plan plan) {
                       .reason = k == 1 ? "" : "it is " + std::to_string(k) + ".5 off",
                       .seconds = 0.01,
                       .moments = transform::Moments{.y2 = 9, .v2 = 8},
-                      .l1 = sweep::MarginalL1Pair{0.4, 0.3},
-                      .error = sweep::MarginalL1Pair{0.45, 0.35}},
+                      .l1 = sweep::MarginalL1Values{0.4, 0.3},
+                      .error = sweep::MarginalL1Values{0.45, 0.35}},
                      {.status = Status::ok,
                       .seconds = 0.02,
                       .moments = moments,
-                      .l1 = sweep::MarginalL1Pair{l1 / 2, l1}},
+                      .l1 = sweep::MarginalL1Values{l1 / 2, l1}},
                      {.status = Status::ok,
                       .seconds = 1,
                       .moments = moments,
-                      .l1 = sweep::MarginalL1Pair{0.03, 0.02}},
+                      .l1 = sweep::MarginalL1Values{0.03, 0.02}},
                      {.status = Status::ok,
                       .seconds = 2,
                       .moments = moments,
-                      .error = sweep::MarginalL1Pair{2e-5, 3e-5}}};
+                      .error = sweep::MarginalL1Values{2e-5, 3e-5}}};
     if (k == 1) point.methods[made_up_gaussian].moments = moments;
     points.push_back(std::move(point));
   }

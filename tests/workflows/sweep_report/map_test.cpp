@@ -14,7 +14,9 @@ using tests::points_of;
 using tests::series_of;
 using transform::Status;
 
-report::Figure map_of(const SweepResults& results) { return map_figure(SweepView(results)); }
+report::Figure map_of(const SweepResults& results) {
+  return distance_map_figure(SweepView(results));
+}
 
 SweepResults two_keys() {
   return tests::made_up_sweep({tests::kFiveRestitutions, tests::kThreeRates});
@@ -46,7 +48,7 @@ TEST(Map, InterpolatesContoursBetweenTheCentresOfCells) {
   for (auto& point : results.points) {
     const bool is_left = results.plan.points[point.point][0] == base::Value(0.6);
     const double l1 = is_left ? 1e-3 : 1e-1;
-    point.methods[tests::made_up_moment].l1 = MarginalL1Pair{l1, l1};
+    point.methods[tests::made_up_moment].l1 = MarginalL1Values{l1, l1};
   }
   // The logarithm of 0.01 is halfway between the columns.
   EXPECT_EQ(points_of(map_of(results).panels[1], "1 %"),

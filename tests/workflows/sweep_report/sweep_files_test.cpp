@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "made_up_sweep.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
@@ -14,10 +14,10 @@ using tests::contains;
 
 TEST(SweepFiles, TablesReplaceEarlierFiles) {
   const tests::TemporaryDirectory directory;
-  base::write_file(directory.path() / "report.html", "of other numbers");
-  base::write_file(directory.path() / "sweep.csv", "other numbers");
+  base::write_file_atomically(directory.path() / "report.html", "of other numbers");
+  base::write_file_atomically(directory.path() / "sweep.csv", "other numbers");
   const auto results = tests::made_up_sweep({tests::kFiveRestitutions});
-  write_tables(directory.path(), results, "fpkcheck sweep");
+  write_sweep_tables(directory.path(), results, "fpkcheck sweep");
   EXPECT_EQ(tests::contents(directory.path() / "sweep.csv"), csv(results));
   EXPECT_TRUE(exists(directory.path() / "sweep.nc"));
   EXPECT_FALSE(exists(directory.path() / "report.html"));

@@ -9,7 +9,7 @@
 #include "fd_fpk/solve.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 #include "mcs/solve.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
 #include "transform/richardson.hpp"
 
 namespace fpkcheck::study {
@@ -17,10 +17,10 @@ namespace {
 
 using transform::Moments;
 using transform::Solution;
-using transform::Variable;
+using transform::StateVariable;
 
 fd_fpk::Options grids(int order, double refinement) {
-  return {.equation = problem::Equation::kf,
+  return {.equation = problem::DensityEquation::kf,
           .stepper = fd_fpk::StationarySolver::direct,
           .order = order,
           .refinement = refinement,
@@ -51,7 +51,7 @@ mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOpt
 }
 
 // Returns the average of p over a narrow bin around x, which differs from p(x) by less than 1e-6.
-double density_at(const Solution& solution, Variable variable, double x, double deviation) {
+double density_at(const Solution& solution, StateVariable variable, double x, double deviation) {
   const double half = 1e-3 * deviation;
   const double edges[] = {x - half, x + half};
   return transform::marginal(*solution.density, variable, edges).density.front();
@@ -63,8 +63,8 @@ double round_to_two_digits(double x) {
 }
 
 std::vector<ReferencePoint> points(const Solution& seventh, const Solution& fifth,
-                                   Variable variable) {
-  const bool is_y = variable == Variable::y;
+                                   StateVariable variable) {
+  const bool is_y = variable == StateVariable::y;
   const double deviation = std::sqrt(is_y ? seventh.moments.y2 : seventh.moments.v2);
   const double step = round_to_two_digits(deviation * (is_y ? 0.15 : 0.3));
   std::vector<ReferencePoint> result;
@@ -79,7 +79,7 @@ std::vector<ReferencePoint> points(const Solution& seventh, const Solution& fift
 }
 
 double covered_fraction(const Solution& exact, const transform::Marginal& simulated,
-                        Variable variable) {
+                        StateVariable variable) {
   const auto reference = transform::marginal(*exact.density, variable, simulated.edges);
   int within = 0, counted = 0;
   for (std::size_t b = 0; b < simulated.size(); ++b) {
@@ -126,12 +126,12 @@ Reference compute_reference(const problem::Problem& problem, const ReferenceOpti
          simulated.solution.moments.*moment,
          simulated.solution.standard_errors->moments.*moment});
   }
-  result.y = points(seventh.solution, fifth.solution, Variable::y);
-  result.ydot = points(seventh.solution, fifth.solution, Variable::ydot);
+  result.y = points(seventh.solution, fifth.solution, StateVariable::y);
+  result.ydot = points(seventh.solution, fifth.solution, StateVariable::ydot);
   result.energy_residual = seventh.solution.energy_residual;
   result.simulated_time = simulated.summary.time;
   for (const auto& [variable, marginal] : simulated.solution.estimated_marginals) {
-    (variable == Variable::y ? result.y_coverage : result.ydot_coverage) =
+    (variable == StateVariable::y ? result.y_coverage : result.ydot_coverage) =
         covered_fraction(seventh.solution, marginal, variable);
   }
   return result;

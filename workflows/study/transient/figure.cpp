@@ -13,7 +13,7 @@
 namespace fpkcheck::study {
 namespace {
 
-using fd_fpk::Snapshot;
+using fd_fpk::DensitySnapshot;
 
 // Numbers of pixels of a colour map, equal to the resolution of the drawn figure.
 constexpr int kMaxColumns = 400;
@@ -32,7 +32,7 @@ double interpolate(std::span<const double> edges, std::span<const double> averag
 /// @param symbol symbol of the variable, in gnuplot's enhanced text
 report::FigurePanel density_panel(const TransientRun& run, const char* title,
                                   const std::string& symbol, const std::vector<double>& edges,
-                                  std::vector<double> Snapshot::*marginal) {
+                                  std::vector<double> DensitySnapshot::*marginal) {
   // Fraction of the largest density above which densities are drawn.
   constexpr double kVisible = 2e-3;
   const auto& snapshots = run.result.snapshots;
@@ -80,12 +80,12 @@ report::FigurePanel density_panel(const TransientRun& run, const char* title,
 
 report::Figure transient_figure(const TransientRun& run) {
   assert(run.result.snapshots.size() >= 2);
-  return {
-      .title = report::problem_title(run.problem),
-      .panels = {density_panel(run, "displacement", "{/:Italic y}", run.result.y_edges,
-                               &Snapshot::y),
-                 density_panel(run, "velocity", "{/:Italic y}'", run.result.v_edges, &Snapshot::v)},
-      .columns = 1};
+  return {.title = report::problem_title(run.problem),
+          .panels = {density_panel(run, "displacement", "{/:Italic y}", run.result.y_edges,
+                                   &DensitySnapshot::y),
+                     density_panel(run, "velocity", "{/:Italic y}'", run.result.v_edges,
+                                   &DensitySnapshot::v)},
+          .columns = 1};
 }
 
 }  // namespace fpkcheck::study

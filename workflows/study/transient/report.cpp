@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/table.hpp"
 #include "report/text/wrap_text.hpp"
@@ -25,7 +25,7 @@ namespace fpkcheck::study {
 namespace {
 
 namespace fs = std::filesystem;
-using fd_fpk::Snapshot;
+using fd_fpk::DensitySnapshot;
 using report::wrap_text;
 
 constexpr const char* kFile = "transient.nc";
@@ -36,7 +36,7 @@ double without_negative_zero(double value) {
   return std::abs(value) < kHalfADigit ? 0 : value;
 }
 
-std::string row(const Snapshot& s) {
+std::string row(const DensitySnapshot& s) {
   const auto& m = s.moments;
   return fmt::format("{:>8.4g} {:>8.5f} {:>8.5f} {:>8.5f} {:>8.5f} {:>8.5f} {:>8.1e} {:>8.1e}\n",
                      s.time, without_negative_zero(m.y1), m.y2, without_negative_zero(m.v1), m.v2,
@@ -81,15 +81,15 @@ std::string transient_table(const TransientRun& run, std::size_t width) {
   return text;
 }
 
-std::string transient_picture_stem(const std::string& case_name) {
+std::string transient_figure_file_stem(const std::string& case_name) {
   return "transient-" + results::file_stem(case_name);
 }
 
-std::vector<std::string> write_transient(const fs::path& directory, const TransientRun& run,
-                                         const report::FigureOptions& options,
-                                         const std::string& gnuplot) {
+std::vector<std::string> write_transient_files(const fs::path& directory, const TransientRun& run,
+                                               const report::FigureOptions& options,
+                                               const std::string& gnuplot) {
   const fs::path figures = directory / "figures";
-  const std::string stem = transient_picture_stem(run.problem.name);
+  const std::string stem = transient_figure_file_stem(run.problem.name);
   report::remove_script_and_pictures(figures, stem);
   if (run.result.snapshots.empty()) {
     std::error_code ignored;
@@ -107,9 +107,9 @@ namespace {
 
 using results::Json;
 
-Json snapshot_json(const fd_fpk::Snapshot& s) {
+Json snapshot_json(const fd_fpk::DensitySnapshot& s) {
   return {{"time", s.time},
-          {"moments", results::moments_json(s.moments)},
+          {"moments", results::moments_to_json(s.moments)},
           {"yv", s.yv},
           {"energy", s.energy},
           {"power", s.power},
@@ -121,7 +121,7 @@ Json snapshot_json(const fd_fpk::Snapshot& s) {
 }
 
 Json options_json(const TransientRun& run) {
-  Json json = results::values_json(fd_fpk::description().values(run.options));
+  Json json = results::values_to_json(fd_fpk::description().values(run.options));
   for (const char* of_stationarity : {"stepper", "residual_tolerance"}) json.erase(of_stationarity);
   json["until"] = run.transient.until;
   json["snapshots"] = run.transient.snapshots;
@@ -137,8 +137,8 @@ std::string transient_json(const TransientRun& run) {
   Json snapshots = Json::array();
   for (const auto& s : result.snapshots) snapshots.push_back(snapshot_json(s));
   const Json json{{"schema", kTransientSchema},
-                  {"program", results::program_json(results::this_program(run.command))},
-                  {"case", results::problem_json(run.problem)},
+                  {"program", results::program_to_json(results::current_program(run.command))},
+                  {"case", results::problem_to_json(run.problem)},
                   {"options", options_json(run)},
                   {"status", transform::name(result.status)},
                   {"reason", result.reason},
@@ -156,24 +156,24 @@ std::string transient_json(const TransientRun& run) {
                   {"krylov_iterations", result.krylov_iterations},
                   {"regularisation_length", result.regularisation_length},
                   {"snapshots", snapshots}};
-  return results::json_text(results::with_null_for_non_finite(json));
+  return results::serialise_json(results::replace_non_finite_by_null(json));
 }
 
 namespace {
 
 namespace fs = std::filesystem;
-using fd_fpk::Snapshot;
+using fd_fpk::DensitySnapshot;
 
 template <class Of>
 std::vector<double> values_over_time(const TransientRun& run, Of of) {
   std::vector<double> values;
-  for (const Snapshot& s : run.result.snapshots) values.push_back(std::invoke(of, s));
+  for (const DensitySnapshot& s : run.result.snapshots) values.push_back(std::invoke(of, s));
   return values;
 }
 
-std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::*marginal) {
+std::vector<double> rows(const TransientRun& run, std::vector<double> DensitySnapshot::*marginal) {
   std::vector<double> values;
-  for (const Snapshot& s : run.result.snapshots) {
+  for (const DensitySnapshot& s : run.result.snapshots) {
     values.insert(values.end(), (s.*marginal).begin(), (s.*marginal).end());
   }
   return values;
@@ -181,7 +181,8 @@ std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::
 
 void write_marginal(results::NetCdfWriter& file, const TransientRun& run, const std::string& name,
                     const std::string& meaning, int time, int bounds,
-                    const std::vector<double>& edges, std::vector<double> Snapshot::*marginal) {
+                    const std::vector<double>& edges,
+                    std::vector<double> DensitySnapshot::*marginal) {
   const int dimension = file.write_cell_coordinate(name, meaning, bounds, edges);
   const int density = file.write_variable("p_" + name, {time, dimension},
                                           fmt::format("probability density of the {}", meaning),
@@ -194,26 +195,26 @@ void write_series(results::NetCdfWriter& file, const TransientRun& run, int time
     file.write_variable(name, {time}, long_name, values_over_time(run, of));
   };
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    series(name, symbol, [of = moment](const Snapshot& s) { return s.moments.*of; });
+    series(name, symbol, [of = moment](const DensitySnapshot& s) { return s.moments.*of; });
   }
-  series("yv", "E[y y']", &Snapshot::yv);
+  series("yv", "E[y y']", &DensitySnapshot::yv);
   series("energy", "mean energy E[y'^2]/2 + E[U(y)], U the potential of the spring",
-         &Snapshot::energy);
+         &DensitySnapshot::energy);
   series("power", "power of the excitation less that lost by damping and impacts",
-         &Snapshot::power);
+         &DensitySnapshot::power);
   series("power_residual",
          "power less the rate of the mean energy, relative to D + lambda E[Y^2]/2",
-         &Snapshot::power_residual);
-  series("impact_rate", "impacts per unit time", &Snapshot::impact_rate);
-  series("mass", "integral of the density", &Snapshot::mass);
+         &DensitySnapshot::power_residual);
+  series("impact_rate", "impacts per unit time", &DensitySnapshot::impact_rate);
+  series("mass", "integral of the density", &DensitySnapshot::mass);
   series("min_density", "smallest value of the joint density relative to its largest",
-         &Snapshot::min_density);
+         &DensitySnapshot::min_density);
 }
 
 void write_attributes(results::NetCdfWriter& file, const TransientRun& run) {
   file.write_attribute("Conventions", "CF-1.8");
   file.write_attribute("title", "marginal densities over time of a randomly excited oscillator");
-  const auto program = results::this_program(run.command);
+  const auto program = results::current_program(run.command);
   file.write_attribute("source", fmt::format("{} {}", program.name, program.version));
   file.write_attribute("command", program.command);
   file.write_attribute("case", run.problem.name);
@@ -238,11 +239,13 @@ void write_transient_netcdf(const fs::path& path, const TransientRun& run) {
   write_attributes(file, run);
   const int time = file.define_dimension("time", run.result.snapshots.size());
   const int bounds = file.define_dimension("bounds", 2);
-  file.write_variable("time", {time}, "time", values_over_time(run, &Snapshot::time));
-  write_marginal(file, run, "y", "displacement y", time, bounds, run.result.y_edges, &Snapshot::y);
-  write_marginal(file, run, "ydot", "velocity y'", time, bounds, run.result.v_edges, &Snapshot::v);
+  file.write_variable("time", {time}, "time", values_over_time(run, &DensitySnapshot::time));
+  write_marginal(file, run, "y", "displacement y", time, bounds, run.result.y_edges,
+                 &DensitySnapshot::y);
+  write_marginal(file, run, "ydot", "velocity y'", time, bounds, run.result.v_edges,
+                 &DensitySnapshot::v);
   write_series(file, run, time);
-  base::write_file(path, file.close_and_take_bytes());
+  base::write_file_atomically(path, file.close_and_take_bytes());
 }
 
 }  // namespace fpkcheck::study

@@ -50,16 +50,16 @@ report::Figure transient_figure(const TransientRun& run);
 void write_transient_netcdf(const std::filesystem::path& file, const TransientRun& run);
 
 /// Returns the stem of the file names of a case's figure of the density over time.
-std::string transient_picture_stem(const std::string& case_name);
+std::string transient_figure_file_stem(const std::string& case_name);
 
 /// Writes transient.nc, the script figures/transient-CASE.gp and the pictures of this script into a
 /// prepared directory. Each file is complete or absent. A file of an earlier run of the case is
 /// removed if the new run has no data for the file.
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
-std::vector<std::string> write_transient(const std::filesystem::path& directory,
-                                         const TransientRun& run,
-                                         const report::FigureOptions& figures = {},
-                                         const std::string& gnuplot = "gnuplot");
+std::vector<std::string> write_transient_files(const std::filesystem::path& directory,
+                                               const TransientRun& run,
+                                               const report::FigureOptions& figures = {},
+                                               const std::string& gnuplot = "gnuplot");
 
 }  // namespace fpkcheck::study

@@ -63,7 +63,7 @@ class BasisFunctions {
   };
 
   double scaled(std::size_t axis, double value) const {
-    return plan_.axes[axis].spacing == Spacing::logarithmic ? std::log(value) : value;
+    return plan_.axes[axis].spacing == AxisSpacing::logarithmic ? std::log(value) : value;
   }
 
   const Plan& plan_;

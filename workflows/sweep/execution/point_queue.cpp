@@ -46,7 +46,7 @@ std::optional<std::size_t> PointQueue::take_next_point() {
   return point;
 }
 
-void PointQueue::record_solved(std::size_t point, double seconds) {
+void PointQueue::record_solve_time(std::size_t point, double seconds) {
   const std::lock_guard lock(mutex_);
   measured_.push_back({point, seconds});
   --unfinished_;
@@ -70,8 +70,8 @@ PointQueue::State PointQueue::state() const {
           expected_.empty() ? std::nullopt : std::optional(remaining_seconds_)};
 }
 
-JournaledQueue::JournaledQueue(const Plan& plan, const std::filesystem::path& directory,
-                               const Shard& shard, QueueStateListener listener)
+JournaledPointQueue::JournaledPointQueue(const Plan& plan, const std::filesystem::path& directory,
+                                         const Shard& shard, QueueStateListener listener)
     : plan_(plan),
       directory_(directory),
       journal_name_(shard.journal_name()),
@@ -80,7 +80,7 @@ JournaledQueue::JournaledQueue(const Plan& plan, const std::filesystem::path& di
       listener_(std::move(listener)),
       points_(journal_.initial_content().points) {}
 
-std::string JournaledQueue::resumption_text() const {
+std::string JournaledPointQueue::resumption_text() const {
   const auto& [plan, points, damaged] = journal_.initial_content();
   if (points.empty() && damaged == 0) return "";
   const auto [done, total, remaining_seconds] = queue_.state();
@@ -93,13 +93,13 @@ std::string JournaledQueue::resumption_text() const {
   return text;
 }
 
-std::optional<std::size_t> JournaledQueue::take_next_point() {
+std::optional<std::size_t> JournaledPointQueue::take_next_point() {
   if (closed_ || base::stop_requested()) return std::nullopt;
   return queue_.take_next_point();
 }
 
-void JournaledQueue::store(SolvedPoint&& solved) {
-  queue_.record_solved(solved.result.point, solved.result.seconds);
+void JournaledPointQueue::store(SolvedPoint&& solved) {
+  queue_.record_solve_time(solved.result.point, solved.result.seconds);
   const std::lock_guard lock(mutex_);
   // The marginal densities must exist before the journal lists the point as solved.
   write_marginals(plan_, directory_, solved);

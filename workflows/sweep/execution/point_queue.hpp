@@ -38,7 +38,7 @@ class PointQueue {
   /// Removes the next point from the queue and returns this point; empty if the queue is empty.
   std::optional<std::size_t> take_next_point();
   /// Records the wall-clock time of a solved point; must be called for every solved point.
-  void record_solved(std::size_t point, double seconds);
+  void record_solve_time(std::size_t point, double seconds);
 
   State state() const;
 
@@ -74,12 +74,12 @@ class PointSource {
 using QueueStateListener = std::function<void(const PointQueue::State&)>;
 
 /// Journal of a sweep, with a queue of the points that the journal lacks.
-class JournaledQueue final : public PointSource {
+class JournaledPointQueue final : public PointSource {
  public:
   /// Opens or creates the journal in the directory.
   /// @throws the exceptions of Journal's constructor
-  JournaledQueue(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
-                 QueueStateListener listener);
+  JournaledPointQueue(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
+                      QueueStateListener listener);
 
   std::optional<std::size_t> take_next_point() override;
   void store(SolvedPoint&& solved) override;

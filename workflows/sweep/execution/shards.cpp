@@ -89,12 +89,13 @@ Json plan_json_of(const JournalContent& content, const fs::path& file) {
   return results::parse_json(text, sanitise(file.string()));
 }
 
-Plan plan_from_journal(const Json& json, const fs::path& file, const methods::Registry& registry) {
+Plan plan_from_journal(const Json& json, const fs::path& file,
+                       const methods::SolverRegistry& registry) {
   try {
     return plan_from_json(json, registry);
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: not the plan of a sweep ({})", sanitise(file.string()),
-                                 results::exception_text(error)));
+                                 results::json_error_message(error)));
   }
 }
 
@@ -129,7 +130,7 @@ std::string missing_points_text(const std::set<std::size_t>& there, std::size_t 
 }  // namespace
 
 MergedSweep merge_journals(const std::vector<fs::path>& directories,
-                           const methods::Registry& registry) {
+                           const methods::SolverRegistry& registry) {
   std::optional<Json> plan;
   fs::path of_plan;
   std::vector<PointResult> points;
@@ -148,7 +149,7 @@ MergedSweep merge_journals(const std::vector<fs::path>& directories,
         plan = json;
         of_plan = file;
       }
-      const std::string difference = plan_difference(*plan, json);
+      const std::string difference = first_plan_difference(*plan, json);
       if (!difference.empty()) {
         throw InputError(fmt::format("{} and {} belong to different plans: {}",
                                      sanitise(of_plan.string()), sanitise(file.string()),

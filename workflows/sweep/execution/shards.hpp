@@ -41,6 +41,6 @@ struct MergedSweep {
 /// @throws InputError with a message of one line if a directory has no journal, or if the journals
 ///         have different plans
 MergedSweep merge_journals(const std::vector<std::filesystem::path>& directories,
-                           const methods::Registry& registry);
+                           const methods::SolverRegistry& registry);
 
 }  // namespace fpkcheck::sweep

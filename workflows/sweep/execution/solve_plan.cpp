@@ -158,7 +158,8 @@ std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
     std::optional<std::size_t> next;
     if (points != nullptr) {
       try {
-        if (type == kSolved) points->store({point_from_json(results::Json::parse(content)), {}});
+        if (type == kSolved)
+          points->store({point_result_from_json(results::Json::parse(content)), {}});
       } catch (...) {
         end_after(std::current_exception());
       }
@@ -169,7 +170,7 @@ std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
   return failure;
 }
 
-void run_coordinator(const Plan& plan, JournaledQueue& points, base::Communicator& ranks,
+void run_coordinator(const Plan& plan, JournaledPointQueue& points, base::Communicator& ranks,
                      int threads) {
   BackgroundSolver solver(plan, points, threads);
   const auto failure = serve_workers(ranks, &points, &solver);
@@ -238,12 +239,12 @@ void solve_remaining_points(const Plan& plan, PointSource& points, int threads) 
 }
 
 void solve_plan(const Plan& plan, const std::filesystem::path& directory, base::Communicator* ranks,
-                int threads, const std::function<JournaledQueue&()>& open_queue) {
+                int threads, const std::function<JournaledPointQueue&()>& open_queue) {
   if (ranks != nullptr && !ranks->is_first_rank()) {
     run_worker(plan, directory, *ranks, threads);
     return;
   }
-  JournaledQueue* points = nullptr;
+  JournaledPointQueue* points = nullptr;
   try {
     points = &open_queue();
   } catch (...) {

@@ -25,6 +25,6 @@ void solve_remaining_points(const Plan& plan, PointSource& points, int threads);
 /// @param open_queue function that opens the journal; called on the first rank only. The workers
 ///        end if open_queue() throws an exception
 void solve_plan(const Plan& plan, const std::filesystem::path& directory, base::Communicator* ranks,
-                int threads, const std::function<JournaledQueue&()>& open_queue);
+                int threads, const std::function<JournaledPointQueue&()>& open_queue);
 
 }  // namespace fpkcheck::sweep

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
 #include "compare/assessment.hpp"
@@ -22,8 +22,8 @@ namespace fpkcheck::sweep {
 namespace {
 
 using transform::Solution;
+using transform::StateVariable;
 using transform::Status;
-using transform::Variable;
 
 Solution failed(const methods::Method& method, const std::string& reason) {
   Solution solution{.identity = method.identity, .options = method.options};
@@ -36,16 +36,16 @@ Solution solved(const methods::Method& method, const problem::Problem& problem,
                 const methods::SolveContext& context) {
   try {
     if (method.check) method.check(problem);
-    return methods::solve_with(method, problem, context);
+    return methods::solve_with_method(method, problem, context);
   } catch (const InputError& error) {
     return failed(method, error.what());
   }
 }
 
-std::optional<MarginalL1Pair> finite_error_estimate(const Solution& solution) {
+std::optional<MarginalL1Values> finite_error_estimate(const Solution& solution) {
   if (!solution.has_density()) return std::nullopt;
-  const MarginalL1Pair error{compare::l1_error_estimate(solution, Variable::y),
-                             compare::l1_error_estimate(solution, Variable::ydot)};
+  const MarginalL1Values error{compare::l1_error_estimate(solution, StateVariable::y),
+                               compare::l1_error_estimate(solution, StateVariable::ydot)};
   if (!std::isfinite(error.y) || !std::isfinite(error.ydot)) return std::nullopt;
   return error;
 }
@@ -74,14 +74,14 @@ MethodResult make_method_result(const Solution& solution) {
   return result;
 }
 
-std::optional<MarginalL1Pair> distance(const compare::Comparison& comparison,
-                                       const Solution& solution, const Solution& reference) {
-  const auto l1 = [&](Variable variable) {
+std::optional<MarginalL1Values> distance(const compare::Comparison& comparison,
+                                         const Solution& solution, const Solution& reference) {
+  const auto l1 = [&](StateVariable variable) {
     return compare::l1_distance_between(comparison.pairs, solution.id(), reference.id(), variable);
   };
-  const auto y = l1(Variable::y), ydot = l1(Variable::ydot);
+  const auto y = l1(StateVariable::y), ydot = l1(StateVariable::ydot);
   if (!y || !ydot) return std::nullopt;
-  return MarginalL1Pair{*y, *ydot};
+  return MarginalL1Values{*y, *ydot};
 }
 
 SolvedPoint solved(const Plan& plan, std::size_t point) {
@@ -153,8 +153,8 @@ void write_marginals(const Plan& plan, const std::filesystem::path& directory,
                                                 .joints = {}}};
   std::ostringstream text;
   results::write_marginals_csv(text, cases);
-  base::write_file(directory / "marginals" / fmt::format("{:06}.csv", solved.result.point),
-                   text.str());
+  base::write_file_atomically(
+      directory / "marginals" / fmt::format("{:06}.csv", solved.result.point), text.str());
 }
 
 }  // namespace fpkcheck::sweep

@@ -12,7 +12,7 @@ namespace fpkcheck::sweep {
 struct SolvedPoint {
   PointResult result;
   /// Marginal densities; empty unless the plan stores marginal densities.
-  std::vector<results::Curve> curves;
+  std::vector<results::DensityCurve> curves;
 };
 
 /// Solves a point by all methods of the plan, and compares the solutions with the point's

@@ -13,7 +13,7 @@ namespace {
 
 struct MapNeighbour {
   double separation;
-  const MappedPoint* point;
+  const ValidityMapPoint* point;
 };
 
 // The neighbours have the impulse law and the relative mean of the problem; the closest point comes
@@ -44,7 +44,7 @@ void move_most_accurate_first(std::vector<NearbyMethodResults>& methods) {
 
 // The upper bound of the L1 error is the L1 distance plus the error estimate of the reference. For
 // the reference itself the bound is the error estimate alone.
-double error_bound(const MappedResult& answer, const MappedResult& reference) {
+double error_bound(const ValidityMapResult& answer, const ValidityMapResult& reference) {
   return *answer.l1 + (&answer == &reference ? 0 : *reference.l1);
 }
 
@@ -78,19 +78,20 @@ NearbyMethodResults nearby(const std::string& id, std::size_t m,
 
 }  // namespace
 
-std::vector<NearbyMethodResults> Advice::promised_methods() const {
+std::vector<NearbyMethodResults> MethodRecommendation::sufficiently_accurate_methods() const {
   std::vector<NearbyMethodResults> found;
   std::ranges::copy_if(methods, std::back_inserter(found), &NearbyMethodResults::promised);
   return found;
 }
 
-Advice recommend_methods(const MapCoordinates& coordinates, double accuracy,
-                         const ValidityMap& map) {
+MethodRecommendation recommend_methods(const MapCoordinates& coordinates, double accuracy,
+                                       const ValidityMap& map) {
   const auto neighbours = sorted_neighbours(coordinates, map);
-  Advice advice{.coordinates = coordinates,
-                .accuracy = accuracy,
-                .nearest_distance = neighbours.empty() ? std::numeric_limits<double>::infinity()
-                                                       : neighbours.front().separation};
+  MethodRecommendation advice{.coordinates = coordinates,
+                              .accuracy = accuracy,
+                              .nearest_distance = neighbours.empty()
+                                                      ? std::numeric_limits<double>::infinity()
+                                                      : neighbours.front().separation};
   advice.nearby_points = static_cast<std::size_t>(std::ranges::count_if(
       neighbours, [](const auto& one) { return one.separation <= kNearbyDistance; }));
   for (std::size_t m = 0; m < map.methods.size(); ++m) {
@@ -104,7 +105,8 @@ Advice recommend_methods(const MapCoordinates& coordinates, double accuracy,
   return advice;
 }
 
-Advice recommend_methods(const problem::Problem& problem, double accuracy, const ValidityMap& map) {
+MethodRecommendation recommend_methods(const problem::Problem& problem, double accuracy,
+                                       const ValidityMap& map) {
   return recommend_methods(map_coordinates(problem), accuracy, map);
 }
 

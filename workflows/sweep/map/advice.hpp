@@ -33,7 +33,7 @@ struct NearbyMethodResults {
 
 /// Recommendation of methods for a problem. The recommendation is no guarantee, since the validity
 /// map has no data between its points.
-struct Advice {
+struct MethodRecommendation {
   MapCoordinates coordinates;
   double accuracy;
   /// Distance of the closest point with the same impulse law and relative mean; infinite without
@@ -46,13 +46,14 @@ struct Advice {
 
   bool is_outside_map() const { return nearest_distance > kNearbyDistance; }
   /// Returns the results of the methods with `promised`; the recommended method comes first.
-  std::vector<NearbyMethodResults> promised_methods() const;
+  std::vector<NearbyMethodResults> sufficiently_accurate_methods() const;
 };
 
 /// @param accuracy largest acceptable L1 error of p(y) and p(y')
-Advice recommend_methods(const problem::Problem& problem, double accuracy, const ValidityMap& map);
+MethodRecommendation recommend_methods(const problem::Problem& problem, double accuracy,
+                                       const ValidityMap& map);
 
-Advice recommend_methods(const MapCoordinates& coordinates, double accuracy,
-                         const ValidityMap& map);
+MethodRecommendation recommend_methods(const MapCoordinates& coordinates, double accuracy,
+                                       const ValidityMap& map);
 
 }  // namespace fpkcheck::sweep

@@ -11,8 +11,8 @@
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
-#include "problem/scales.hpp"
+#include "problem/motion_scales.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -72,32 +72,33 @@ double parse_number(std::string_view text) {
   return number;
 }
 
-std::optional<MappedResult> parse_result(std::string_view cell) {
+std::optional<ValidityMapResult> parse_result(std::string_view cell) {
   if (cell.empty()) return std::nullopt;
   // The letter "e" of a decimal exponent is not a status letter.
   const auto at =
       static_cast<std::size_t>(std::ranges::find_if(cell, is_status_letter) - cell.begin());
   if (at == cell.size()) refuse(cell);
   const auto* const entry = std::ranges::find(kStatusLetters, cell[at], &StatusLetter::letter);
-  MappedResult answer{.status = entry->status,
-                      .l1 = {},
-                      .underestimated = entry->underestimated,
-                      .seconds = parse_number(cell.substr(at + 1)) / 1000};
+  ValidityMapResult answer{.status = entry->status,
+                           .l1 = {},
+                           .underestimated = entry->underestimated,
+                           .seconds = parse_number(cell.substr(at + 1)) / 1000};
   if (at > 0) answer.l1 = parse_number(cell.substr(0, at));
   if (!answer.l1 && answer.is_ok()) refuse(cell);
   return answer;
 }
 
-MappedPoint parse_point(std::string_view line, std::size_t methods) {
+ValidityMapPoint parse_point(std::string_view line, std::size_t methods) {
   const auto cells = split_at(line, ',');
   if (cells.size() != kCoordinateColumns.size() + methods) refuse(line);
-  MappedPoint point{.coordinates = {.groups = {.impulses_per_decay_time = parse_number(cells[0]),
-                                               .damping_ratio = parse_number(cells[1]),
-                                               .cubic_share = parse_number(cells[2])},
-                                    .restitution = parse_number(cells[3]),
-                                    .law = std::string(cells[4]),
-                                    .relative_mean = parse_number(cells[5])},
-                    .method_results = {}};
+  ValidityMapPoint point{
+      .coordinates = {.groups = {.impulses_per_decay_time = parse_number(cells[0]),
+                                 .damping_ratio = parse_number(cells[1]),
+                                 .cubic_share = parse_number(cells[2])},
+                      .restitution = parse_number(cells[3]),
+                      .law = std::string(cells[4]),
+                      .relative_mean = parse_number(cells[5])},
+      .method_results = {}};
   // The map distance contains the logarithms of impulses per decay time and damping ratio.
   const auto& groups = point.coordinates.groups;
   if (groups.impulses_per_decay_time == 0 || groups.damping_ratio == 0) refuse(line);

@@ -10,7 +10,7 @@
 
 namespace fpkcheck::sweep {
 
-/// In the base class (problem/features.hpp), the groups, the restitution coefficient and the
+/// In the base class (problem/problem_features.hpp), the groups, the restitution coefficient and the
 /// amplitude law determine the density up to units. Problems outside the base class have more
 /// dimensionless groups.
 struct DimensionlessGroups {
@@ -44,7 +44,7 @@ MapCoordinates map_coordinates(const problem::Problem& problem);
 /// impulse amplitudes differ.
 double map_distance(const MapCoordinates& one, const MapCoordinates& other);
 
-struct MappedResult {
+struct ValidityMapResult {
   transform::Status status;
   /// Larger of the L1 distances of both marginal densities to the reference; for the reference, its
   /// error estimate. The L1 distance is empty if the method gives no density.
@@ -57,18 +57,18 @@ struct MappedResult {
   bool is_ok() const { return status == transform::Status::ok; }
 };
 
-struct MappedPoint {
+struct ValidityMapPoint {
   MapCoordinates coordinates;
   /// Result of each method, in the order of ValidityMap::methods; empty if the method was not
   /// tried.
-  std::vector<std::optional<MappedResult>> method_results;
+  std::vector<std::optional<ValidityMapResult>> method_results;
 };
 
 /// Results of many methods for problems over a range of parameters (docs/validity.md).
 struct ValidityMap {
   /// Ids of the methods; the last method is the reference of every point.
   std::vector<std::string> methods;
-  std::vector<MappedPoint> points;
+  std::vector<ValidityMapPoint> points;
 };
 
 /// Reads a validity map from comma-separated values. The first line has the names of the columns

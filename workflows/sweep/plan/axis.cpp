@@ -70,8 +70,8 @@ std::size_t parse_count(const std::string& text, const AxisParser& reading) {
 }
 
 Axis parse_range(std::string_view text, Axis axis, const AxisParser& reading) {
-  axis.spacing = text.starts_with(kLogarithmic) ? Spacing::logarithmic : Spacing::linear;
-  if (axis.spacing == Spacing::logarithmic) text.remove_prefix(kLogarithmic.size());
+  axis.spacing = text.starts_with(kLogarithmic) ? AxisSpacing::logarithmic : AxisSpacing::linear;
+  if (axis.spacing == AxisSpacing::logarithmic) text.remove_prefix(kLogarithmic.size());
   const auto parts = split_at(text, ':');
   if (parts.size() < 2 || parts.size() > 3) {
     throw InputError(fmt::format("{} {} (write FROM:TO:N, log:FROM:TO:N or A,B,..)", reading.label,
@@ -83,7 +83,7 @@ Axis parse_range(std::string_view text, Axis axis, const AxisParser& reading) {
     throw InputError(fmt::format("{} {} (a range needs two ends that differ)", reading.label,
                                  base::sanitise(text)));
   }
-  if (axis.spacing == Spacing::logarithmic && std::min(axis.from, axis.to) <= 0) {
+  if (axis.spacing == AxisSpacing::logarithmic && std::min(axis.from, axis.to) <= 0) {
     throw InputError(fmt::format("{} log:{} (the ends of a logarithmic range must be positive)",
                                  reading.label, base::sanitise(text)));
   }
@@ -102,12 +102,13 @@ Axis parse_range(std::string_view text, Axis axis, const AxisParser& reading) {
 double Axis::value_at_fraction(double part) const {
   if (part <= 0) return from;
   if (part >= 1) return to;
-  return round_to_twelve_digits(spacing == Spacing::logarithmic ? from * std::pow(to / from, part)
-                                                                : std::lerp(from, to, part));
+  return round_to_twelve_digits(spacing == AxisSpacing::logarithmic
+                                    ? from * std::pow(to / from, part)
+                                    : std::lerp(from, to, part));
 }
 
 std::string Axis::text() const {
-  if (spacing == Spacing::listed) {
+  if (spacing == AxisSpacing::listed) {
     std::vector<std::string> list;
     for (const auto& value : values) {
       const auto* word = std::get_if<std::string>(&value);
@@ -115,12 +116,14 @@ std::string Axis::text() const {
     }
     return fmt::format("{} = {}", key, fmt::join(list, ","));
   }
-  return fmt::format("{} = {}{:g}:{:g}{}", key, spacing == Spacing::logarithmic ? kLogarithmic : "",
-                     from, to, values.empty() ? "" : fmt::format(":{}", values.size()));
+  return fmt::format("{} = {}{:g}:{:g}{}", key,
+                     spacing == AxisSpacing::logarithmic ? kLogarithmic : "", from, to,
+                     values.empty() ? "" : fmt::format(":{}", values.size()));
 }
 
-Axis parse_axis(std::string_view key, std::string_view values, const std::string& where) {
-  const AxisParser reading{problem::case_parameter(key, where), fmt::format("{} {} =", where, key)};
+Axis parse_axis(std::string_view key, std::string_view values, const std::string& error_context) {
+  const AxisParser reading{problem::case_parameter(key, error_context),
+                           fmt::format("{} {} =", error_context, key)};
   Axis axis{.key = std::string(key)};
   if (values.find(':') != std::string_view::npos) {
     axis = parse_range(values, std::move(axis), reading);
@@ -133,7 +136,7 @@ Axis parse_axis(std::string_view key, std::string_view values, const std::string
           fmt::format("{} {} is given twice (keep one)", reading.label, base::text_of(*twice)));
     }
   };
-  if (axis.spacing != Spacing::listed) {
+  if (axis.spacing != AxisSpacing::listed) {
     // A range is sorted; a copy of a million values would take 40 MB.
     require_distinct(axis.values);
   } else {

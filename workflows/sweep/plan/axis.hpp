@@ -9,16 +9,17 @@
 
 namespace fpkcheck::sweep {
 
-enum class Spacing { linear, logarithmic, listed };
-inline constexpr base::EnumEntry<Spacing> kSpacingNames[] = {
-    {Spacing::linear, "linear"}, {Spacing::logarithmic, "log"}, {Spacing::listed, "list"}};
-constexpr const auto& enumerator_names(Spacing) { return kSpacingNames; }
-constexpr std::string_view name(Spacing spacing) { return base::name_of(spacing); }
+enum class AxisSpacing { linear, logarithmic, listed };
+inline constexpr base::EnumEntry<AxisSpacing> kSpacingNames[] = {{AxisSpacing::linear, "linear"},
+                                                                 {AxisSpacing::logarithmic, "log"},
+                                                                 {AxisSpacing::listed, "list"}};
+constexpr const auto& enumerator_names(AxisSpacing) { return kSpacingNames; }
+constexpr std::string_view name(AxisSpacing spacing) { return base::name_of(spacing); }
 
 /// Key of case files that the sweep varies, with the values of this key.
 struct Axis {
   std::string key;  ///< varied key, e.g. "system.restitution"
-  Spacing spacing = Spacing::listed;
+  AxisSpacing spacing = AxisSpacing::listed;
   double from = 0, to = 0;  ///< ends of a range
   /// Values of the key: numbers or words ("gaussian"). A range without a number of points, for a
   /// Sobol sequence, has no values.
@@ -33,9 +34,9 @@ struct Axis {
 
 /// Parses an axis in the syntax KEY=FROM:TO:N, KEY=FROM:TO or KEY=A,B,.., with "log:" before FROM
 /// for a logarithmic axis.
-/// @param where first words of error messages, e.g. "--vary" or "plan mine.ini:7"
+/// @param error_context first words of error messages, e.g. "--vary" or "plan mine.ini:7"
 /// @throws InputError if the syntax is invalid, a value is outside the range of the key, or a value
 ///         occurs twice
-Axis parse_axis(std::string_view key, std::string_view values, const std::string& where);
+Axis parse_axis(std::string_view key, std::string_view values, const std::string& error_context);
 
 }  // namespace fpkcheck::sweep

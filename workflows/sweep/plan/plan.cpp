@@ -29,16 +29,16 @@ void require_values(const Axis& axis) {
                                axis.text(), axis.text()));
 }
 
-Points product(const std::vector<Axis>& axes) {
+PlanPoints product(const std::vector<Axis>& axes) {
   double count = 1;
   for (const auto& axis : axes) {
     require_values(axis);
     count *= static_cast<double>(axis.values.size());
     require_at_most_max_points(count);
   }
-  Points points{{}};
+  PlanPoints points{{}};
   for (const auto& axis : axes) {
-    Points longer;
+    PlanPoints longer;
     for (const auto& point : points) {
       for (const auto& value : axis.values) {
         longer.push_back(point);
@@ -50,7 +50,7 @@ Points product(const std::vector<Axis>& axes) {
   return points;
 }
 
-Points list(const std::vector<Axis>& axes) {
+PlanPoints list(const std::vector<Axis>& axes) {
   for (const auto& axis : axes) {
     require_values(axis);
     if (axis.values.size() == axes.front().values.size()) continue;
@@ -58,7 +58,7 @@ Points list(const std::vector<Axis>& axes) {
         fmt::format("{} has {} values and {} has {} (in a list all keys must have as many)",
                     axes.front().key, axes.front().values.size(), axis.key, axis.values.size()));
   }
-  Points points(axes.front().values.size());
+  PlanPoints points(axes.front().values.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     for (const auto& axis : axes) points[k].push_back(axis.values[k]);
   }
@@ -67,13 +67,13 @@ Points list(const std::vector<Axis>& axes) {
 
 // The first point of the Sobol sequence, a corner of the box, is omitted (Sobol 1967; direction
 // numbers of Joe and Kuo 2008).
-Points sobol(const std::vector<Axis>& axes, std::size_t count) {
+PlanPoints sobol(const std::vector<Axis>& axes, std::size_t count) {
   if (count == 0) {
     throw InputError("the design sobol has no number of points (give --points N)");
   }
   require_at_most_max_points(static_cast<double>(count));
   for (const auto& axis : axes) {
-    if (axis.spacing == Spacing::listed) {
+    if (axis.spacing == AxisSpacing::listed) {
       throw InputError(
           fmt::format("{} with the design sobol (it fills ranges: give FROM:TO)", axis.text()));
     }
@@ -84,7 +84,7 @@ Points sobol(const std::vector<Axis>& axes, std::size_t count) {
   }
   boost::random::sobol engine(axes.size());
   const double above = static_cast<double>(boost::random::sobol::max()) + 1;
-  Points points(count);
+  PlanPoints points(count);
   for (auto& point : points) {
     for (const auto& axis : axes) {
       point.emplace_back(axis.value_at_fraction(static_cast<double>(engine()) / above));
@@ -95,7 +95,7 @@ Points sobol(const std::vector<Axis>& axes, std::size_t count) {
 
 }  // namespace
 
-Points make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points) {
+PlanPoints make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points) {
   if (axes.empty()) {
     throw InputError("nothing is varied (give --vary KEY=FROM:TO:N, log:FROM:TO:N or A,B,..)");
   }
@@ -171,8 +171,7 @@ SweepLines sweep_lines(const std::vector<IniSetting>& all) {
 
 }  // namespace
 
-PlanSpecification read_plan(const std::string& name_or_path,
-                            const std::vector<std::string>& overrides) {
+ParsedPlan read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides) {
   constexpr std::size_t kMaxBytes = 1 << 20;
   const bool named = problem::find_built_in_case(name_or_path) != nullptr;
   const auto text = named ? std::nullopt : base::read_input_file(name_or_path, kMaxBytes);
@@ -193,12 +192,12 @@ PlanSpecification read_plan(const std::string& name_or_path,
     throw InputError(fmt::format("{}: a case beside [{}] (keep one)", base_case->second.where,
                                  of_case.front().section));
   }
-  PlanSpecification plan{base_case != lines.end()
-                             ? problem::load_case(base_case->second.text, overrides)
-                             : problem::case_from_settings(
-                                   of_case, std::filesystem::path(name_or_path).stem().string(),
-                                   where, overrides, problem::CaseNaming::from_file,
-                                   std::filesystem::path(name_or_path).parent_path())};
+  ParsedPlan plan{base_case != lines.end()
+                      ? problem::load_case(base_case->second.text, overrides)
+                      : problem::problem_from_settings(
+                            of_case, std::filesystem::path(name_or_path).stem().string(), where,
+                            overrides, problem::CaseNaming::from_file,
+                            std::filesystem::path(name_or_path).parent_path())};
   for (const auto& line : all) {
     if (line.section == kVary) plan.axes.push_back(parse_axis(line.key, line.text, line.where));
   }

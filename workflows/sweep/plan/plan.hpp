@@ -30,12 +30,12 @@ constexpr std::string_view name(PlanDesign design) { return base::name_of(design
 inline constexpr std::size_t kMaxPoints = 1'000'000;
 
 /// Each point of a plan has a value of each axis, in the order of the axes.
-using Points = std::vector<std::vector<base::Value>>;
+using PlanPoints = std::vector<std::vector<base::Value>>;
 
 /// @param sobol_points number of points for the design sobol; 0 for other designs
 /// @throws InputError if axes and design are inconsistent, or if the plan has more than kMaxPoints
 ///         points
-Points make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points);
+PlanPoints make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points);
 
 enum class ClosureErrorSource {
   reference,  ///< distance to the point's reference, plus the error estimate of the reference
@@ -55,14 +55,14 @@ struct Plan {
   std::vector<methods::Method> methods{};  ///< methods of the plan by increasing trust
   bool marginals = false;                  ///< whether the marginal densities are stored
   ClosureErrorSource closure_errors = ClosureErrorSource::reference;
-  Points points{};  ///< points that make_points() makes from the axes
+  PlanPoints points{};  ///< points that make_points() makes from the axes
 
   /// @throws InputError if the values of the point are inconsistent
   problem::Problem problem_at(std::size_t point) const;
 };
 
 /// Parsed plan with the names of methods, from which a registry makes the methods.
-struct PlanSpecification {
+struct ParsedPlan {
   problem::Problem base;
   std::vector<Axis> axes{};
   std::optional<PlanDesign> design{};
@@ -89,7 +89,6 @@ struct PlanSpecification {
 /// @param name_or_path "case1" .. "case4", a case file or a plan
 /// @param overrides "key=value" pairs that replace values of the case
 /// @throws InputError with a message of one line
-PlanSpecification read_plan(const std::string& name_or_path,
-                            const std::vector<std::string>& overrides);
+ParsedPlan read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides);
 
 }  // namespace fpkcheck::sweep

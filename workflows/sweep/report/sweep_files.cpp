@@ -4,9 +4,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "base/files/pending_files.hpp"
+#include "base/files/file_transaction.hpp"
 #include "base/process/stop_request.hpp"
-#include "workflows/sweep/report/figure/pictures.hpp"
+#include "workflows/sweep/report/figure/sweep_figures.hpp"
 #include "workflows/sweep/report/page/sweep_page.hpp"
 
 namespace fpkcheck::sweep {
@@ -17,7 +17,7 @@ constexpr const char* kPage = "report.html";
 
 // The page embeds an SVG, which is sharp at any size, or a PNG if the SVG file is large.
 std::vector<EmbeddedPicture> drawn_pictures(const fs::path& figures,
-                                            const std::vector<SweepPicture>& pictures) {
+                                            const std::vector<SweepFigure>& pictures) {
   constexpr std::uintmax_t kLargestSvg = 1'000'000;
   std::vector<EmbeddedPicture> drawn;
   for (const auto& picture : pictures) {
@@ -37,9 +37,9 @@ std::vector<EmbeddedPicture> drawn_pictures(const fs::path& figures,
 
 }  // namespace
 
-void write_tables(const fs::path& directory, const SweepResults& results,
-                  const std::string& command) {
-  base::PendingFiles files;
+void write_sweep_tables(const fs::path& directory, const SweepResults& results,
+                        const std::string& command) {
+  base::FileTransaction files;
   files.add(directory / "sweep.csv", csv(results));
   files.add(directory / "sweep.nc", netcdf(results, command));
   files.remove(directory / kPage);
@@ -50,17 +50,17 @@ std::vector<std::string> write_report(const fs::path& directory, const SweepResu
                                       const std::string& command,
                                       const report::FigureOptions& options,
                                       const std::string& gnuplot) {
-  const auto pictures = sweep_pictures(results, options.width);
+  const auto pictures = sweep_figures(results, options.width);
   const fs::path figures = directory / "figures";
   report::FigureOptions drawn = options;
   // The page needs PNG and SVG.
   for (const auto format : {report::FigureFormat::png, report::FigureFormat::svg}) {
     if (std::ranges::count(drawn.formats, format) == 0) drawn.formats.push_back(format);
   }
-  auto warnings = draw_sweep(figures, pictures, drawn, gnuplot);
+  auto warnings = draw_sweep_figures(figures, pictures, drawn, gnuplot);
   if (base::stop_requested()) return warnings;
-  base::write_file(directory / kPage,
-                   sweep_page(results, drawn_pictures(figures, pictures), command));
+  base::write_file_atomically(directory / kPage,
+                              sweep_page(results, drawn_pictures(figures, pictures), command));
   return warnings;
 }
 

@@ -12,8 +12,8 @@ namespace fpkcheck::sweep {
 /// Writes sweep.csv and sweep.nc, either both files or none. The page of an earlier sweep is
 /// removed, since its numbers may differ.
 /// @throws std::runtime_error with a message of one line
-void write_tables(const std::filesystem::path& directory, const SweepResults& results,
-                  const std::string& command);
+void write_sweep_tables(const std::filesystem::path& directory, const SweepResults& results,
+                        const std::string& command);
 
 /// Draws the figures of a sweep into DIRECTORY/figures in the requested formats, and writes the
 /// page report.html. The page has no pictures if gnuplot is missing.

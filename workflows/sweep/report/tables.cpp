@@ -37,7 +37,7 @@ MethodSummary summarise_method(const SweepResults& results, std::size_t m) {
 }
 
 std::string l1_cell_text(const std::vector<double>& sorted, double quantile) {
-  if (sorted.empty()) return report::kAbsent;
+  if (sorted.empty()) return report::kMissingCell;
   const auto at = static_cast<std::size_t>(quantile * static_cast<double>(sorted.size() - 1) + 0.5);
   return fmt::format("{:.2g}", sorted[at]);
 }
@@ -48,12 +48,12 @@ std::string other_statuses_cell(const std::map<transform::Status, int>& statuses
     if (status == transform::Status::ok) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name(status));
   }
-  return text.empty() ? report::kAbsent : text;
+  return text.empty() ? report::kMissingCell : text;
 }
 
 }  // namespace
 
-std::vector<TextColumn> method_columns(const SweepResults& results) {
+std::vector<TextColumn> method_table_columns(const SweepResults& results) {
   const Plan& plan = results.plan;
   TextColumn id{"", "solution", true, report::kAlwaysShown},
       ok{"", "ok", false, report::kAlwaysShown}, reference{"", "reference", false, 2},
@@ -76,7 +76,7 @@ std::vector<TextColumn> method_columns(const SweepResults& results) {
   return {id, ok, reference, median, ninetieth_percentile, worst, seconds, others};
 }
 
-const char* method_columns_legend() {
+const char* method_table_legend() {
   return "ok: number of points. L1: distance to the point's reference, the larger of p(y) and "
          "p(y'), over the points where the solution is ok. reference: number of points where the "
          "method is the reference, the most accurate solution of the full problem. sec: mean "
@@ -88,8 +88,8 @@ std::string table(const SweepResults& results, const report::TextFormat& format)
   std::string text = fmt::format("{} points of {}", results.points.size(), plan.base.name);
   for (const auto& axis : plan.axes) text += ", " + axis.text();
   text = report::wrap_text(text, format.width, 2) + '\n';
-  text += report::table_rows_text(method_columns(results), format);
-  return text + '\n' + report::wrap_text(method_columns_legend(), format.width);
+  text += report::format_text_table(method_table_columns(results), format);
+  return text + '\n' + report::wrap_text(method_table_legend(), format.width);
 }
 
 std::string duration_text(double seconds) {
@@ -140,10 +140,11 @@ std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_
         duration_text(makespan(forecast.seconds, workers, DispatchRule::shards)));
     memory.cells.push_back(forecast.megabytes > 0
                                ? fmt::format("{:.1f}", forecast.megabytes * number / 1024)
-                               : report::kAbsent);
+                               : report::kMissingCell);
   }
   return text + '\n' +
-         report::table_rows_text({count, longest, busy, in_order, shards, memory}, format) + '\n' +
+         report::format_text_table({count, longest, busy, in_order, shards, memory}, format) +
+         '\n' +
          report::wrap_text(
              "ranks: processes of one thread. longest first: the order of mpirun, the longest "
              "expected point first; busy: fraction of the time in which its ranks solve. in order: "

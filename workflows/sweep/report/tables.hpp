@@ -14,9 +14,9 @@ namespace fpkcheck::sweep {
 
 /// Returns columns with the numbers of solutions of each status, the L1 distances of `ok` solutions
 /// to the references, and the wall-clock time. Each method has a row.
-std::vector<report::TextColumn> method_columns(const SweepResults& results);
+std::vector<report::TextColumn> method_table_columns(const SweepResults& results);
 
-const char* method_columns_legend();
+const char* method_table_legend();
 
 /// Returns the varied keys, and a table with a row for each method, as text for the terminal.
 std::string table(const SweepResults& results, const report::TextFormat& format);

@@ -41,7 +41,7 @@ Json json_of(const std::string& text, const std::string& where) {
 
 Json header(const Json& plan) {
   return {{"schema", kJournalSchema},
-          {"program", {{"name", "fpkcheck"}, {"version", results::this_program("").version}}},
+          {"program", {{"name", "fpkcheck"}, {"version", results::current_program("").version}}},
           {"plan", plan}};
 }
 
@@ -69,7 +69,7 @@ Json plan_json_of_line(const std::string& line, const std::filesystem::path& fil
 }
 
 void require_same_plan(const Json& before, const Json& now, const std::filesystem::path& file) {
-  const std::string difference = plan_difference(before, now);
+  const std::string difference = first_plan_difference(before, now);
   if (difference.empty()) return;
   throw InputError(
       fmt::format("{} was begun with another plan: {} (use another directory, or remove it)",
@@ -95,11 +95,11 @@ JournalContent parse_journal(const std::vector<std::string>& lines,
     }
     const std::string where = fmt::format("{}:{}", sanitise(file.string()), k + 1);
     try {
-      PointResult result = point_from_json(json_of(*text, where));
+      PointResult result = point_result_from_json(json_of(*text, where));
       if (seen.insert(result.point).second) content.points.push_back(std::move(result));
     } catch (const nlohmann::json::exception& error) {
       throw InputError(fmt::format("{}: not a point of a sweep ({}; remove the line)", where,
-                                   results::exception_text(error)));
+                                   results::json_error_message(error)));
     }
   }
   return content;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files/line_log.hpp"
+#include "base/files/append_only_log.hpp"
 #include "workflows/sweep/plan/plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
@@ -46,7 +46,7 @@ class Journal {
   void append(const PointResult& result);
 
  private:
-  base::LineLog log_;
+  base::AppendOnlyLog log_;
   JournalContent initial_content_;
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };

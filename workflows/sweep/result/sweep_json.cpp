@@ -15,12 +15,12 @@ using results::Json;
 
 Json axis_json(const Axis& axis) {
   Json json{{"key", axis.key}, {"spacing", name(axis.spacing)}};
-  if (axis.spacing != Spacing::listed) {
+  if (axis.spacing != AxisSpacing::listed) {
     json["from"] = axis.from;
     json["to"] = axis.to;
   }
   json["values"] = Json::array();
-  for (const auto& value : axis.values) json["values"].push_back(results::value_json(value));
+  for (const auto& value : axis.values) json["values"].push_back(results::value_to_json(value));
   return json;
 }
 
@@ -39,8 +39,8 @@ base::Value integer_to_double(base::Value value) {
 }
 
 Axis axis_from_json(const Json& json) {
-  Axis axis{.key = json.at("key"), .spacing = enum_from_json<Spacing>(json.at("spacing"))};
-  if (axis.spacing != Spacing::listed) {
+  Axis axis{.key = json.at("key"), .spacing = enum_from_json<AxisSpacing>(json.at("spacing"))};
+  if (axis.spacing != AxisSpacing::listed) {
     axis.from = json.at("from");
     axis.to = json.at("to");
   }
@@ -50,7 +50,7 @@ Axis axis_from_json(const Json& json) {
   return axis;
 }
 
-methods::Method method_from_json(const Json& json, const methods::Registry& registry) {
+methods::Method method_from_json(const Json& json, const methods::SolverRegistry& registry) {
   const auto solver = json.at("method").get<std::string>();
   const auto* found = registry.find_solver(solver);
   if (found == nullptr) {
@@ -62,7 +62,7 @@ methods::Method method_from_json(const Json& json, const methods::Registry& regi
 }  // namespace
 
 Json plan_json(const Plan& plan) {
-  Json json{{"case", results::problem_json(plan.base)},
+  Json json{{"case", results::problem_to_json(plan.base)},
             {"vary", Json::array()},
             {"design", name(plan.design)},
             {"points", plan.sobol_points},
@@ -73,12 +73,12 @@ Json plan_json(const Plan& plan) {
   for (const auto& method : plan.methods) {
     json["methods"].push_back({{"id", method.id()},
                                {"method", method.identity.method},
-                               {"options", results::values_json(method.options)}});
+                               {"options", results::values_to_json(method.options)}});
   }
   return json;
 }
 
-Plan plan_from_json(const Json& json, const methods::Registry& registry) {
+Plan plan_from_json(const Json& json, const methods::SolverRegistry& registry) {
   Plan plan{.base = results::problem_from_json(json.at("case")),
             .axes = {},
             .design = enum_from_json<PlanDesign>(json.at("design")),
@@ -93,7 +93,7 @@ Plan plan_from_json(const Json& json, const methods::Registry& registry) {
   return plan;
 }
 
-std::string plan_difference(const Json& before, const Json& now) {
+std::string first_plan_difference(const Json& before, const Json& now) {
   const Json patch = Json::diff(before, now);
   if (patch.empty()) return "";
   const Json& first = patch.front();
@@ -110,9 +110,9 @@ namespace {
 using results::Json;
 using transform::Moments;
 
-Json pair_json(const MarginalL1Pair& pair) { return {pair.y, pair.ydot}; }
+Json pair_json(const MarginalL1Values& pair) { return {pair.y, pair.ydot}; }
 
-MarginalL1Pair pair_from_json(const Json& json) {
+MarginalL1Values pair_from_json(const Json& json) {
   const auto number = [&](std::size_t k) {
     const Json& value = json.at(k);
     return value.is_null() ? results::kNotANumber : value.get<double>();
@@ -162,7 +162,7 @@ MethodResult method_from_json(const Json& json) {
 
 }  // namespace
 
-Json point_json(const PointResult& result) {
+Json point_result_json(const PointResult& result) {
   Json json{{"point", result.point},
             {"seconds", result.seconds},
             {"reference", result.reference},
@@ -172,11 +172,11 @@ Json point_json(const PointResult& result) {
 }
 
 std::string journal_line(const PointResult& result) {
-  return results::with_null_for_non_finite(point_json(result))
+  return results::replace_non_finite_by_null(point_result_json(result))
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-PointResult point_from_json(const Json& json) {
+PointResult point_result_from_json(const Json& json) {
   PointResult result{.point = json.at("point").get<std::size_t>(),
                      .seconds = json.value("seconds", 0.0),
                      .reference = json.at("reference")};
@@ -191,19 +191,19 @@ std::string json(const SweepResults& results, const std::string& command) {
   using results::Json;
   constexpr int kSchema = 1;
   Json json{{"schema", kSchema},
-            {"program", results::program_json(results::this_program(command))},
+            {"program", results::program_to_json(results::current_program(command))},
             {"plan", plan_json(results.plan)},
             {"points", Json::array()}};
   for (const auto& point : results.points) {
-    Json one = point_json(point);
+    Json one = point_result_json(point);
     one["at"] = Json::object();
     for (std::size_t a = 0; a < results.plan.axes.size(); ++a) {
       one["at"][results.plan.axes[a].key] =
-          results::value_json(results.plan.points[point.point][a]);
+          results::value_to_json(results.plan.points[point.point][a]);
     }
     json["points"].push_back(std::move(one));
   }
-  return results::json_text(json);
+  return results::serialise_json(json);
 }
 
 }  // namespace fpkcheck::sweep

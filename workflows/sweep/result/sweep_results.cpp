@@ -42,8 +42,8 @@ std::vector<ResultColumn> moment_columns() {
 // @param header, variable names with "{}" in place of the variable y or ydot
 std::vector<ResultColumn> marginal_columns(
     const std::string& header, const std::string& variable, const std::string& meaning,
-    const std::function<std::optional<MarginalL1Pair>(const MethodResult&)>& pair) {
-  const auto column = [&](const char* name, const char* symbol, double MarginalL1Pair::*member) {
+    const std::function<std::optional<MarginalL1Values>(const MethodResult&)>& pair) {
+  const auto column = [&](const char* name, const char* symbol, double MarginalL1Values::*member) {
     return ResultColumn{
         fmt::format(fmt::runtime(header), name), fmt::format(fmt::runtime(variable), name),
         fmt::format("{} of {}", meaning, symbol), [pair, member](const MethodResult& one) {
@@ -51,7 +51,8 @@ std::vector<ResultColumn> marginal_columns(
           return found ? std::optional((*found).*member) : std::nullopt;
         }};
   };
-  return {column("y", "p(y)", &MarginalL1Pair::y), column("ydot", "p(y')", &MarginalL1Pair::ydot)};
+  return {column("y", "p(y)", &MarginalL1Values::y),
+          column("ydot", "p(y')", &MarginalL1Values::ydot)};
 }
 
 std::vector<ResultColumn> distance_columns() {
@@ -62,7 +63,7 @@ std::vector<ResultColumn> distance_columns() {
 std::vector<ResultColumn> error_columns(const SweepResults& results) {
   auto columns = marginal_columns("error_{}", "error_{}", "L1 error estimate",
                                   [](const MethodResult& one) { return one.error; });
-  for (const auto& part : results.budget_parts()) {
+  for (const auto& part : results.error_budget_part_names()) {
     // "closure + impact" becomes "closure_and_impact" in sweep.csv, "closure___impact" in sweep.nc.
     std::string header = part, variable = part;
     for (std::size_t at = header.find(" + "); at != header.npos; at = header.find(" + ")) {
@@ -74,7 +75,7 @@ std::vector<ResultColumn> error_columns(const SweepResults& results) {
     std::ranges::move(
         marginal_columns("budget_{}_" + header, "budget_" + variable + "_{}",
                          fmt::format("contribution of \"{}\" to the L1 distance", part),
-                         [part](const MethodResult& one) -> std::optional<MarginalL1Pair> {
+                         [part](const MethodResult& one) -> std::optional<MarginalL1Values> {
                            const auto share =
                                std::ranges::find(one.budget, part, &BudgetContribution::part);
                            if (share == one.budget.end()) return std::nullopt;
@@ -88,7 +89,7 @@ std::vector<ResultColumn> error_columns(const SweepResults& results) {
 std::string value_cell(const base::Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{}", *number)
-                           : results::csv_field(std::get<std::string>(value));
+                           : results::quote_csv_field(std::get<std::string>(value));
 }
 
 // The cells of the dimensionless groups are empty if the values of the point are inconsistent.
@@ -185,7 +186,7 @@ SweepResults make_sweep_results(Plan plan, std::vector<PointResult> points) {
   return {std::move(plan), std::move(points)};
 }
 
-std::vector<std::string> SweepResults::budget_parts() const {
+std::vector<std::string> SweepResults::error_budget_part_names() const {
   std::vector<std::string> names;
   for (const auto& point : points) {
     for (const auto& method : point.methods) {
@@ -220,7 +221,7 @@ std::string csv(const SweepResults& results) {
     for (std::size_t m = 0; m < point.methods.size(); ++m) {
       const MethodResult& method = point.methods[m];
       std::vector<std::string> cells{plan.methods[m].id(), std::string(name(method.status)),
-                                     results::csv_field(method.reason)};
+                                     results::quote_csv_field(method.reason)};
       // Ten digits exceed the accuracy of every solver, and keep the file small.
       const auto add_cells = [&](const std::vector<ResultColumn>& columns) {
         for (const auto& column : columns) {
@@ -241,7 +242,7 @@ std::string csv(const SweepResults& results) {
 
 std::string netcdf(const SweepResults& results, const std::string& command) {
   results::NetCdfWriter file;
-  const auto program = results::this_program(command);
+  const auto program = results::current_program(command);
   file.write_attribute("Conventions", "CF-1.8");
   file.write_attribute("title", "solutions over the parameters of an oscillator");
   file.write_attribute("source", fmt::format("{} {}", program.name, program.version));

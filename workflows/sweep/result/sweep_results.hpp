@@ -11,16 +11,16 @@
 namespace fpkcheck::sweep {
 
 /// L1 distances or L1 errors of both marginal densities.
-struct MarginalL1Pair {
+struct MarginalL1Values {
   double y, ydot;
 
-  bool operator==(const MarginalL1Pair&) const = default;
+  bool operator==(const MarginalL1Values&) const = default;
 };
 
 /// L1 contribution of one part of the error budget (compare/error_budget.hpp).
 struct BudgetContribution {
   std::string part;  ///< name of the part (compare::ErrorBudgetPart::name)
-  MarginalL1Pair l1;
+  MarginalL1Values l1;
 
   bool operator==(const BudgetContribution&) const = default;
 };
@@ -30,8 +30,8 @@ struct MethodResult {
   std::string reason = {};  ///< reason of a status other than ok; empty for ok
   double seconds = 0;
   std::optional<transform::Moments> moments = {};
-  std::optional<MarginalL1Pair> l1 = {};     ///< L1 distances to the point's reference
-  std::optional<MarginalL1Pair> error = {};  ///< L1 error estimates, or expected sampling errors
+  std::optional<MarginalL1Values> l1 = {};     ///< L1 distances to the point's reference
+  std::optional<MarginalL1Values> error = {};  ///< L1 error estimates, or expected sampling errors
   std::vector<BudgetContribution> budget = {};
 };
 
@@ -49,7 +49,7 @@ struct SweepResults {
 
   bool is_complete() const { return points.size() == plan.points.size(); }
   /// Returns the names of all parts of error budgets, in the order of their first occurrence.
-  std::vector<std::string> budget_parts() const;
+  std::vector<std::string> error_budget_part_names() const;
 };
 
 /// Makes the results of a sweep, with the points sorted by number.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fd_fpk/transient.hpp"
+#include "mcs/scalar_trajectory.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
-#include "mcs/trajectory.hpp"
 #include "paper_cases.hpp"
 #include "transform/density.hpp"
 

@@ -18,7 +18,7 @@ inline study::TransientRun made_up_transient(int last = 4) {
   result.y_edges = {0, 0.5, 1, 2, 3};
   result.v_edges = {-3, -2, -1, 0, 1, 2, 3};
   for (int n = 0; n <= last; ++n) {
-    fd_fpk::Snapshot s{.time = 2.0 * n / last, .mass = 1};
+    fd_fpk::DensitySnapshot s{.time = 2.0 * n / last, .mass = 1};
     s.moments.y2 = 10 + n;
     for (int b = 0; b < 4; ++b) s.y.push_back(1.0 / (1 + b + n));
     for (int b = 0; b < 6; ++b) s.v.push_back(0.1 * b + 0.01 * n);

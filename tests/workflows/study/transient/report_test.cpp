@@ -19,7 +19,7 @@ using tests::contains;
 TEST(TransientReport, WithoutGnuplotWarnsAndWritesTheScript) {
   const tests::TemporaryDirectory directory;
   const auto warnings =
-      write_transient(directory.path(), tests::made_up_transient(), {}, "no-such-gnuplot");
+      write_transient_files(directory.path(), tests::made_up_transient(), {}, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings.front(), "'no-such-gnuplot' was not found")) << warnings.front();
   EXPECT_TRUE(fs::exists(directory.path() / "transient.nc"));
@@ -29,16 +29,17 @@ TEST(TransientReport, WithoutGnuplotWarnsAndWritesTheScript) {
 TEST(TransientReport, AFileThatCannotBeWrittenIsUnchanged) {
   const tests::TemporaryDirectory directory;
   fs::create_directories(directory.path() / "transient.nc" / "occupied");
-  EXPECT_THROW(write_transient(directory.path(), tests::made_up_transient()), std::runtime_error);
+  EXPECT_THROW(write_transient_files(directory.path(), tests::made_up_transient()),
+               std::runtime_error);
   EXPECT_EQ(directory.entries(), std::vector<std::string>{"transient.nc"});
 }
 
 TEST(TransientReport, RemovesFilesOfAnEarlierRunWithoutADensity) {
   const tests::TemporaryDirectory directory;
   TransientRun run = tests::made_up_transient();
-  write_transient(directory.path(), run);
+  write_transient_files(directory.path(), run);
   run.result.snapshots.clear();
-  EXPECT_EQ(write_transient(directory.path(), run).size(), 1u);
+  EXPECT_EQ(write_transient_files(directory.path(), run).size(), 1u);
   EXPECT_FALSE(fs::exists(directory.path() / "transient.nc"));
   EXPECT_TRUE(fs::is_empty(directory.path() / "figures"));
 }

@@ -20,14 +20,14 @@ using report::FigurePanel;
 using report::FigurePoint;
 using report::FigureSeries;
 using transform::Moments;
-using transform::Variable;
+using transform::StateVariable;
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 // Height of a row of marks, as a fraction of the panel height.
 constexpr double kMarkRowHeight = 0.045;
 
-double value_of(const MarginalL1Pair& pair, Variable variable) {
-  return variable == Variable::y ? pair.y : pair.ydot;
+double value_of(const MarginalL1Values& pair, StateVariable variable) {
+  return variable == StateVariable::y ? pair.y : pair.ydot;
 }
 
 /// Slice of a plan: the points of one row of panels, in the order of the key on the abscissa.
@@ -42,7 +42,7 @@ class SweepCurves {
  public:
   explicit SweepCurves(const SweepView& view)
       : view_(view),
-        place_(view.plan().axes.size() == 2 && KeyAxis(view.plan(), 0).has_words() ? 1 : 0),
+        place_(view.plan().axes.size() == 2 && KeyAxis(view.plan(), 0).is_categorical() ? 1 : 0),
         along_(view.plan(), place_) {
     const Plan& plan = view.plan();
     if (plan.axes.size() == 1) {
@@ -63,7 +63,7 @@ class SweepCurves {
   }
 
   const std::vector<PlanSlice>& slices() const { return slices_; }
-  bool has_words() const { return along_.has_words(); }
+  bool is_categorical() const { return along_.is_categorical(); }
   std::size_t method_count() const { return view_.plan().methods.size(); }
 
   double abscissa(std::size_t point) const {
@@ -75,7 +75,7 @@ class SweepCurves {
     constexpr double kSpread = 0.7;
     const auto count = static_cast<double>(method_count());
     const double beside = (static_cast<double>(m) - (count - 1) / 2) * kSpread / count;
-    return abscissa(point) + (has_words() ? beside : 0);
+    return abscissa(point) + (is_categorical() ? beside : 0);
   }
 
   /// Returns a figure with a row of empty panels (displacement and velocity) for each slice.
@@ -101,7 +101,7 @@ class SweepCurves {
     constexpr double kThin = 1.5, kBroad = 2.5;
     const auto& identity = view_.plan().methods[m].identity;
     FigureSeries series = report::make_series(identity.id, identity.plot_style);
-    if (has_words()) series.dash = "";
+    if (is_categorical()) series.dash = "";
     series.line_width = std::clamp(identity.plot_style.width, kThin, kBroad);
     const std::size_t most = std::ranges::max(slices_, {}, [](const PlanSlice& one) {
                                return one.points.size();
@@ -128,12 +128,12 @@ class SweepCurves {
 class DistanceSeries {
  public:
   DistanceSeries(const SweepView& view, const SweepCurves& curves, const PlanSlice& slice,
-                 Variable variable)
+                 StateVariable variable)
       : view_(view), curves_(curves), slice_(slice), variable_(variable) {}
 
   std::vector<FigureSeries> all() const {
     std::vector<FigureSeries> all{reference_error()};
-    for (const std::size_t m : view_.compared_methods()) {
+    for (const std::size_t m : view_.compared_method_indices()) {
       const auto curve = curves_.curve(
           slice_, m, [&](std::size_t point, std::size_t method, const MethodResult& result) {
             return l1(point, method, result);
@@ -160,7 +160,7 @@ class DistanceSeries {
     for (const std::size_t point : slice_.points) {
       const auto error = view_.reference_error(point);
       const double x = curves_.abscissa(point), y = error ? value_of(*error, variable_) : kGap;
-      if (!curves_.has_words()) {
+      if (!curves_.is_categorical()) {
         series.points.push_back({x, y});
         continue;
       }
@@ -178,16 +178,16 @@ class DistanceSeries {
                         .colour = distances.colour,
                         .dash = "(2,4)",
                         .line_width = 1.5,
-                        .symbol = curves_.has_words() ? "" : "circle",
+                        .symbol = curves_.is_categorical() ? "" : "circle",
                         .mark_size = 0.25,
                         .legend_colour = "#444444"};
     for (std::size_t k = 0; k < slice_.points.size(); ++k) {
       const auto* result = view_.method_result(slice_.points[k], m);
       const double x = distances.points[k].x, y = distances.points[k].y;
       const bool is_known = result != nullptr && result->error && std::isfinite(y);
-      if (curves_.has_words()) series.points.push_back({x, y});
+      if (curves_.is_categorical()) series.points.push_back({x, y});
       series.points.push_back({x, is_known ? value_of(*result->error, variable_) : kGap});
-      if (curves_.has_words()) series.points.push_back({x, kGap});
+      if (curves_.is_categorical()) series.points.push_back({x, kGap});
     }
     return series;
   }
@@ -195,7 +195,7 @@ class DistanceSeries {
   const SweepView& view_;
   const SweepCurves& curves_;
   const PlanSlice& slice_;
-  Variable variable_;
+  StateVariable variable_;
 };
 
 // Returns whether a point has a reference, but the method has no density at this point.
@@ -220,7 +220,8 @@ std::vector<FigureSeries> no_density_series(const SweepView& view, const SweepCu
                    .legend_colour = "#444444"});
     for (const std::size_t point : slice.points) {
       if (!lacks_density(view, point, methods[row])) continue;
-      all.back().points.push_back({curves.abscissa(point, methods[row]), row_ordinate(axis, row)});
+      all.back().points.push_back(
+          {curves.abscissa(point, methods[row]), mark_row_ordinate(axis, row)});
     }
   }
   return all;
@@ -247,8 +248,9 @@ report::FigureAxis moment_axis(const std::string& label,
 
 }  // namespace
 
-report::FigureAxis distance_axis(const std::string& label, const std::vector<FigurePanel>& panels,
-                                 std::size_t rows_above) {
+report::FigureAxis l1_distance_axis(const std::string& label,
+                                    const std::vector<FigurePanel>& panels,
+                                    std::size_t rows_above) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   for (const auto& panel : panels) {
     for (const auto& series : panel.series) {
@@ -267,12 +269,12 @@ report::FigureAxis distance_axis(const std::string& label, const std::vector<Fig
   return {label, low, high * std::pow(high / low, rows / (1 - rows)), true};
 }
 
-double row_ordinate(const report::FigureAxis& axis, std::size_t row) {
+double mark_row_ordinate(const report::FigureAxis& axis, std::size_t row) {
   return axis.from *
          std::pow(axis.to / axis.from, 1 - kMarkRowHeight * (static_cast<double>(row) + 0.5));
 }
 
-report::Figure distances_figure(const SweepView& view) {
+report::Figure distance_curves_figure(const SweepView& view) {
   const SweepCurves curves(view);
   report::Figure figure = curves.panels();
   std::vector<std::size_t> without_density;
@@ -284,17 +286,17 @@ report::Figure distances_figure(const SweepView& view) {
     }
   }
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
-    const Variable variable = k % 2 == 0 ? Variable::y : Variable::ydot;
+    const StateVariable variable = k % 2 == 0 ? StateVariable::y : StateVariable::ydot;
     figure.panels[k].series = DistanceSeries(view, curves, curves.slices()[k / 2], variable).all();
   }
-  const std::string reference = view.common_reference();
-  const auto axis = distance_axis("", figure.panels, without_density.size());
+  const std::string reference = view.common_reference_id();
+  const auto axis = l1_distance_axis("", figure.panels, without_density.size());
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     FigurePanel& panel = figure.panels[k];
     panel.y = axis;
     panel.y.label =
         fmt::format("{{/:Italic L}}_1 distance of {} to {}",
-                    report::density_symbol(k % 2 == 0 ? Variable::y : Variable::ydot),
+                    report::density_symbol(k % 2 == 0 ? StateVariable::y : StateVariable::ydot),
                     reference.empty() ? "the reference" : report::escape_enhanced_text(reference));
     for (auto& series :
          no_density_series(view, curves, curves.slices()[k / 2], without_density, axis)) {
@@ -304,7 +306,7 @@ report::Figure distances_figure(const SweepView& view) {
   return figure;
 }
 
-report::Figure moments_figure(const SweepView& view) {
+report::Figure moment_curves_figure(const SweepView& view) {
   const SweepCurves curves(view);
   report::Figure figure = curves.panels();
   const auto fill = [&](std::size_t first, const std::string& label, double Moments::*moment) {

@@ -54,8 +54,8 @@ bool spans_decades(const std::vector<Value>& sorted) {
 
 }  // namespace
 
-KeyAxis::KeyAxis(const Plan& plan, std::size_t place) : key_(plan.axes[place].key) {
-  const Axis& axis = plan.axes[place];
+KeyAxis::KeyAxis(const Plan& plan, std::size_t axis_index) : key_(plan.axes[axis_index].key) {
+  const Axis& axis = plan.axes[axis_index];
   const auto& parameter = problem::case_parameter(key_, "a picture");
   label_ = report::escape_enhanced_text(key_);
   if (!parameter.typeset.empty()) {
@@ -63,15 +63,15 @@ KeyAxis::KeyAxis(const Plan& plan, std::size_t place) : key_(plan.axes[place].ke
   }
   values_ = axis.values;
   if (values_.empty()) {
-    for (const auto& point : plan.points) values_.push_back(point[place]);
+    for (const auto& point : plan.points) values_.push_back(point[axis_index]);
   }
   is_words_ = !values_.empty() && !std::holds_alternative<double>(values_.front());
   if (is_words_) return;
   std::ranges::sort(values_);
   values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
-  is_even_ = axis.spacing != Spacing::listed && values_.size() > 1;
-  is_logarithmic_ = axis.spacing == Spacing::logarithmic ||
-                    (axis.spacing == Spacing::listed && spans_decades(values_));
+  is_even_ = axis.spacing != AxisSpacing::listed && values_.size() > 1;
+  is_logarithmic_ = axis.spacing == AxisSpacing::logarithmic ||
+                    (axis.spacing == AxisSpacing::listed && spans_decades(values_));
 }
 
 std::string KeyAxis::value_text(const Value& value) {

@@ -13,11 +13,11 @@ namespace fpkcheck::sweep {
 /// logarithmically, and categorical with equidistant positions if the values are words.
 class KeyAxis {
  public:
-  /// @param place index of the key in the plan's axes
-  KeyAxis(const Plan& plan, std::size_t place);
+  /// @param axis_index index of the key in the plan's axes
+  KeyAxis(const Plan& plan, std::size_t axis_index);
 
   const std::string& key() const { return key_; }
-  bool has_words() const { return is_words_; }
+  bool is_categorical() const { return is_words_; }
   bool is_logarithmic() const { return is_logarithmic_; }
   /// Returns the distinct values over all points: numbers in increasing order, words in the order
   /// of the list.

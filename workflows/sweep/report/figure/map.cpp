@@ -119,7 +119,7 @@ class MethodMap {
 
   // The distance has a lower bound, so that its logarithm is finite.
   double distance(std::size_t point) const {
-    const auto l1 = view_.larger_l1(point, m_);
+    const auto l1 = view_.larger_marginal_l1(point, m_);
     return l1 ? std::max(*l1, kMinColourDistance / 10) : kNoDistance;
   }
 
@@ -220,7 +220,7 @@ class MethodMap {
                         .colour = "#08306B",
                         .dash = level.dash,
                         .line_width = level.line_width};
-    if (!has_cells() || x_.has_words() || y_.has_words()) return series;
+    if (!has_cells() || x_.is_categorical() || y_.is_categorical()) return series;
     constexpr std::array<std::array<std::size_t, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     for (std::size_t i = 0; i + 1 < columns(); ++i) {
       for (std::size_t j = 0; j + 1 < rows(); ++j) {
@@ -257,8 +257,8 @@ class MethodMap {
 
 }  // namespace
 
-report::Figure map_figure(const SweepView& view) {
-  const auto methods = view.compared_methods();
+report::Figure distance_map_figure(const SweepView& view) {
+  const auto methods = view.compared_method_indices();
   const int count = static_cast<int>(methods.size());
   const int columns = count <= 3 ? count : count == 4 ? 2 : count <= 6 ? 3 : 4;
   report::Figure figure{.title = view.title(),

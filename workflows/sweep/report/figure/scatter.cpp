@@ -27,7 +27,7 @@ constexpr double kWordSpread = 0.6;
 class BinnedKey {
  public:
   BinnedKey(const Plan& plan, std::size_t place) : axis_(plan, place), place_(place) {
-    if (axis_.has_words() || axis_.values().size() <= kMaxBins) return;
+    if (axis_.is_categorical() || axis_.values().size() <= kMaxBins) return;
     low_ = scaled(axis_.values().front());
     high_ = scaled(axis_.values().back());
     sections_ = std::clamp<std::size_t>(plan.points.size() / 10, 3, kMaxBins);
@@ -72,7 +72,7 @@ std::vector<FigureSeries> method_series(const SweepView& view, const BinnedKey& 
   points.mark_size = view.results().points.size() > 200 ? 0.35 : 0.6;
   std::map<std::size_t, std::vector<double>> ok;
   for (const auto& point : view.results().points) {
-    const auto l1 = view.larger_l1(point.point, m);
+    const auto l1 = view.larger_marginal_l1(point.point, m);
     if (!l1 || *l1 <= 0) continue;
     const auto& value = view.plan().points[point.point][key.place()];
     const bool is_ok = point.methods[m].status == transform::Status::ok;
@@ -82,7 +82,7 @@ std::vector<FigureSeries> method_series(const SweepView& view, const BinnedKey& 
   FigureSeries medians =
       report::make_series(fmt::format("median of {} where ok", identity.id), identity.plot_style);
   medians.line_width = 2.5;
-  if (key.axis().has_words()) {
+  if (key.axis().is_categorical()) {
     medians.dash = "";
     medians.mark_size = 1.5;
   } else {
@@ -97,8 +97,8 @@ std::vector<FigureSeries> method_series(const SweepView& view, const BinnedKey& 
 
 }  // namespace
 
-report::Figure scatter_figure(const SweepView& view) {
-  const auto methods = view.compared_methods();
+report::Figure distance_scatter_figure(const SweepView& view) {
+  const auto methods = view.compared_method_indices();
   report::Figure figure{.title = view.title(), .panel_height = 280};
   for (std::size_t place = 0; place < view.plan().axes.size(); ++place) {
     const BinnedKey key(view.plan(), place);
@@ -107,14 +107,14 @@ report::Figure scatter_figure(const SweepView& view) {
                               .y = {"", 0, 1}};
     for (std::size_t k = 0; k < methods.size(); ++k) {
       const double part = (static_cast<double>(k) + 0.5) / static_cast<double>(methods.size());
-      const double offset = key.axis().has_words() ? kWordSpread * (part - 0.5) : 0;
+      const double offset = key.axis().is_categorical() ? kWordSpread * (part - 0.5) : 0;
       for (auto& series : method_series(view, key, methods[k], offset)) {
         panel.series.push_back(std::move(series));
       }
     }
     figure.panels.push_back(panel);
   }
-  const auto axis = distance_axis("larger {/:Italic L}_1 distance of both", figure.panels);
+  const auto axis = l1_distance_axis("larger {/:Italic L}_1 distance of both", figure.panels);
   for (auto& panel : figure.panels) panel.y = axis;
   return figure;
 }

@@ -32,26 +32,30 @@ SweepView::SweepView(const SweepResults& results)
   for (const auto& point : results.points) by_number_[point.point] = &point;
 }
 
-const MethodResult* SweepView::method_result(std::size_t number, std::size_t m) const {
-  const PointResult* found = point_result(number);
-  return found == nullptr ? nullptr : &found->methods[m];
+const MethodResult* SweepView::method_result(std::size_t point_number,
+                                             std::size_t method_index) const {
+  const PointResult* found = point_result(point_number);
+  return found == nullptr ? nullptr : &found->methods[method_index];
 }
 
-bool SweepView::is_reference(std::size_t number, std::size_t m) const {
-  const PointResult* found = point_result(number);
-  return found != nullptr && found->reference == plan().methods[m].id();
+bool SweepView::is_reference(std::size_t point_number, std::size_t method_index) const {
+  const PointResult* found = point_result(point_number);
+  return found != nullptr && found->reference == plan().methods[method_index].id();
 }
 
-std::optional<MarginalL1Pair> SweepView::reference_error(std::size_t number) const {
-  for (std::size_t m = 0; m < plan().methods.size(); ++m) {
-    if (is_reference(number, m)) return method_result(number, m)->error;
+std::optional<MarginalL1Values> SweepView::reference_error(std::size_t point_number) const {
+  for (std::size_t method_index = 0; method_index < plan().methods.size(); ++method_index) {
+    if (is_reference(point_number, method_index))
+      return method_result(point_number, method_index)->error;
   }
   return std::nullopt;
 }
 
-std::optional<double> SweepView::larger_l1(std::size_t number, std::size_t m) const {
-  const MethodResult* found = method_result(number, m);
-  if (found == nullptr || !found->l1 || is_reference(number, m)) return std::nullopt;
+std::optional<double> SweepView::larger_marginal_l1(std::size_t point_number,
+                                                    std::size_t method_index) const {
+  const MethodResult* found = method_result(point_number, method_index);
+  if (found == nullptr || !found->l1 || is_reference(point_number, method_index))
+    return std::nullopt;
   const double l1 = std::max(found->l1->y, found->l1->ydot);
   if (!std::isfinite(l1)) return std::nullopt;
   return l1;
@@ -59,14 +63,14 @@ std::optional<double> SweepView::larger_l1(std::size_t number, std::size_t m) co
 
 bool SweepView::has_distances() const {
   for (const auto& point : results_.points) {
-    for (std::size_t m = 0; m < point.methods.size(); ++m) {
-      if (larger_l1(point.point, m)) return true;
+    for (std::size_t method_index = 0; method_index < point.methods.size(); ++method_index) {
+      if (larger_marginal_l1(point.point, method_index)) return true;
     }
   }
   return false;
 }
 
-std::string SweepView::common_reference() const {
+std::string SweepView::common_reference_id() const {
   std::string only;
   for (const auto& point : results_.points) {
     if (point.reference.empty()) continue;
@@ -76,14 +80,14 @@ std::string SweepView::common_reference() const {
   return only;
 }
 
-bool SweepView::is_always_reference(std::size_t m) const {
-  return common_reference() == plan().methods[m].id();
+bool SweepView::is_always_reference(std::size_t method_index) const {
+  return common_reference_id() == plan().methods[method_index].id();
 }
 
-std::vector<std::size_t> SweepView::compared_methods() const {
+std::vector<std::size_t> SweepView::compared_method_indices() const {
   std::vector<std::size_t> compared;
-  for (std::size_t m = 0; m < plan().methods.size(); ++m) {
-    if (!is_always_reference(m)) compared.push_back(m);
+  for (std::size_t method_index = 0; method_index < plan().methods.size(); ++method_index) {
+    if (!is_always_reference(method_index)) compared.push_back(method_index);
   }
   return compared;
 }
@@ -97,7 +101,7 @@ std::vector<std::string> SweepView::title() const {
   return parts;
 }
 
-std::string fixed_parameters(const Plan& plan) {
+std::string fixed_parameters_text(const Plan& plan) {
   return fmt::format("{}", fmt::join(fixed_parameter_list(plan), ", "));
 }
 

@@ -18,22 +18,25 @@ class SweepView {
   const Plan& plan() const { return results_.plan; }
 
   /// Returns the result of a point; a null pointer if the point was not solved.
-  const PointResult* point_result(std::size_t number) const { return by_number_[number]; }
-  const MethodResult* method_result(std::size_t number, std::size_t m) const;
-  bool is_reference(std::size_t number, std::size_t m) const;
+  const PointResult* point_result(std::size_t point_number) const {
+    return by_number_[point_number];
+  }
+  const MethodResult* method_result(std::size_t point_number, std::size_t method_index) const;
+  bool is_reference(std::size_t point_number, std::size_t method_index) const;
   /// Returns the error estimate of a point's reference; empty if the reference has no error
   /// estimate.
-  std::optional<MarginalL1Pair> reference_error(std::size_t number) const;
+  std::optional<MarginalL1Values> reference_error(std::size_t point_number) const;
   /// Returns the larger of the L1 distances of both marginal densities to the point's reference.
-  std::optional<double> larger_l1(std::size_t number, std::size_t m) const;
+  std::optional<double> larger_marginal_l1(std::size_t point_number,
+                                           std::size_t method_index) const;
 
   bool has_distances() const;
   /// Returns the id of the reference that all points share; "" if the references differ.
-  std::string common_reference() const;
+  std::string common_reference_id() const;
   /// Returns whether the method is the reference of every point that has a reference.
-  bool is_always_reference(std::size_t m) const;
+  bool is_always_reference(std::size_t method_index) const;
   /// Returns the indices of all methods except a method that is always the reference.
-  std::vector<std::size_t> compared_methods() const;
+  std::vector<std::size_t> compared_method_indices() const;
 
   /// Returns the parts of a figure's title: the parameters that are not varied.
   std::vector<std::string> title() const;
@@ -44,6 +47,6 @@ class SweepView {
 };
 
 /// Returns the parameters with equal values at all points as a line of text, e.g. "c = 0.1, k = 1".
-std::string fixed_parameters(const Plan& plan);
+std::string fixed_parameters_text(const Plan& plan);
 
 }  // namespace fpkcheck::sweep

@@ -34,8 +34,8 @@ std::string plural(std::size_t count, const char* noun) {
 }
 
 std::string axis_sentence(const Axis& axis) {
-  if (axis.spacing == Spacing::listed) return axis.text();
-  const char* how = axis.spacing == Spacing::logarithmic ? " on a logarithmic scale" : "";
+  if (axis.spacing == AxisSpacing::listed) return axis.text();
+  const char* how = axis.spacing == AxisSpacing::logarithmic ? " on a logarithmic scale" : "";
   return axis.values.empty()
              ? fmt::format("{} in {:g} .. {:g}{}", axis.key, axis.from, axis.to, how)
              : fmt::format("{} from {:g} to {:g} ({} values, evenly spaced{})", axis.key, axis.from,
@@ -78,15 +78,16 @@ std::string introduction(const SweepResults& results) {
 // Returns the HTML table of the methods, with the same columns as the text table for the terminal.
 std::string methods_table(const SweepResults& results) {
   std::vector<report::HtmlColumn> columns;
-  for (auto& column : method_columns(results)) {
+  for (auto& column : method_table_columns(results)) {
     const std::string header =
         column.group.empty() ? column.header : fmt::format("{}, {}", column.group, column.header);
-    std::ranges::replace(column.cells, std::string(report::kAbsent), std::string(report::kNoValue));
+    std::ranges::replace(column.cells, std::string(report::kMissingCell),
+                         std::string(report::kNoValue));
     columns.push_back({header, column.left_aligned ? report::Align::left : report::Align::right,
                        std::move(column.cells)});
   }
   return report::table_html("Methods", std::move(columns)) +
-         html_element("p", method_columns_legend());
+         html_element("p", method_table_legend());
 }
 
 std::string pictures_html(const std::vector<EmbeddedPicture>& pictures) {
@@ -136,7 +137,7 @@ std::string reasons_html(const SweepResults& results) {
 std::string sweep_page(const SweepResults& results, const std::vector<EmbeddedPicture>& pictures,
                        const std::string& command) {
   const std::string title = "fpkcheck: a sweep of " + results.plan.base.name;
-  const std::string fixed = fixed_parameters(results.plan);
+  const std::string fixed = fixed_parameters_text(results.plan);
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -176,7 +177,7 @@ std::size_t end_of_number(const std::string& text, std::size_t at) {
 
 }  // namespace
 
-std::string replace_numbers(const std::string& reason) {
+std::string replace_numbers_by_dots(const std::string& reason) {
   std::string text;
   for (std::size_t at = 0; at < reason.size();) {
     const bool in_word = at > 0 && (is_letter(reason[at - 1]) || is_digit(reason[at - 1]));
@@ -197,7 +198,7 @@ std::vector<ReasonGroup> reason_groups(const SweepResults& results) {
     for (std::size_t m = 0; m < point.methods.size(); ++m) {
       const auto& [status, reason] = std::tie(point.methods[m].status, point.methods[m].reason);
       if (status == transform::Status::ok) continue;
-      auto& group = found[{m, status, replace_numbers(reason)}];
+      auto& group = found[{m, status, replace_numbers_by_dots(reason)}];
       if (group.count++ == 0) {
         group = {.method = m, .status = status, .count = 1, .point = point.point, .reason = reason};
       }

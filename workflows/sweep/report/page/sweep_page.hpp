@@ -34,6 +34,6 @@ std::vector<ReasonGroup> reason_groups(const SweepResults& results);
 
 /// Replaces numbers by dots, e.g. "residual ... after ... steps", but not numbers within words
 /// ("km4").
-std::string replace_numbers(const std::string& reason);
+std::string replace_numbers_by_dots(const std::string& reason);
 
 }  // namespace fpkcheck::sweep

@@ -1,0 +1,188 @@
+// The Gaussian law is Y ~ N(m, s^2). With v = v0 + h x on the target piece, z = z0 + g y on a
+// source piece, D = (z0 - v0 - m)/s and the Hermite polynomials He, the mean after an impulse is
+//
+//     K B(v) = int B(z) phi((z - v - m)/s) dz/s
+//            = sum_{q,k} x^q (h/s)^q/q! (-1)^k (g/s)^k/k! He_{q+k}(D) phi(D) int B y^k dz/s.
+//
+// Truncation errors for |V| <= 1, since the functions are positive and their sum is 1:
+// - sources beyond kSourceRange deviations: P(|Y - m| > kSourceRange s) <= 2
+//   exp(-kSourceRange^2/2);
+// - q >= N: |d^N/dv^N K V| <= s^-N E|He_N| <= s^-N sqrt(N!), so (h/s)^N / sqrt(N!);
+// - k >= K: |He_n phi| <= 0.44 sqrt(n!) (Cramer) and (q+k)! <= 2^(q+k) q! k!. With a = sqrt(2) g/s,
+//   b = sqrt(2) h/s the error is at most 0.44 (2g/s) b^q/sqrt(q!) sum_{k>=K} a^k/sqrt(k!).
+#include <cmath>
+#include <stdexcept>
+
+#include "backward/generator/impulse_mean_table.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr int kOrder = 16;          // order N of the Taylor series in the target piece
+constexpr int kSourceMoments = 20;  // number K of moments of a source piece
+constexpr double kSourceRange = 9;
+
+numerics::Interval centre_of(const VelocityPiece& piece) { return (piece.from + piece.to) / 2.0; }
+
+numerics::Interval factorial(int n) {
+  numerics::Interval f = 1;
+  for (int i = 2; i <= n; ++i) f *= static_cast<double>(i);
+  return f;
+}
+
+// Returns the Bernstein coefficients of degree n of x^q, x = 2t - 1.
+numerics::BernsteinCoefficients centred_power(int q, int n) {
+  const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
+  numerics::BernsteinCoefficients b{numerics::Interval(1)};
+  for (int i = 0; i < q; ++i) b = bernstein_product(b, x);
+  return elevate_degree(b, n);
+}
+
+// Returns int_0^1 B_j^p(t) (2t - 1)^k dt, shape (p + 1, kSourceMoments), as the mean of the
+// Bernstein coefficients of the integrand.
+std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
+  const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
+  std::vector<numerics::BernsteinCoefficients> integrals(
+      p + 1, numerics::BernsteinCoefficients(kSourceMoments));
+  for (int j = 0; j <= p; ++j) {
+    numerics::BernsteinCoefficients b(p + 1, numerics::Interval(0));
+    b[j] = 1;
+    for (int k = 0; k < kSourceMoments; ++k) {
+      numerics::Interval sum = 0;
+      for (const numerics::Interval& c : b) sum += c;
+      integrals[j][k] = sum / static_cast<double>(b.size());
+      b = bernstein_product(b, x);
+    }
+  }
+  return integrals;
+}
+
+// Moments (-1)^k (g/s)^k/k! int B y^k dz/s of the functions of a source piece.
+struct Source {
+  numerics::Interval centre;
+  double half;
+  std::vector<int> index;
+  std::vector<numerics::BernsteinCoefficients> moments;
+};
+
+Source make_source(const ImpactBasis& basis, const VelocityPiece& piece, double s,
+                   const std::vector<numerics::BernsteinCoefficients>& integrals) {
+  const numerics::Interval half = piece.length() / 2.0;
+  const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
+  Source source{centre_of(piece), half.upper(), functions.index, {}};
+  for (const numerics::BernsteinCoefficients& b : functions.value) {
+    numerics::BernsteinCoefficients moments(kSourceMoments);
+    numerics::Interval factor = 2.0 * half / s;
+    for (int k = 0; k < kSourceMoments; ++k) {
+      if (k > 0) factor *= -half / s / static_cast<double>(k);
+      numerics::Interval sum = 0;
+      for (std::size_t j = 0; j < b.size(); ++j) sum += b[j] * integrals[j][k];
+      moments[k] = factor * sum;
+    }
+    source.moments.push_back(std::move(moments));
+  }
+  return source;
+}
+
+// Returns an upper bound of the sum of a^n / sqrt(n!) over n >= first. For a <= 3/4 the ratio of
+// consecutive terms is at most 3/4.
+numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
+  if (!(a.upper() <= 0.75)) throw std::logic_error("gaussian table: velocity pieces too long");
+  return 4.0 * power(a, first) / sqrt(factorial(first));
+}
+
+}  // namespace
+
+ImpulseMeanTable impulse_mean_table_of_law(const problem::GaussianLaw& law,
+                                           const ImpactBasis& basis,
+                                           const std::vector<VelocityPiece>& pieces) {
+  const double s = law.deviation;
+  ImpulseMeanTable table = zero_impulse_mean_table(basis, pieces, kOrder);
+  const auto integrals = power_integrals(basis.speeds().degree());
+
+  // Source pieces are added beyond the ends of the basis, where the first or the last basis
+  // function is 1.
+  std::vector<VelocityPiece> source_pieces(pieces);
+  const double source_range = kSourceRange * s + std::abs(law.mean) + s, step = 0.6 * s;
+  double widest = 0;
+  for (const VelocityPiece& piece : pieces) widest = std::max(widest, piece.length().upper());
+  for (numerics::Interval to = pieces.front().from;
+       to.upper() > basis.begin() - source_range - widest;) {
+    const numerics::Interval from = to.lower() - step;
+    source_pieces.push_back({VelocitySide::below, 0, numerics::Interval(from.lower()), to, 0});
+    to = from.lower();
+  }
+  for (numerics::Interval from = pieces.back().to;
+       from.lower() < basis.end() + source_range + widest;) {
+    const numerics::Interval to = from.upper() + step;
+    source_pieces.push_back({VelocitySide::above, 0, from, numerics::Interval(to.upper()), 0});
+    from = to.upper();
+  }
+  std::vector<Source> sources;
+  double overhang = 0;
+  for (const VelocityPiece& piece : source_pieces) {
+    sources.push_back(make_source(basis, piece, s, integrals));
+    overhang = std::max(overhang, basis_functions_on_piece(basis, piece).overhang_error);
+  }
+
+  std::vector<numerics::BernsteinCoefficients> bernstein;
+  for (int q = 0; q < kOrder; ++q) bernstein.push_back(centred_power(q, kOrder - 1));
+  // 1/sqrt(2 pi) = 0.398942280401432677939946... in phi(D) = exp(-D^2/2) / sqrt(2 pi)
+  const numerics::Interval root(0.3989422804014326, 0.3989422804014328);
+  std::vector<numerics::Interval> hermite(kOrder + kSourceMoments);
+  numerics::Interval largest_h = 0, largest_g = 0;
+  for (const Source& source : sources) largest_g = std::max(largest_g.upper(), source.half);
+
+  std::vector<numerics::Interval> powers(static_cast<std::size_t>(basis.size() * kOrder));
+  for (std::size_t target = 0; target < pieces.size(); ++target) {
+    const numerics::Interval half = pieces[target].length() / 2.0, v0 = centre_of(pieces[target]);
+    largest_h = std::max(largest_h.upper(), half.upper());
+    std::fill(powers.begin(), powers.end(), numerics::Interval(0));
+    for (const Source& source : sources) {
+      const numerics::Interval distance = (source.centre - v0 - law.mean) / s;
+      if (std::max(distance.lower(), -distance.upper()) >
+          kSourceRange + 1.001 * (half.upper() + source.half) / s) {
+        continue;
+      }
+      hermite[0] = root * exponential(-square(distance) / 2.0);
+      hermite[1] = distance * hermite[0];
+      for (int n = 1; n + 1 < kOrder + kSourceMoments; ++n) {
+        hermite[n + 1] = distance * hermite[n] - static_cast<double>(n) * hermite[n - 1];
+      }
+      for (std::size_t l = 0; l < source.index.size(); ++l) {
+        numerics::Interval* const out = &powers[static_cast<std::size_t>(source.index[l] * kOrder)];
+        for (int q = 0; q < kOrder; ++q) {
+          numerics::Interval sum = 0;
+          for (int k = 0; k < kSourceMoments; ++k) sum += hermite[q + k] * source.moments[l][k];
+          out[q] += sum;
+        }
+      }
+    }
+    for (int b = 0; b < basis.size(); ++b) {
+      const std::span<numerics::Interval> out = table.coefficients_of(static_cast<int>(target), b);
+      numerics::Interval factor = 1;
+      for (int q = 0; q < kOrder; ++q) {
+        if (q > 0) factor *= half / s / static_cast<double>(q);
+        const numerics::Interval a = factor * powers[static_cast<std::size_t>(b * kOrder + q)];
+        if (a.lower() == 0 && a.upper() == 0) continue;
+        for (int j = 0; j < kOrder; ++j) out[j] += a * bernstein[q][j];
+      }
+    }
+  }
+
+  const numerics::Interval a = sqrt(numerics::Interval(2)) * largest_g / s,
+                           b = sqrt(numerics::Interval(2)) * largest_h / s;
+  // Total length of the source pieces of a target piece, in standard deviations of the law
+  const numerics::Interval source_length =
+      2.0 * (kSourceRange + 2.0 * (largest_h + 2.0 * largest_g) / s);
+  const numerics::Interval sources_cut =
+      0.44 * source_length * root_factorial_tail(b, 0) * root_factorial_tail(a, kSourceMoments);
+  const numerics::Interval series_cut = power(largest_h / s, kOrder) / sqrt(factorial(kOrder));
+  const numerics::Interval reach_cut =
+      2.0 * exponential(numerics::Interval(-kSourceRange * kSourceRange / 2));
+  const numerics::Interval overhangs = 4.0 * (basis.speeds().degree() + 1.0) * overhang;
+  table.remainder = (sources_cut + series_cut + reach_cut + overhangs).upper();
+  return table;
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/files/atomic_file.hpp"
+
+namespace fpkcheck::base {
+
+/// Replaces several files of one directory in one transaction. The function add() writes a partial
+/// file beside each target, and commit() replaces all targets. Without a call of commit(), the
+/// destructor removes the partial files and the targets are unchanged. If the process is killed,
+/// the directory contains either all old or all new files (see Journal).
+class FileTransaction {
+ public:
+  using FileWriter = std::function<void(const std::filesystem::path& temporary)>;
+
+  FileTransaction() = default;
+  FileTransaction(const FileTransaction&) = delete;
+  FileTransaction& operator=(const FileTransaction&) = delete;
+  ~FileTransaction();
+
+  /// Calls `produce` to write the partial file of a target.
+  /// @param target path in the same directory as all earlier targets
+  /// @throws the exceptions of `produce`
+  void add(const std::filesystem::path& target, const FileWriter& produce);
+  /// Writes `bytes` to the partial file of a target.
+  /// @throws std::runtime_error with a one-line message
+  void add(const std::filesystem::path& target, std::string_view bytes);
+  /// Marks a file, which may be absent, for removal by commit().
+  void remove(const std::filesystem::path& target);
+
+  /// Replaces all targets by their new files, and removes the files that are marked for removal.
+  /// @throws std::runtime_error with a one-line message. A missing partial file, or a directory
+  /// with the name of a target, is detected before any target is replaced.
+  /// @pre commit() was not called before
+  void commit();
+
+ private:
+  struct Pending {
+    std::filesystem::path temporary, target;
+  };
+  void require_same_directory(const std::filesystem::path& target) const;
+  void replace_targets(const std::filesystem::path& directory);
+
+  std::vector<Pending> pending_;
+  std::vector<std::filesystem::path> removals_;
+  bool committed_ = false;
+};
+
+/// Calls `produce` to write a temporary file in the directory of the target, then renames the
+/// temporary file to the target. If `produce` fails, the target is unchanged and the temporary file
+/// is removed.
+/// @throws any exception of `produce`; std::runtime_error with a one-line message if `produce`
+/// wrote no file
+void replace_file_atomically(const std::filesystem::path& target,
+                             const FileTransaction::FileWriter& produce);
+
+/// Atomically replaces the contents of a file by `bytes`.
+/// @throws std::runtime_error with a one-line message
+void write_file_atomically(const std::filesystem::path& target, std::string_view bytes);
+
+/// Write-ahead journal of a change of several files in one directory. The journal is written before
+/// the first file is replaced and removed after the last replacement. If a process is killed during
+/// the change, the next process completes the change from the journal.
+struct CommitJournal {
+  struct FileRename {
+    std::string from, to;
+  };
+
+  WriterProcess writer = WriterProcess::current_process();
+  std::vector<FileRename> renames{};
+  std::vector<std::string> removals{};  ///< names of files to remove; absent files are allowed
+
+  static constexpr const char* kFileName = ".fpkcheck-commit";
+
+  /// Writes the journal to disk; from then on, this or a later process completes the change of
+  /// files.
+  /// @throws std::system_error, after which no new journal exists; with the code file_exists if the
+  /// directory already contains a journal
+  void write_to_directory(const std::filesystem::path& directory) const;
+  /// Performs those renames and removals that are not yet done, and removes the journal.
+  /// @throws std::system_error; the journal then remains
+  void apply(const std::filesystem::path& directory) const;
+};
+
+/// If the directory contains a journal, completes the change of files that a killed process left
+/// incomplete.
+/// @throws InputError with a one-line message if another process may still be performing the
+/// change, if the journal belongs to another user or is damaged, or if the directory is not
+/// writable
+void recover_interrupted_commit(const std::filesystem::path& directory);
+
+}  // namespace fpkcheck::base

@@ -1,0 +1,118 @@
+#include "control_variates/control_variate_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "backward/control/control_function_fit.hpp"
+#include "backward/control/control_functions.hpp"
+#include "backward/control/generator_factors.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::control_variates {
+namespace {
+
+// Spacings and extent of the smooth bins, in standard deviations of y and of y'
+constexpr double kYBinSpacing = 0.15, kVBinSpacing = 0.3, kBinExtent = 7;
+constexpr double kLatticePointsPerDeviation = 8;
+// Extension of the velocity lattice beyond the splines, in standard deviations of the impulses.
+constexpr double kLatticeExtension = 4;
+
+std::vector<double> lattice(const mcs::DepositGrid& grid) {
+  std::vector<double> v;
+  for (int q = 0; q < grid.lattice_points; ++q) {
+    v.push_back(grid.lattice_begin + q * grid.lattice_spacing);
+  }
+  return v;
+}
+
+double one(double) { return 1; }
+
+std::function<double(double)> power(int n) {
+  return [n](double x) { return std::pow(x, n); };
+}
+
+std::function<double(double)> smooth_bin(const transform::SmoothBins& bins, int b) {
+  return [bins, b](double x) {
+    return transform::cardinal_cubic_spline((x - bins.first) / bins.spacing - b);
+  };
+}
+
+}  // namespace
+
+std::vector<backward::SeparableFunction> EstimatedFunctionals::integrands() const {
+  std::vector<backward::SeparableFunction> all;
+  for (const auto& [p, q] : kMoments) all.push_back({power(p), power(q)});
+  for (int b = 0; b < y_bins.count; ++b) all.push_back({smooth_bin(y_bins, b), one});
+  for (int b = 0; b < v_bins.count; ++b) all.push_back({one, smooth_bin(v_bins, b)});
+  return all;
+}
+
+std::vector<double> EstimatedFunctionals::stream_means(const mcs::StreamDeposit& stream) const {
+  std::vector<double> all;
+  for (const auto& [p, q] : kMoments) {
+    const auto at = std::ranges::find(mcs::kPowers, std::pair{p, q}) - mcs::kPowers.begin();
+    all.push_back(stream.powers[static_cast<std::size_t>(at)] / stream.samples);
+  }
+  const auto put = [&](const std::vector<double>& sums, int count) {
+    for (int b = 0; b < count; ++b) {
+      all.push_back(sums[static_cast<std::size_t>(b + mcs::DepositedSums::kBinOffset)] /
+                    stream.samples);
+    }
+  };
+  put(stream.sums.y_bins, y_bins.count);
+  put(stream.sums.v_bins, v_bins.count);
+  return all;
+}
+
+DepositLayout make_deposit_layout(const problem::Problem& problem,
+                                  const ControlSplineCells& cells) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
+  const double deflection = problem::static_deflection(problem);
+  auto splines =
+      backward::control_splines(problem, {.y = cells.y, .v = cells.v}, backward::CellWidths::even);
+  DepositLayout p{
+      .y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
+  const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
+  // A smooth bin extends over 2 spacings on either side of its centre.
+  constexpr int kBinHalfWidth = 2;
+  const int v_half = static_cast<int>(kBinExtent / kVBinSpacing) - kBinHalfWidth;
+  p.functionals.y_bins = {.first = -y_bin,
+                          .spacing = y_bin,
+                          .count = static_cast<int>((deflection + kBinExtent * s1) / y_bin),
+                          .from = 0};
+  p.functionals.v_bins = {.first = -v_half * v_bin, .spacing = v_bin, .count = 2 * v_half + 1};
+  const double s = problem.impulses.law().deviation(), spacing = s / kLatticePointsPerDeviation;
+  const int half = static_cast<int>(std::ceil((p.v.end() + kLatticeExtension * s) / spacing));
+  p.grid = {.y_knots = p.y.knots(),
+            .v_knots = p.v.knots(),
+            .lattice_begin = -half * spacing,
+            .lattice_spacing = spacing,
+            .lattice_points = 2 * half + 1,
+            .y_bins = p.functionals.y_bins,
+            .v_bins = p.functionals.v_bins};
+  for (const auto& [amplitude, probability] : problem.impulses.law().atoms()) {
+    p.grid.shifts.push_back({amplitude, probability});
+  }
+  // For discrete impulse laws the deposits use `shifts` instead of the lattice.
+  if (!p.grid.shifts.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;
+  return p;
+}
+
+ControlVariateSetup make_control_variate_setup(const problem::Problem& problem,
+                                               const DepositLayout& deposit_layout,
+                                               double sampling_interval) {
+  const auto control = backward::control_function_fit(problem, deposit_layout.y, deposit_layout.v,
+                                                      1 / sampling_interval);
+  auto functions =
+      backward::fit_control_functions(control, deposit_layout.functionals.integrands());
+  return {.problem = problem,
+          .deposit_layout = deposit_layout,
+          .control = std::move(functions.coefficients),
+          .after_impulse = backward::spline_means_after_impulse(
+              deposit_layout.v, problem.impulses.law(), lattice(deposit_layout.grid)),
+          .backward_means = std::move(functions.means)};
+}
+
+}  // namespace fpkcheck::control_variates

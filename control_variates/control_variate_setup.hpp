@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+#include "backward/control/control_functions.hpp"
+#include "mcs/deposit/deposit.hpp"
+#include "mcs/summary.hpp"
+#include "numerics/splines/quintic_bsplines.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::control_variates {
+
+struct MomentExponents {
+  int p, q;
+};
+inline constexpr std::array<MomentExponents, 6> kMoments{
+    {{1, 0}, {2, 0}, {4, 0}, {0, 1}, {0, 2}, {0, 4}}};
+
+/// The estimated functionals E[f], in the order: moments, smooth bins of y, smooth bins of y'.
+struct EstimatedFunctionals {
+  transform::SmoothBins y_bins, v_bins;
+
+  int size() const { return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count; }
+  std::vector<backward::SeparableFunction> integrands() const;
+  /// Returns the sample mean of each functional in one stream, without control variates.
+  std::vector<double> stream_means(const mcs::StreamDeposit& stream) const;
+};
+
+/// Numbers of spline cells of the control functions in y and in y'. For moments alone 40 x 88 cells
+/// suffice.
+struct ControlSplineCells {
+  int y = 80, v = 176;
+};
+
+/// Layout of the sums that the simulation deposits. The layout depends only on the problem.
+///  - Splines: the default splines of the control functions (backward/control/control_function_fit.hpp).
+///  - Velocity lattice: spacing of an eighth of the standard deviation of the impulses.
+///  - Smooth bins: spacing of 0.15 standard deviations of y and 0.3 standard deviations of y'. Each
+///    bin is four spacings wide, and the bins extend to 7 standard deviations.
+struct DepositLayout {
+  numerics::QuinticBSplines y, v;
+  mcs::DepositGrid grid;
+  EstimatedFunctionals functionals;
+};
+DepositLayout make_deposit_layout(const problem::Problem& problem, const ControlSplineCells& cells);
+
+struct ControlVariateSetup {
+  problem::Problem problem;
+  DepositLayout deposit_layout;
+  /// Spline coefficients of the control functions: column f belongs to functional f, and row i *
+  /// v.size() + j to the spline product A_i(y) B_j(v).
+  Eigen::MatrixXd control;
+  /// Means (K B_j)(v_q) = E[B_j(v_q + Y)] after an impulse, of shape (lattice points, functions of
+  /// v). The deposited lattice sums contain the factor lambda.
+  Eigen::MatrixXd after_impulse;
+  /// Means E[f] of the functionals by the backward equation, without simulation
+  std::vector<double> backward_means;
+};
+
+/// Fits the control functions on splines.
+/// @param sampling_interval time between samples of the simulation; its reciprocal is the weight of
+///   the impact condition in the fit
+/// @throws backward::FitFailure
+ControlVariateSetup make_control_variate_setup(const problem::Problem& problem,
+                                               const DepositLayout& deposit_layout,
+                                               double sampling_interval);
+
+}  // namespace fpkcheck::control_variates

@@ -1,0 +1,186 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "epc/amplitude/amplitude_phase.hpp"
+#include "epc/amplitude/impulse_means.hpp"
+#include "epc/form/polynomial.hpp"
+#include "epc/half_plane/closure_density.hpp"
+#include "epc/half_plane/galerkin_system.hpp"
+#include "problem/problem.hpp"
+#include "transform/density.hpp"
+
+/// Quadrature points, equations, density and contours of the formulations with the amplitude as
+/// coordinate s. The template parameter `Coordinates` is polar::Coordinates or
+/// contact::Coordinates, with these functions:
+///  - sqrt_twice_potential(y), the speed w(y); displacement(w), its inverse function;
+///    displacement_slope(y), the derivative dy/dw;
+///  - second_coordinate(rho, theta), the coordinate t; phase(rho, t), its inverse function;
+///  - coordinates_after_impulse(w, v), the coordinates s and t of the velocity v after an impulse;
+///  - coordinate_rates(system, y, rho, t), the rates of change of s and t between impulses;
+///  - density_prefactor(rho), the factor of the exponential in the density;
+///  - atom_weight(), the probability of the atom at rest divided by C exp(Q_n), 0 without an atom;
+///  - amplitude_break_points(law, rho_max), amplitudes at which quadrature panels end;
+///  - leading_form_phases(), the phases at which the sign of the leading form may differ.
+namespace fpkcheck::epc::amplitude {
+
+struct CoordinateRates {
+  double s, t;
+};
+
+template <class Coordinates>
+PolarExponent polar_exponent(const Polynomial& q) {
+  return
+      [&q](double rho, double theta) { return q(rho, Coordinates::second_coordinate(rho, theta)); };
+}
+
+/// Returns Gauss-Legendre points in the amplitude rho and the phase theta, v = rho sin(theta). The
+/// weights include the prefactor of the density. If there is an atom, the last point is the atom.
+/// @param breaks increasing amplitudes between 0 and rho_max at which a panel in rho ends
+/// @param size numbers of points: s in rho, with additional points near the breaks, and t in theta
+template <class Coordinates>
+half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
+                                               const std::vector<double>& breaks,
+                                               const half_plane::QuadraturePointCounts& size) {
+  const auto rho = piecewise_gauss_legendre_rule(rho_max, breaks, size.s);
+  const auto theta =
+      numerics::gauss_legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
+  const bool has_atom = coordinates.atom_weight() > 0;
+  auto points = half_plane::QuadraturePoints::zeros(rho.size() * theta.size() + has_atom);
+  Eigen::Index k = 0;
+  for (std::size_t i = 0; i < rho.points.size(); ++i) {
+    const double at = rho.points[i];
+    for (std::size_t j = 0; j < theta.points.size(); ++j, ++k) {
+      points.s[k] = at;
+      points.t[k] = Coordinates::second_coordinate(at, theta.points[j]);
+      points.y[k] = coordinates.displacement(at * std::cos(theta.points[j]));
+      points.v[k] = at * std::sin(theta.points[j]);
+      points.energy[k] = energy_of_amplitude(at);
+      // dy dv = (dy/dw) dw dv = (dy/dw) rho drho dtheta
+      points.weight[k] = rho.weights[i] * theta.weights[j] * at *
+                         coordinates.displacement_slope(points.y[k]) *
+                         Coordinates::density_prefactor(at);
+    }
+  }
+  if (has_atom) points.weight[k] = coordinates.atom_weight();
+  return points;
+}
+
+/// Returns points on the half-circle of an amplitude. The areas of the points include the prefactor
+/// of the density.
+template <class Coordinates>
+half_plane::Contour constant_amplitude_contour(const Coordinates& coordinates, double rho) {
+  // The area A inside the contour of the energy h has dA/dh = integral of (dy/dw) dtheta.
+  half_plane::Contour contour;
+  for (int k = 0; k < kPhaseCount; ++k) {
+    const double theta = equidistant_phases()[k];
+    const double y = coordinates.displacement(rho * std::cos(theta));
+    contour.push_back({.s = rho,
+                       .t = Coordinates::second_coordinate(rho, theta),
+                       .y = y,
+                       .v = rho * std::sin(theta),
+                       .area = trapezoidal_phase_weight(k) * coordinates.displacement_slope(y) *
+                               Coordinates::density_prefactor(rho)});
+  }
+  return contour;
+}
+
+/// @param support energy beyond which the density is 0
+template <class Coordinates>
+transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordinates& coordinates,
+                                               double support,
+                                               const half_plane::Confinement& confinement,
+                                               double log_constant) {
+  const double largest = amplitude_of_energy(support);
+  return {.value =
+              [q, coordinates, largest, confinement, log_constant](double y, double v) {
+                if (y < 0) return 0.0;
+                const auto [rho, t] = coordinates.coordinates_of_state(y, v);
+                if (rho > largest) return 0.0;
+                return Coordinates::density_prefactor(rho) *
+                       std::exp(q(rho, t) + confinement(energy_of_amplitude(rho)) + log_constant);
+              },
+          .y_max = coordinates.displacement(largest),
+          .v_max = largest};
+}
+
+/// Determines the behaviour of the exponent Q_n at infinity by condition (19) of the paper, along
+/// Coordinates::leading_form_phases(). The radii in the result are rho/sigma_2.
+template <class Coordinates>
+LeadingForm leading_form_in_amplitude(const Polynomial& q, const StandardDeviations& sigma) {
+  std::vector<Direction> directions;
+  for (const double theta : Coordinates::leading_form_phases())
+    directions.push_back({1, Coordinates::second_coordinate(1, theta)});
+  return leading_form_along_directions(q, directions, sigma.x2);
+}
+
+/// Returns the Galerkin equations of the impact process for the functions h_p(rho) g_q(t), 1 <= p +
+/// q <= n. Flow and impulses give the rate of change of the mean of a basis function phi,
+///
+///     L*phi = rho' phi_rho + t' phi_t + lambda ( E[phi(y, v + Y)] - phi ).
+///
+/// At the atom, an impact follows each impulse towards the wall. In polar::Coordinates phi has a
+/// jump at the origin, but all terms are bounded there. White noise has no such equations, since
+/// d^2 theta/dv^2 is not integrable. If rho^2/2 is the energy, the root satisfies the balance of
+/// power exactly, since the basis contains rho^2/2.
+/// @param points quadrature points up to the amplitude rho_max
+/// @param wall_points number of quadrature points on the wall
+template <class Coordinates>
+half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
+                                               const Coordinates& coordinates, double rho_max,
+                                               const half_plane::Confinement& confinement,
+                                               half_plane::Basis basis,
+                                               half_plane::QuadraturePoints points,
+                                               int wall_points) {
+  using Eigen::MatrixXd;
+  using Eigen::VectorXd;
+  VectorXd w(points.size()), s_rate = VectorXd::Zero(points.size()), t_rate = s_rate;
+  const bool has_atom = coordinates.atom_weight() > 0;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    w[i] = coordinates.sqrt_twice_potential(points.y[i]);
+    if (has_atom && i + 1 == points.size()) break;  // the mass at rest does not move
+    const CoordinateRates rate =
+        coordinates.coordinate_rates(problem.system, points.y[i], points.s[i], points.t[i]);
+    s_rate[i] = rate.s;
+    t_rate[i] = rate.t;
+  }
+  const auto s_tables = basis.polynomials_in_s().derivative_tables(points.s, 1);
+  const auto t_tables = basis.polynomials_in_t().derivative_tables(points.t, 1);
+  const auto& basis_functions = basis.basis_functions();
+  const MatrixXd values = products_of_columns(basis_functions, s_tables[0], t_tables[0]);
+  const MatrixXd after_impulse = means_after_impulse(
+      problem.impulses.law(), basis, w, points.v,
+      [&](double at_w, double v) { return coordinates.coordinates_after_impulse(at_w, v); });
+
+  const auto wall = numerics::gauss_legendre_rule(wall_points, 0, rho_max);
+  const Eigen::Map<const VectorXd> speed(wall.points.data(), wall.size());
+  const VectorXd rebound_speed = problem.system.restitution() * speed;
+  const auto on_wall = [&](const VectorXd& rho, double theta) {
+    return basis.basis_values(
+        rho, rho.unaryExpr([&](double at) { return Coordinates::second_coordinate(at, theta); }));
+  };
+  const MatrixXd wall_basis_functions = on_wall(speed, -std::numbers::pi / 2);
+  half_plane::GalerkinTables tables{
+      .weight = points.weight,
+      .basis_functions = values,
+      .generator_terms =
+          products_of_columns(basis_functions, s_rate.asDiagonal() * s_tables[1], t_tables[0]) +
+          products_of_columns(basis_functions, s_tables[0], t_rate.asDiagonal() * t_tables[1]) +
+          problem.impulses.arrival_rate() * (after_impulse - values),
+      .confinement_terms = points.energy.unaryExpr(confinement),
+      .wall_weight = wall.weights.cwiseProduct(
+          speed.unaryExpr([](double rho) { return Coordinates::density_prefactor(rho); })),
+      .wall_basis_functions = wall_basis_functions,
+      .impact_terms = speed.asDiagonal() *
+                      (on_wall(rebound_speed, std::numbers::pi / 2) - wall_basis_functions),
+      .wall_confinement_terms =
+          speed.unaryExpr([&](double rho) { return confinement(energy_of_amplitude(rho)); })};
+  return {std::move(tables), std::move(basis), std::move(points)};
+}
+
+}  // namespace fpkcheck::epc::amplitude

@@ -1,0 +1,103 @@
+#include "epc/half_plane/root_assessment.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+
+#include "epc/half_plane/root_search.hpp"
+#include "epc/summary.hpp"
+
+namespace fpkcheck::epc::half_plane {
+namespace {
+
+using transform::Status;
+
+std::string common_inadmissible_reason(const transform::Solution& solution,
+                                       const Summary& summary) {
+  constexpr double kBeyondLevelLimit = 1e-3;
+  if (!(std::abs(solution.mass - 1) <= kMassTolerance)) {
+    return fmt::format(
+        "the mass by panels over the support is {:.5f} (limits 1 +- {:.0e}): the panels do not "
+        "resolve a spike of the density; moments and marginal densities have the same error",
+        solution.mass, kMassTolerance);
+  }
+  if (!(summary.half_plane->beyond_level <= kBeyondLevelLimit)) {
+    return fmt::format(
+        "about {:.1e} of the probability lies at or beyond the confinement level (limit {:.0e}): "
+        "the confinement distorts the density",
+        summary.half_plane->beyond_level, kBeyondLevelLimit);
+  }
+  return "";
+}
+
+}  // namespace
+
+Result initial_result_of_search(const RootSearchResult& root) {
+  Result result;
+  result.summary.iterations = root.newton.iterations;
+  result.summary.residual = root.newton.residual;
+  result.solution.status = Status::not_converged;
+  result.solution.reason = root.failure;
+  return result;
+}
+
+ClosedFormParameters closed_form_parameters(const ClosureDensity& closure, TailTreatment tail,
+                                            ExponentCoordinates variables) {
+  return {.variables = variables,
+          .log_constant = -closure.log_normalisation,
+          .support = closure.support,
+          .level = make_confinement(closure.level, tail).level};
+}
+
+void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
+                              const transform::SmoothDensity& density,
+                              const StandardDeviations& sigma, const EdgeAndLevelContours& edges,
+                              Result& result) {
+  assert(result.solution.density);
+  const ClosureDensity& closure = root.closure;
+  const auto beyond = [&](const Contour& contour) {
+    return probability_beyond_contour(closure.q, contour, closure.temperature,
+                                      closure.log_normalisation);
+  };
+  const auto [least, greatest] = scaled_radius_range(edges.support, sigma);
+  result.summary.condition = root.condition;
+  result.summary.coefficients = closure.q.terms();
+  result.summary.support = {.least_radius = least,
+                            .greatest_radius = greatest,
+                            .y_max = density.y_max,
+                            .v_max = density.v_max,
+                            .edge_density = edges.density,
+                            .cut_off = beyond(edges.support),
+                            .y_min = density.y_min};
+  result.summary.half_plane = {
+      .tail = tail,
+      .level = closure.level,
+      .level_deviations = std::sqrt(2 * closure.level / closure.temperature),
+      .beyond_level = beyond(edges.level),
+      .quadrature_change = root.quadrature_change,
+      .homotopies = root.homotopies};
+}
+
+void set_status(const RootSearchResult& root, double quadrature_tolerance,
+                const std::string& inadmissible_reason, Result& result) {
+  auto& [solution, summary] = result;
+  if (!(root.quadrature_change < quadrature_tolerance)) {
+    solution = {};
+    solution.status = Status::not_converged;
+    solution.reason = fmt::format(
+        "more quadrature points change Q_n by {:.1e} standard deviations (limit {:.0e}): {} x {} "
+        "points do not resolve the density or the law of the impulses",
+        root.quadrature_change, quadrature_tolerance, root.quadrature.s, root.quadrature.t);
+    return;
+  }
+  solution.reason = inadmissible_reason.empty() ? common_inadmissible_reason(solution, summary)
+                                                : inadmissible_reason;
+  solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
+}
+
+StandardDeviations root_mean_squares(const transform::Moments& moments) {
+  return {std::sqrt(moments.y2), std::sqrt(moments.v2)};
+}
+
+}  // namespace fpkcheck::epc::half_plane

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "epc/half_plane/closure_density.hpp"
+#include "epc/half_plane/root_search.hpp"
+#include "epc/summary.hpp"
+
+/// Conversion of a root to a result, common to the formulations on the half-plane.
+namespace fpkcheck::epc::half_plane {
+
+/// Returns a result with the status not_converged, before the assessment of the root.
+Result initial_result_of_search(const RootSearchResult& root);
+
+ClosedFormParameters closed_form_parameters(const ClosureDensity& closure, TailTreatment tail,
+                                            ExponentCoordinates variables);
+
+struct EdgeAndLevelContours {
+  Contour support, level;
+  double density;  ///< largest density on the edge of the support, relative to the peak density
+};
+
+/// Stores condition number, coefficients, support and tail of a root in the summary of a result.
+/// @pre the solution already contains the density
+void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
+                              const transform::SmoothDensity& density,
+                              const StandardDeviations& sigma, const EdgeAndLevelContours& edges,
+                              Result& result);
+
+/// Sets the status of the solution. If the quadrature does not resolve the root, the status is
+/// not_converged. A root is inadmissible if
+///  - the formulation gives a reason;
+///  - the integral of its density by an independent quadrature is not 1;
+///  - too much probability lies at or beyond the confinement level: the confinement would determine
+///    the density.
+/// @param quadrature_tolerance tolerance on the change of the exponent Q_n on more quadrature
+///   points, in standard deviations
+/// @param inadmissible_reason reason of the formulation, or empty
+void set_status(const RootSearchResult& root, double quadrature_tolerance,
+                const std::string& inadmissible_reason, Result& result);
+
+StandardDeviations root_mean_squares(const transform::Moments& moments);
+
+}  // namespace fpkcheck::epc::half_plane

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fd_fpk/linear/preconditioner.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
+#include "fd_fpk/stopwatch.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+struct NullVector {
+  std::optional<Eigen::VectorXd> averages;
+  long iterations = 0;
+  std::string failure = {};  ///< reason why GMRES found no cell averages; empty after a success
+  double krylov_seconds = 0;
+};
+
+/// Computes the stationary density without time steps, as the null vector start + d of the operator
+/// L with mass 1. GMRES solves L d = -L start for the correction d, where the vector `start` has
+/// mass 1. The operator L conserves mass, so that all residuals have mass 0 and the singular system
+/// is consistent.
+NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+                       const Eigen::VectorXd& start,
+                       const Deadline& deadline = Deadline::unlimited());
+
+/// Computes the null vector of mass 1 of an unstable operator by inverse iteration with KLU factors
+/// of the whole matrix L. Without a test of well-posedness a solver would return this null vector.
+/// @param frequency frequency of the oscillator, the unit of residuals
+NullVector null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
+                                            const Eigen::VectorXd& start, double frequency);
+
+/// Eigenvalues of the operator L with the largest real parts, the rates of the slowest modes.
+struct RightmostEigenvalues {
+  /// Eigenvalues by decreasing real part, one for each conjugate pair, in the upper half-plane
+  std::vector<std::complex<double>> values = {};
+  Eigen::VectorXcd vector = {};  ///< eigenvector of the first value, with norm 1
+  double residual = 0;  ///< largest ||L v - value v|| / ||v|| of the eigenpairs, per unit time
+  long factorisations = 0;
+  long solves = 0;
+  std::string failure = {};  ///< reason why there are no eigenvalues, and what to do
+};
+
+/// Computes the `count` rightmost eigenvalues of the whole operator, including jumps, by
+/// shift-invert Arnoldi (Spectra) with KLU factors.
+///
+/// The eigenvalues nearest to a real shift need not be the rightmost, since an oscillating mode may
+/// have a larger real part. The eigenvalues that Arnoldi finds with the shift sigma are therefore
+/// checked by the Cayley transform
+///
+///     C = (L - sigma)^-1 (L - (2 m - sigma)),   |eigenvalue of C| > 1 <=> Re(eigenvalue of L) > m,
+///
+/// The number m is just left of the last eigenvalue found. The shift sigma is so large that
+/// eigenvalues of L with larger real parts give eigenvalues of C with larger modulus. The check is
+/// repeated until no new eigenvalue is found (Meerbergen, Spence and Roose, BIT 34 (1994) 409-423).
+/// The check is strong evidence, not a proof: a mode may be missed that oscillates many times
+/// faster than 8 growth rates or frequencies.
+///
+/// @param growth expected rightmost real part: the growth rate of the excitation; 0 if stable
+/// @param frequency frequency of the oscillator, sqrt(k_eq), the unit of rates
+RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, double growth,
+                                           double frequency, int count);
+
+}  // namespace fpkcheck::fd_fpk

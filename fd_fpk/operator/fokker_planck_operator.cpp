@@ -1,0 +1,235 @@
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
+
+#include <cmath>
+
+#include "fd_fpk/axis/impact_map.hpp"
+#include "problem/system.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// Returns the Kronecker product A (x) B, where A acts on x1 and B on x2; cell (i, j) has index i nv
+// + j.
+SparseColumnMatrix kronecker_product(const AxisOperator& a, const AxisOperator& b) {
+  const SparseColumnMatrix a_columns(a), b_columns(b);
+  SparseColumnMatrix product(a.rows() * b.rows(), a.cols() * b.cols());
+  product.reserve(a.nonZeros() * b.nonZeros());
+  for (Eigen::Index column = 0; column < product.cols(); ++column) {
+    product.startVec(column);
+    for (SparseColumnMatrix::InnerIterator x1(a_columns, column / b.cols()); x1; ++x1) {
+      for (SparseColumnMatrix::InnerIterator x2(b_columns, column % b.cols()); x2; ++x2) {
+        product.insertBack(x1.row() * b.rows() + x2.row(), column) = x1.value() * x2.value();
+      }
+    }
+  }
+  product.finalize();
+  return product;
+}
+
+AxisOperator identity_matrix(int n) {
+  AxisOperator matrix(n, n);
+  matrix.setIdentity();
+  return matrix;
+}
+
+AxisOperator single_entry_matrix(int rows, int columns, int row, int column, double value) {
+  AxisOperator matrix(rows, columns);
+  matrix.insert(row, column) = value;
+  return matrix;
+}
+
+// Returns `matrix` with zeros outside the rows first .. first+count-1.
+AxisOperator zero_other_rows(const AxisOperator& matrix, int first, int count) {
+  AxisOperator mask(matrix.rows(), matrix.rows());
+  for (int r = first; r < first + count; ++r) mask.insert(r, r) = 1.0;
+  return mask * matrix;
+}
+
+// Returns the matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner faces of x1.
+SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weight_points) {
+  const Axis& x1 = grid.x1;
+  const AxisOperator minus_speed =
+      weighted_average_operator(grid.x2, weight_points, numerics::Polynomial({0, -1}));
+  const int half = grid.nv() / 2;
+  const AxisOperator rightwards =
+      divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSide::left);
+  const AxisOperator leftwards =
+      divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSide::right);
+  return kronecker_product(rightwards, zero_other_rows(minus_speed, half, half)) +
+         kronecker_product(leftwards, zero_other_rows(minus_speed, 0, half));
+}
+
+// Returns the index of the velocity cell of motion into the wall, for cell b of the speed axis.
+int outgoing_cell(const Grid& grid, AxisEnd end, int b) {
+  const int half = grid.nv() / 2;
+  return end == AxisEnd::left ? half - 1 - b : half + b;
+}
+int returning_cell(const Grid& grid, AxisEnd end, int b) {
+  return outgoing_cell(grid, end == AxisEnd::left ? AxisEnd::right : AxisEnd::left, b);
+}
+
+// Returns the matrix of the impacts at a wall. The flux into the wall leaves the column of cells at
+// the wall and enters this column again with the other sign of x2.
+SparseColumnMatrix wall_exchange_matrix(double restitution, problem::ImpactCondition impact,
+                                        const Grid& grid, int scheme_order, AxisEnd end) {
+  const int half = grid.nv() / 2;
+  // Matrix from fluxes in speed cells to rates in velocity cells
+  AxisOperator exchange(grid.nv(), half);
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int b = 0; b < half; ++b) entries.emplace_back(outgoing_cell(grid, end, b), b, -1.0);
+    const AxisOperator returned = impact_map(grid.speed_axis(), restitution, impact, scheme_order);
+    for (int a = 0; a < half; ++a) {
+      for (AxisOperator::InnerIterator e(returned, a); e; ++e) {
+        entries.emplace_back(returning_cell(grid, end, a), e.col(), e.value());
+      }
+    }
+    exchange.setFromTriplets(entries.begin(), entries.end());
+  }
+  const int column = end == AxisEnd::left ? 0 : grid.nx() - 1;
+  const AxisOperator into_column =
+      single_entry_matrix(grid.nx(), 1, column, 0, 1 / grid.x1.cell_width(column));
+  return kronecker_product(into_column, exchange) * wall_flux_matrix(grid, scheme_order, end);
+}
+
+// Returns the matrix of the term d/dx2 [ x2^power p ], by fluxes through the inner faces of x2. The
+// matrix `values` maps cell averages to values of p on the faces.
+AxisOperator power_divergence_matrix(const Axis& x2, int power, const AxisOperator& values) {
+  AxisOperator factor(x2.cell_count() + 1, x2.cell_count() + 1);
+  for (int f = 0; f <= x2.cell_count(); ++f)
+    factor.insert(f, f) = std::pow(x2.face_position(f), power);
+  return divergence_operator(x2) * AxisOperator(factor * values);
+}
+
+// Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
+// inner faces of x2.
+SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const Grid& grid,
+                                            int scheme_order, int weight_points) {
+  const Axis& x2 = grid.x2;
+  const AxisOperator values =
+      face_value_operator(x2, centred_stencil_size(scheme_order), UpstreamSide::left);
+  const AxisOperator force =
+      weighted_average_operator(grid.x1, weight_points, system.restoring_force());
+  // Constant damping does not couple the cells of x1, so that the matrix remains sparse.
+  const AxisOperator damping =
+      system.has_constant_damping()
+          ? AxisOperator(system.damping() * identity_matrix(grid.nx()))
+          : weighted_average_operator(grid.x1, weight_points, system.damping_polynomial());
+  SparseColumnMatrix sum = kronecker_product(damping, power_divergence_matrix(x2, 1, values)) +
+                           kronecker_product(force, divergence_operator(x2) * values);
+  if (system.rayleigh_coefficient() != 0) {
+    sum +=
+        kronecker_product(identity_matrix(grid.nx()),
+                          system.rayleigh_coefficient() * power_divergence_matrix(x2, 3, values));
+  }
+  return sum;
+}
+
+// Returns the matrix of the difference between the upwind-biased and the centred transport terms in
+// x2, for an odd order. With the velocity a = -(c(x1) x2 + c_vv x2^3 + g(x1)) the upwind flux is
+//     a (p_left + p_right)/2 + |a| (p_left - p_right)/2.
+// The first term of the upwind flux is the centred flux of the next even order.
+SparseColumnMatrix upwind_correction_matrix(const problem::System& system, const Grid& grid,
+                                            int scheme_order) {
+  const Axis& x1 = grid.x1;
+  const Axis& x2 = grid.x2;
+  const AxisOperator columns = identity_matrix(grid.nx());
+  const AxisOperator jump = face_value_operator(x2, scheme_order, UpstreamSide::left) -
+                            face_value_operator(x2, scheme_order, UpstreamSide::right);
+  SparseColumnMatrix flux = kronecker_product(columns, jump);
+  const int faces = grid.nv() + 1;
+  for (Eigen::Index column = 0; column < flux.cols(); ++column) {
+    for (SparseColumnMatrix::InnerIterator e(flux, column); e; ++e) {
+      const double x1_at = x1.cell_centre(static_cast<int>(e.row()) / faces);
+      const double x2_at = x2.face_position(static_cast<int>(e.row()) % faces);
+      const double damping =
+          (system.damping_polynomial()(x1_at) + system.rayleigh_coefficient() * x2_at * x2_at) *
+          x2_at;
+      e.valueRef() *= -0.5 * std::abs(damping + system.restoring_force()(x1_at));
+    }
+  }
+  return kronecker_product(columns, divergence_operator(x2)) * flux;
+}
+
+}  // namespace
+
+SparseColumnMatrix scale_and_shift(double factor, const SparseColumnMatrix& a, double shift) {
+  SparseColumnMatrix unit(a.rows(), a.cols());
+  unit.setIdentity();
+  return factor * a + shift * unit;
+}
+
+SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order, AxisEnd end) {
+  const int half = grid.nv() / 2;
+  const bool left = end == AxisEnd::left;
+  // The density on the wall is discontinuous at x2 = 0, so that a stencil contains only cells with
+  // one sign of x2.
+  const AxisOperator speed =
+      weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),
+                                numerics::Polynomial({0, left ? -1.0 : 1.0}), half);
+  AxisOperator in_order(half, grid.nv());
+  for (int b = 0; b < half; ++b) in_order.insert(b, outgoing_cell(grid, end, b)) = 1.0;
+  return kronecker_product(end_value_operator(grid.x1, end, scheme_order),
+                           AxisOperator(in_order * speed));
+}
+
+FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
+                                            const Excitation& excitation,
+                                            problem::ImpactCondition impact, const Grid& grid,
+                                            int scheme_order, ProductAveraging averaging) {
+  const int weight_points =
+      averaging == ProductAveraging::full ? averaging_stencil_size(scheme_order) : 1;
+  SparseColumnMatrix local = streaming_matrix(grid, scheme_order, weight_points);
+  if (system.left_wall()) {
+    local += wall_exchange_matrix(system.left_wall()->restitution, impact, grid, scheme_order,
+                                  AxisEnd::left);
+  }
+  if (system.right_wall()) {
+    local += wall_exchange_matrix(system.right_wall()->restitution, impact, grid, scheme_order,
+                                  AxisEnd::right);
+  }
+  local += damping_and_force_matrix(system, grid, scheme_order, weight_points);
+  local += kronecker_product(
+      identity_matrix(grid.nx()),
+      drift_diffusion_matrix(grid.x2, excitation, centred_stencil_size(scheme_order)));
+  if (scheme_order % 2 == 1) local += upwind_correction_matrix(system, grid, scheme_order);
+  local.prune(0.0);
+  local.makeCompressed();
+  return {std::move(local), excitation.exchange, grid.cell_areas()};
+}
+
+Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages) const {
+  Eigen::VectorXd rate = local * averages;
+  if (exchange.size() > 0) {
+    const Eigen::Index nv = exchange.rows(), nx = averages.size() / nv;
+    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx).noalias() +=
+        exchange * Eigen::Map<const Eigen::MatrixXd>(averages.data(), nv, nx);
+  }
+  return rate;
+}
+
+SparseColumnMatrix FokkerPlanckOperator::assembled_matrix() const {
+  if (exchange.size() == 0) return local;
+  // Jumps by a whole number of cells cause rounding errors in matrix entries whose exact value is
+  // zero.
+  constexpr double kRounding = 1e-14;
+  const int nx = static_cast<int>(areas.size() / exchange.rows());
+  return local + kronecker_product(identity_matrix(nx),
+                                   exchange.sparseView(exchange.cwiseAbs().maxCoeff(), kRounding));
+}
+
+double FokkerPlanckOperator::max_mass_loss_rate() const {
+  Eigen::RowVectorXd rate = areas.transpose() * local;
+  if (exchange.size() > 0) {
+    const Eigen::Index nv = exchange.rows(), nx = areas.size() / nv;
+    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx).noalias() +=
+        exchange.transpose() * Eigen::Map<const Eigen::MatrixXd>(areas.data(), nv, nx);
+  }
+  return rate.transpose().cwiseQuotient(areas).cwiseAbs().maxCoeff();
+}
+
+double FokkerPlanckOperator::stationarity_residual(const Eigen::VectorXd& averages) const {
+  return areas.dot((*this * averages).cwiseAbs()) / areas.dot(averages.cwiseAbs());
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <cstdint>
+
+#include "fd_fpk/axis/excitation.hpp"
+#include "fd_fpk/axis/grid.hpp"
+#include "problem/model.hpp"
+
+namespace fpkcheck::problem {
+class System;
+}  // namespace fpkcheck::problem
+
+namespace fpkcheck::fd_fpk {
+
+/// Sparse matrix of compressed columns with 64-bit indices, the input format of KLU
+using SparseColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
+
+/// Semi-discrete equation dP/dt = L P for the cell averages P of p(y, y') on the half-plane, with L
+/// = local + 1 (x) exchange. The operator L conserves mass: the row vector of cell areas times L is
+/// zero.
+struct FokkerPlanckOperator {
+  SparseColumnMatrix
+      local;  ///< terms of transport, impact, drift and diffusion; shape (size, size)
+  /// Term of the velocity jumps at fixed x1, shape (nv, nv); empty without jumps
+  Eigen::MatrixXd exchange;
+  Eigen::VectorXd areas;
+
+  Eigen::VectorXd operator*(const Eigen::VectorXd& averages) const;
+  /// Returns the whole operator as one sparse matrix, without rounding errors of `exchange`.
+  SparseColumnMatrix assembled_matrix() const;
+  /// Returns the largest rate of mass loss of the operator in a cell, from the column sums.
+  double max_mass_loss_rate() const;
+  double total_mass(const Eigen::VectorXd& averages) const { return areas.dot(averages); }
+  /// Returns the stationarity residual ||L P||_1 / ||P||_1 of the cell averages P, per unit time.
+  double stationarity_residual(const Eigen::VectorXd& averages) const;
+};
+
+/// Rule that computes the cell averages of x2 p, and of the force times p, from cell averages of p.
+/// The rule `full` uses several cells and has the order of the operator. The rule `lumped`
+/// multiplies the average of p by x2 or the force at the cell centre, which is accurate to second
+/// order.
+enum class ProductAveraging { full, lumped };
+
+/// Returns the operator of paper (15) with the given excitation, and with the impact condition at
+/// each wall:
+///
+///     p_t = -x2 p_1 + d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ] + excitation,
+///
+/// Here g is the restoring force, and c(x1) and c_vv are the damping coefficients of `system`.
+///
+/// @param impact map or delta
+/// @param scheme_order order of accuracy of the transport terms; odd orders have upwind-biased
+/// stencils, even orders centred stencils. The derivatives of the excitation have centred stencils
+/// of the next even order.
+FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
+                                            const Excitation& excitation,
+                                            problem::ImpactCondition impact, const Grid& grid,
+                                            int scheme_order,
+                                            ProductAveraging averaging = ProductAveraging::full);
+
+/// Returns the matrix that maps cell averages to the flux of probability into a wall, shape (nv/2,
+/// nx nv). Row i gives the average of u p(0+, -u), or of u p(b-, u) at the end b, over cell i of
+/// the axis of the speed u.
+SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order,
+                                    AxisEnd end = AxisEnd::left);
+
+/// Returns the matrix factor A + shift I, with the identity matrix I.
+SparseColumnMatrix scale_and_shift(double factor, const SparseColumnMatrix& a, double shift);
+
+}  // namespace fpkcheck::fd_fpk

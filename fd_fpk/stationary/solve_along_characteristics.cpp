@@ -1,0 +1,212 @@
+#include "fd_fpk/stationary/solve_on_one_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fd_fpk/characteristics/characteristic_grid.hpp"
+#include "fd_fpk/characteristics/embedded_chain.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/selection_policy.hpp"
+#include "fd_fpk/stationary/status_checks.hpp"
+#include "fd_fpk/stopwatch.hpp"
+#include "problem/motion_scales.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+
+// Order of accuracy of moments and fluxes, computed from cell averages by parabolas.
+constexpr int kOrderOfObservables = 3;
+constexpr int kCharacteristicsPerCell = 8;
+
+struct GridSolution {
+  Grid grid;
+  StationaryMasses found;
+};
+
+GridSolution solve_in_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                          const Options& options, const Box& box, const Deadline& deadline) {
+  Grid grid = characteristic_grid(problem, scales, options, box);
+  StationaryMasses found =
+      stationary_masses(problem, scales, grid, kCharacteristicsPerCell, deadline);
+  return {.grid = std::move(grid), .found = std::move(found)};
+}
+
+// Masses of the marginal densities, on the cells of y and on the cells of speed.
+struct MarginalMasses {
+  Eigen::VectorXd of_y, of_speed;
+};
+MarginalMasses marginal_masses(const GridSolution& on) {
+  const int nx = on.grid.nx(), nv = on.grid.nv();
+  const Eigen::Map<const Eigen::MatrixXd> masses(on.found.masses->data(), nv, nx);
+  const Eigen::VectorXd of_v = masses.rowwise().sum();
+  return {.of_y = masses.colwise().sum(),
+          .of_speed = of_v.tail(nv / 2) + of_v.head(nv / 2).reverse()};
+}
+
+// Largest accepted mass in the end cells of a box, where mass that would leave the box accumulates.
+constexpr double kMaxMassAtEnd = 1e-6;
+double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses) {
+  const double in_y = on.grid.x1.right_end_condition() == AxisEndCondition::vacuum
+                          ? marginal_masses.of_y(marginal_masses.of_y.size() - 1)
+                          : 0;
+  return std::max(in_y, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1));
+}
+
+// Returns the smallest face position beyond which the mass is at most `negligible`. The function
+// adds absolute values, since the masses of wide cells oscillate in a steep tail. The result is the
+// last face if the last cell contains more than `negligible`.
+double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double negligible) {
+  double beyond = 0;
+  int last = axis.cell_count();
+  while (last > 1) {
+    beyond += std::abs(masses(last - 1));
+    if (beyond > negligible) break;
+    --last;
+  }
+  return axis.face_position(last);
+}
+
+// Returns a box, determined on wide cells, that contains all but a negligible part of the mass.
+// After the deadline the mass kMaxMassAtEnd at the ends is acceptable; a box with more mass at its
+// ends would be rejected.
+Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                        const Options& options, const Deadline& deadline) {
+  constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
+  // Mass at the ends of the box above which the box is widened by the larger factor kFastWidening.
+  constexpr double kLargeMass = 1e-3, kFastWidening = 3;
+  // Approximate ratio of the computing times in the wider and the narrower box
+  constexpr double kTimeRatio = 1.5;
+  constexpr int kMostTimes = 6;
+  Box box = initial_characteristic_box(problem, scales, options);
+  const bool given_y = options.x1_max || problem.system.right_wall(),
+             given_v = options.x2_max.has_value();
+  if (given_y && given_v) return box;
+  Options coarse = options;
+  coarse.nx = coarse.nv = std::nullopt;
+  coarse.refinement = kCoarse;
+  for (int time = 0; time < kMostTimes; ++time) {
+    const Stopwatch stopwatch;
+    const GridSolution on = solve_in_box(problem, scales, coarse, box, deadline);
+    if (!on.found.masses) return box;
+    const MarginalMasses masses = marginal_masses(on);
+    const double y = end_of_support(on.grid.x1, masses.of_y, kNegligible);
+    const double v = end_of_support(on.grid.speed_axis(), masses.of_speed, kNegligible);
+    const bool wider_y = !given_y && y >= box.x1_max;
+    const bool wider_v = !given_v && v >= box.x2_max;
+    const double beyond = mass_at_end(on, masses);
+    const bool is_acceptable = beyond <= kMaxMassAtEnd;
+    if (is_acceptable && (wider_y || wider_v) &&
+        !deadline.has_time_for(kTimeRatio * stopwatch.seconds()))
+      break;
+    const double wider = beyond > kLargeMass ? kFastWidening : kWider;
+    if (!given_y) box.x1_max = wider_y ? wider * box.x1_max : y;
+    if (!given_v) box.x2_max = wider_v ? wider * box.x2_max : v;
+    if (!wider_y && !wider_v) break;
+  }
+  return box;
+}
+
+// Adds the atoms in contact, and their contributions to the moments, to the solution.
+void add_atoms(const problem::Problem& problem, const GridSolution& on,
+               transform::Solution& solution) {
+  auto& moments = solution.moments;
+  for (std::size_t k = 0; k < on.found.rest.size(); ++k) {
+    const RestPoint& point = on.found.rest[k];
+    if (!point.contact) continue;
+    const double probability = on.found.at_rest[k];
+    solution.atoms.push_back(
+        {.y = point.y, .probability = probability, .standard_error = {}, .error_estimate = {}});
+    const double y = problem.frame.physical_y(point.y);
+    moments.y1 += probability * y;
+    moments.y2 += probability * y * y;
+    moments.y4 += probability * y * y * y * y;
+    solution.mass += probability;
+  }
+}
+
+void set_results(const problem::Problem& problem, const problem::MotionScales& scales,
+                 const GridSolution& on, const Eigen::VectorXd& averages, Result& result) {
+  auto& [solution, summary] = result;
+  const double rate = problem.impulses.arrival_rate();
+  const auto& [left, right] = on.found.impacts;
+  solution.density = grid_density(on.grid, averages);
+  solution.moments = physical_moments(problem.frame, on.grid, averages, kOrderOfObservables);
+  solution.mass = on.grid.cell_areas().dot(averages);
+  solution.min_density = averages.minCoeff() / averages.maxCoeff();
+  add_atoms(problem, on, solution);
+  summary.wall = relative_box_edge_density(scales, on.grid, averages);
+  summary.impact_rate = rate * (left.number + right.number);
+  double displacement_at_rest = 0;
+  for (std::size_t k = 0; k < on.found.rest.size(); ++k) {
+    const RestPoint& point = on.found.rest[k];
+    const double mass = on.found.at_rest[k];
+    if (point.contact) {
+      displacement_at_rest += mass * point.y;
+      summary.impact_rate = std::numeric_limits<double>::infinity();
+    } else {
+      // Small oscillations continue at an equilibrium, with impacts of negligible speed.
+      summary.rest_mass += mass;
+      summary.impact_rate += mass * point.impact_rate;
+    }
+  }
+  const auto in_frame = moments(on.grid, averages, kOrderOfObservables);
+  solution.energy_residual = problem::energy_residual(
+      problem, problem::ImpactCondition::map,
+      {.mean_velocity = in_frame.v1,
+       .mean_square_velocity = in_frame.v2,
+       .impact_energy_flux = rate * left.energy,
+       .right_energy_flux = rate * right.energy,
+       .mean_damping_power =
+           mean_damping_power(problem.system, in_frame, on.grid, averages, kOrderOfObservables)});
+  summary.balances = balance_residuals(problem, on.grid, averages, kOrderOfObservables,
+                                       {.left_momentum = rate * left.momentum,
+                                        .right_momentum = rate * right.momentum,
+                                        .displacement_at_rest = displacement_at_rest});
+}
+
+}  // namespace
+
+Result solve_along_characteristics(const problem::Problem& problem,
+                                   const problem::MotionScales& scales, const Options& options,
+                                   const Deadline& deadline) {
+  Result result;
+  auto& [solution, summary] = result;
+  const Box box = characteristics_box(problem, scales, options, deadline);
+  const Stopwatch stopwatch;
+  const GridSolution on = solve_in_box(problem, scales, options, box, deadline);
+  summary.nx = on.grid.nx();
+  summary.nv = on.grid.nv();
+  summary.x1_max = on.grid.x1_max();
+  summary.x2_max = on.grid.x2_max();
+  summary.refinement = options.refinement;
+  summary.transport = TransportScheme::characteristics;
+  summary.visits = on.found.visits;
+  summary.krylov_iterations = on.found.iterations;
+  summary.krylov_seconds = stopwatch.seconds();
+  if (!on.found.masses) {
+    solution.status = Status::failed;
+    solution.reason = on.found.failure;
+    return result;
+  }
+  summary.residual = on.found.residual * problem.impulses.arrival_rate() / scales.frequency;
+  set_results(problem, scales, on, on.found.masses->cwiseQuotient(on.grid.cell_areas()), result);
+  solution.status = Status::ok;
+  if (const double beyond = mass_at_end(on, marginal_masses(on)); beyond > kMaxMassAtEnd) {
+    solution.status = Status::failed;
+    solution.reason = fmt::format(
+        "the box y <= {:.3g}, |y'| <= {:.3g} is too small: {:.1e} of the probability is in the "
+        "cells at its end; increase y-max and v-max",
+        on.grid.x1_max(), on.grid.x2_max(), beyond);
+    return result;
+  }
+  check_resolution(options, result);
+  if (must_satisfy_balances(problem)) check_balances(result);
+  return result;
+}
+
+}  // namespace fpkcheck::fd_fpk

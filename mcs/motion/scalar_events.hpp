@@ -1,0 +1,81 @@
+#pragma once
+
+#include "mcs/motion/advance.hpp"
+#include "numerics/simd/elementary_functions.hpp"
+
+// This file has the scalar events of a stream, impulses and noise kicks, and is compiled for
+// several instruction sets.
+namespace fpkcheck::mcs {
+namespace {
+
+inline double branch_weight(const MotionParameters& motion, const Stream& stream) {
+  return motion.splitting ? motion.splitting->branch_weight(stream.branch) : 1.0;
+}
+
+/// Counts a maximum or minimum of y if the velocity changes sign in a jump from `before` to
+/// `after`.
+inline void count_turning_point(const MotionParameters& motion, Stream& stream, double before,
+                                double after) {
+  if (!motion.records) return;
+  const double y = stream.branch.y, counted_weight = branch_weight(motion, stream);
+  if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += counted_weight;
+  const bool at_wall = motion.oscillator.left.exists && !(y > 0);
+  if (before < 0 && after > 0 && !at_wall)
+    stream.record.troughs[(*motion.y_bins)(y)] += counted_weight;
+}
+
+/// Applies one impulse, paper (3), and draws the next impulse.
+inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
+  Branch& b = stream.branch;
+  const double before = b.v;
+  b.v += b.amplitude;
+  b.time_to_rest = -1;
+  count_turning_point(motion, stream, before, b.v);
+  if (motion.records) {
+    const double counted_weight = branch_weight(motion, stream);
+    ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
+    stream.record.work +=
+        counted_weight * ((b.amplitude - motion.shift) * before + b.amplitude * b.amplitude / 2);
+    if (motion.deposit) {
+      std::array<double, 3>& drawn = stream.record.deposit.impulses;
+      drawn[0] += counted_weight;
+      drawn[1] += counted_weight * b.amplitude;
+      drawn[2] += counted_weight * (b.amplitude * b.amplitude);
+    }
+  }
+  const Impulse next = stream.source.next_impulse();
+  b.until_impulse = next.waiting;
+  b.amplitude = next.amplitude;
+  if (motion.splitting) motion.splitting->split_or_end_branch(stream);
+}
+
+/// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before
+/// the kick plus half of the interval after the kick.
+inline void apply_kick(const MotionParameters& motion, Stream& stream) {
+  Branch& b = stream.branch;
+  const NoiseKicks& kicks = motion.kicks;
+  const double next = time_to_next_kick(motion, b.y, b.v);
+  const double time = (b.kick_interval + next) / 2;
+  const double x = kicks.damping * time;
+  const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
+  // (1 - exp(-2x)) / (2x), from a series where the difference would lose digits
+  const double mean_decay =
+      x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
+  const double kick =
+      simd::square_root(2 * kicks.diffusion * time * mean_decay) * stream.noise.next_normal();
+  const double before = b.v;
+  const double damped = decay * b.v;
+  b.v = damped + kick;
+  b.time_to_rest = -1;
+  count_turning_point(motion, stream, before, b.v);
+  if (motion.records) {
+    // The recorded work of a kick has the expectation 0 for any motion.
+    stream.record.work +=
+        damped * kick + (kick * kick - 2 * kicks.diffusion * time * mean_decay) / 2;
+  }
+  b.until_kick = next;
+  b.kick_interval = next;
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

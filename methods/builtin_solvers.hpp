@@ -1,0 +1,16 @@
+#pragma once
+
+#include "methods/method.hpp"
+#include "methods/registry.hpp"
+
+namespace fpkcheck::methods {
+
+/// Registry entries of the solvers, defined in methods/epc.cpp, methods/fd.cpp and methods/mcs.cpp.
+Solver epc_solver();
+Solver fd_solver();
+Solver mcs_solver();
+
+/// Returns a registry with all solvers of this project.
+SolverRegistry builtin_registry();
+
+}  // namespace fpkcheck::methods

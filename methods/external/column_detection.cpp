@@ -1,0 +1,127 @@
+#include "methods/external/column_detection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace fpkcheck::methods {
+namespace {
+
+using transform::StateVariable;
+using Names = std::span<const std::string_view>;
+
+constexpr std::string_view kVelocity[] = {"ydot", "y'",      "v",     "velocity", "dy/dt",  "xdot",
+                                          "x'",   "p(ydot)", "p(y')", "p(v)",     "p_ydot", "p_v"};
+constexpr std::string_view kDisplacement[] = {"y", "x", "displacement", "p(y)", "p_y", "p(x)"};
+constexpr std::string_view kEdges[] = {"lower", "upper", "left", "right", "from", "to"};
+constexpr std::string_view kCounts[] = {"count", "counts", "frequency", "samples", "n"};
+constexpr std::string_view kProbabilities[] = {"probability", "probabilities"};
+constexpr std::string_view kDensities[] = {"density", "pdf"};
+
+bool is_one_of(const std::string& name, Names known) {
+  return std::ranges::find(known, name) != known.end();
+}
+
+bool any_of(const std::vector<std::string>& names, Names known) {
+  return std::ranges::any_of(names, [&](const auto& name) { return is_one_of(name, known); });
+}
+
+// Returns the names of the columns, with empty texts in place of ambiguous names. Many files name
+// any ordinate "y" and any abscissa "x": these names then identify no variable.
+std::vector<std::string> without_ambiguous_names(std::vector<std::string> names) {
+  if (names.size() < 2 || names[1] != "y") return names;
+  names[1].clear();
+  if (names[0] == "x") names[0].clear();
+  return names;
+}
+
+bool is_near_one(double sum) {
+  constexpr double kRounding = 1e-6;
+  return std::abs(sum - 1) <= kRounding;
+}
+
+// Returns the gap between two bins relative to the width of the narrower bin. Relative to the wider
+// bin, a narrow bin inside a wide bin would count as contiguous. Differences of halved numbers
+// cannot overflow.
+double relative_gap(const std::vector<double>& bin, const std::vector<double>& next) {
+  const auto half_width = [](const auto& row) { return std::abs(row[1] / 2 - row[0] / 2); };
+  return std::abs(next[0] / 2 - bin[1] / 2) / std::min(half_width(bin), half_width(next));
+}
+
+}  // namespace
+
+std::string_view name(HistogramQuantity value) {
+  switch (value) {
+    case HistogramQuantity::density:
+      return "density";
+    case HistogramQuantity::probability:
+      return "probability";
+    case HistogramQuantity::count:
+      return "count";
+  }
+  return "";
+}
+
+StateVariable variable_from_column_names(const NumberTable& table) {
+  const auto names = without_ambiguous_names(table.names);
+  const bool velocity = any_of(names, kVelocity), displacement = any_of(names, kDisplacement);
+  if (velocity != displacement) return velocity ? StateVariable::ydot : StateVariable::y;
+  return std::ranges::any_of(table.rows, [](const auto& row) { return row.front() < 0; })
+             ? StateVariable::ydot
+             : StateVariable::y;
+}
+
+std::size_t velocity_column_index(const std::vector<std::string>& names) {
+  constexpr std::string_view kPosition[] = {"y", "x", "displacement"};
+  constexpr std::string_view kSpeed[] = {"ydot", "y'", "v", "velocity", "dy/dt", "xdot", "x'"};
+  constexpr std::string_view kJoint[] = {"p", "density", "pdf", "probability density"};
+  if (names.size() != 3 || !is_one_of(names[2], kJoint)) return names.size();
+  for (const std::size_t of_v : {1, 0}) {
+    if (is_one_of(names[of_v], kSpeed) && is_one_of(names[1 - of_v], kPosition)) return of_v;
+  }
+  return names.size();
+}
+
+bool are_bins_adjacent(const std::vector<double>& bin, const std::vector<double>& next) {
+  constexpr double kRounding = 1e-6;  // edges are often accumulated sums of widths
+  return relative_gap(bin, next) <= kRounding;
+}
+
+bool is_histogram(const NumberTable& table) {
+  if (table.columns() != 3) return false;
+  const auto& names = table.names;
+  const bool named =
+      any_of(names, kEdges) || (!names.empty() && (is_one_of(names.back(), kCounts) ||
+                                                   is_one_of(names.back(), kProbabilities)));
+  if (named) return true;
+  // Without names, a column of densities counts as upper edges only if every density is within
+  // kMaxGap of the next abscissa.
+  constexpr double kMaxGap = 0.5;  // in units of the bin width
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    if (table.rows[k][1] <= table.rows[k][0]) return false;
+    if (k > 0 && relative_gap(table.rows[k - 1], table.rows[k]) > kMaxGap) return false;
+  }
+  return true;
+}
+
+HistogramQuantity detect_histogram_quantity(const NumberTable& histogram) {
+  double sum = 0, mass = 0;
+  bool whole = true;
+  for (const auto& row : histogram.rows) {
+    sum += row[2];
+    mass += row[2] * (row[1] - row[0]);
+    whole = whole && row[2] == std::floor(row[2]);
+  }
+  if (!histogram.names.empty()) {
+    const std::string& value_name = histogram.names.back();
+    if (is_one_of(value_name, kProbabilities)) return HistogramQuantity::probability;
+    if (is_one_of(value_name, kCounts))
+      return is_near_one(sum) ? HistogramQuantity::probability : HistogramQuantity::count;
+    if (is_one_of(value_name, kDensities)) return HistogramQuantity::density;
+  }
+  if (is_near_one(mass)) return HistogramQuantity::density;
+  if (is_near_one(sum)) return HistogramQuantity::probability;
+  return whole ? HistogramQuantity::count : HistogramQuantity::density;
+}
+
+}  // namespace fpkcheck::methods

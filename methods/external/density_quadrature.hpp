@@ -1,0 +1,88 @@
+#pragma once
+
+#include <vector>
+
+#include "compare/comparison_axes.hpp"
+#include "problem/walls.hpp"
+#include "transform/density.hpp"
+
+namespace fpkcheck::methods {
+
+/// The cells and quadrature points at which an external joint density p(y, y') is evaluated.
+class DensityQuadratureGrid {
+ public:
+  /// Uses the cells of the comparison axes. On each side without a wall, additional cells of the
+  /// same width extend the range to 10/7 of its length, to include mass beyond the comparison axes.
+  DensityQuadratureGrid(const compare::ComparisonAxes& axes, const problem::Walls& walls);
+
+  const problem::Walls& walls() const { return walls_; }
+  /// Returns whether the cells in y begin at the left wall.
+  bool has_wall_at_start() const { return has_wall_at_start_; }
+  /// Returns whether the cells in y end at the right wall.
+  bool has_wall_at_end() const { return has_wall_at_end_; }
+
+  const std::vector<double>& y_edges() const { return y_edges_; }
+  const std::vector<double>& v_edges() const { return v_edges_; }
+  /// Returns the quadrature points in y: three Gauss-Legendre points per cell. A wall at the first
+  /// or last cell edge is an additional first or last point.
+  const std::vector<double>& y_points() const { return y_; }
+  /// Returns the quadrature points in y': three Gauss-Legendre points per cell.
+  const std::vector<double>& v_points() const { return v_; }
+
+ private:
+  problem::Walls walls_;
+  bool has_wall_at_start_, has_wall_at_end_;
+  std::vector<double> y_edges_, v_edges_, y_, v_;
+};
+
+/// Returns the edges of three subcells per cell. The widths of the subcells are the quadrature
+/// weights of the points of the cell. If the values at the points are averages of a density over
+/// the subcells, the quadrature rule gives the exact averages over the cells.
+std::vector<double> subcell_edges(const std::vector<double>& edges);
+
+/// Integrals of an external density p(y, y'), from the values of p at the quadrature points.
+class DensityIntegrals {
+ public:
+  /// Refers to `points` and `values`, which must outlive the object.
+  /// @param values values of p, row-major, shape (points.y_points(), points.v_points())
+  DensityIntegrals(const DensityQuadratureGrid& points, const std::vector<double>& values);
+
+  /// Returns the integral of a function times the density, int g(y, v) p(y, v) dy dv.
+  template <class Function>
+  double integrate_times_density(const Function& g) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < weight_y_.size(); ++i) {
+      for (std::size_t j = 0; j < weight_v_.size(); ++j) {
+        const std::size_t row = first_ + i;
+        sum += weight_y_[i] * weight_v_[j] * value(row, j) *
+               g(points_.y_points()[row], points_.v_points()[j]);
+      }
+    }
+    return sum;
+  }
+  double mass() const {
+    return integrate_times_density([](double, double) { return 1.0; });
+  }
+  /// Returns the moments of the density divided by `mass`.
+  transform::Moments moments(double mass) const;
+  /// Returns int_{v<0} |v|^power p(a, v) dv over impact velocities at the left wall y = a. The
+  /// result is 0 if the cells do not begin at the wall.
+  double left_wall_velocity_moment(int power) const;
+  /// Returns int_{v>0} v^power p(b, v) dv over impact velocities at the right wall y = b. The
+  /// result is 0 if the cells do not end at the wall.
+  double right_wall_velocity_moment(int power) const;
+  transform::GridDensity averages() const;
+
+ private:
+  /// Returns the integral of |v|^power p over velocities with the sign of `direction`, at the y of
+  /// a row of points.
+  double wall_velocity_moment(std::size_t row, double direction, int power) const;
+  double value(std::size_t i, std::size_t j) const { return values_[i * weight_v_.size() + j]; }
+
+  const DensityQuadratureGrid& points_;
+  const std::vector<double>& values_;
+  std::size_t first_;  ///< index in y of the first quadrature point of the first cell
+  std::vector<double> weight_y_, weight_v_;
+};
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "problem/walls.hpp"
+
+/// Checks that external data are within the range of y between the walls, walls included. The
+/// tolerance is a millionth of the position of the wall, since numbers in files are rounded.
+namespace fpkcheck::methods {
+
+/// Returns whether y is at the wall, within the tolerance. The result is false without a wall.
+bool is_at_wall(const std::optional<problem::Wall>& wall, double y);
+bool is_between_walls(const problem::Walls& walls, double y);
+
+/// The walls to which a density is extrapolated. The distance from such a wall to the nearest
+/// abscissa is at most the spacing of the abscissae, as for centres of cells that begin at the
+/// wall.
+struct WallExtrapolation {
+  bool left = false, right = false;
+};
+/// @param y increasing abscissae of the density, at least two
+WallExtrapolation select_extrapolation_walls(const problem::Walls& walls,
+                                             const std::vector<double>& y);
+
+/// Returns the value at a wall by linear extrapolation from the points `first` and `first` + 1, and
+/// at least `least`.
+double extrapolate_to_wall(double wall, std::span<const double> y, std::span<const double> values,
+                           std::size_t first, double least);
+
+/// Returns the range of y as text: "y >= 0", "y <= 1", "-0.5 <= y <= 1" or "any y".
+std::string admissible_range_text(const problem::Walls& walls);
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "problem/laws/shape_parameters.hpp"
+
+namespace fpkcheck::problem {
+
+struct AmplitudeTable;
+
+/// The law of Y = mean + scale Z, where Z has the law of an amplitude table, shifted and scaled to
+/// mean 0 and standard deviation 1. The law of -Y has a negative scale.
+struct TabulatedLaw {
+  double mean;
+  double scale;
+  std::shared_ptr<const AmplitudeTable> standard;  ///< table of the law of Z
+
+  static constexpr std::string_view kName = "tabulated";
+  static constexpr std::string_view kWidthName = "scale";
+  /// Returns the law of shape.table, shifted and scaled to the given mean and standard deviation.
+  /// @throws InputError if the table is missing or invalid
+  static TabulatedLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
+  double width() const { return scale; }
+  double standard_deviation() const;
+
+  double standardised_moment(int n) const;
+  double density(double y) const;
+  double cumulative_probability(double y) const;
+  std::vector<AmplitudeAtom> atoms() const;
+  std::vector<double> density_breakpoints() const;
+  /// Returns the law of the standardised amplitude Z.
+  TabulatedLaw standardised() const { return {0, 1, standard}; }
+  TabulatedLaw with_negated_amplitudes() const { return {-mean, -scale, standard}; }
+};
+
+}  // namespace fpkcheck::problem

@@ -1,0 +1,84 @@
+#include "problem/problem_features.hpp"
+
+#include <fmt/format.h>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+
+#include <algorithm>
+#include <vector>
+
+#include "problem/equivalent_linearisation.hpp"
+#include "problem/undamped_orbits.hpp"
+
+namespace fpkcheck::problem {
+
+ProblemFeatures features(const Problem& problem) {
+  const System& system = problem.system;
+  ProblemFeatures result{.no_wall = !system.left_wall() && !system.right_wall(),
+                         .two_walls = system.left_wall() && system.right_wall(),
+                         .noise = problem.noise.is_present(),
+                         .impulses = problem.impulses.is_present(),
+                         .constant_damping = system.has_constant_damping()};
+  const auto& c = system.coefficients();
+  result.negative_damping = c.damping < 0 || c.van_der_pol < 0 || c.rayleigh < 0;
+  const auto inspect_wall = [&](const std::optional<Wall>& wall, double towards) {
+    if (!wall) return;
+    // The force on the mass is -g, which presses the mass against a left wall if g > 0 at the wall.
+    const double pressing = -towards * system.restoring_force()(wall->position);
+    if (pressing > 0 && wall->restitution < 1 && !result.noise) result.rests_in_contact = true;
+    if (result.noise && wall->restitution <= kCollapseRestitution) result.collapse = true;
+  };
+  inspect_wall(system.left_wall(), -1);
+  inspect_wall(system.right_wall(), 1);
+  if (!has_equivalent_linearisation(problem))
+    result.wells = static_cast<int>(UndampedOrbits(problem).minima().size());
+  return result;
+}
+
+std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation) {
+  const bool noise = problem.noise.is_present();
+  if (!noise && equation != DensityEquation::white) return "";
+  for (const auto& wall : {problem.system.left_wall(), problem.system.right_wall()}) {
+    if (!wall || wall->restitution > kCollapseRestitution) continue;
+    return fmt::format(
+        "white noise and restitution {:.3g} lead to inelastic collapse, after which the motion is "
+        "undefined; {}take a restitution above exp(-pi/sqrt 3) = {:.4f}",
+        wall->restitution, noise ? "" : "solve kf, or ", kCollapseRestitution);
+  }
+  return "";
+}
+
+const std::vector<UnsupportedFeature>& unsupported_features() {
+  static const std::vector<UnsupportedFeature> all{
+      {"dry friction", {"friction", "coulomb", "stiction"}},
+      {"harmonic forcing", {"forcing", "harmonic", "periodic", "sinusoidal", "frequency"}},
+      {"parametric excitation", {"parametric", "multiplicative"}},
+      {"coloured noise", {"coloured", "colored", "correlation", "bandwidth", "filter"}},
+      {"impulses other than a Poisson process", {"renewal", "arrivals", "interarrival", "levy"}},
+      {"two or more degrees of freedom", {"dof", "freedom", "coupling", "oscillators"}},
+      {"hysteresis, delay or fractional damping", {"hysteresis", "delay", "fractional"}},
+      {"forces other than polynomials", {"force", "potential", "expression"}},
+      {"soft or moving walls", {"contact", "compliance", "moving"}},
+      {"first passages", {"passage", "survival", "reliability", "exceedance"}},
+      {"spectra", {"spectrum", "spectra", "psd", "autocorrelation"}},
+      {"sensitivities", {"sensitivity", "sensitivities"}}};
+  return all;
+}
+
+std::string unsupported_feature_message(std::string_view name) {
+  std::vector<std::string> parts;
+  const std::string lower = boost::algorithm::to_lower_copy(std::string(name));
+  boost::algorithm::split(parts, lower, boost::algorithm::is_any_of("._-"));
+  for (const auto& [subject, words] : unsupported_features()) {
+    const bool is_named = std::ranges::find_first_of(parts, words) != parts.end();
+    if (is_named) {
+      return fmt::format(
+          "the program does not treat {}; `fpkcheck --help` and README.md list such features",
+          subject);
+    }
+  }
+  return "";
+}
+
+}  // namespace fpkcheck::problem

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problem/model.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::problem {
+
+/// Properties of a problem that decide which solvers are applicable.
+struct ProblemFeatures {
+  bool no_wall = false, two_walls = false;
+  /// Whether the force presses the mass against a wall with r < 1, and no noise acts. After a
+  /// sequence of impacts the mass is at rest in contact until the next impulse, and the stationary
+  /// law has an atom at the wall.
+  bool rests_in_contact = false;
+  /// Whether inelastic collapse occurs, that is, noise acts and r <= kCollapseRestitution at a
+  /// wall.
+  bool collapse = false;
+  bool noise = false, impulses = true;
+  bool constant_damping = true;
+  bool negative_damping = false;  ///< whether c or another coefficient of f is negative
+  int wells = 1;  ///< number of minima of U - lambda E[Y] y, minima at walls included
+};
+
+ProblemFeatures features(const Problem& problem);
+
+/// Critical restitution coefficient exp(-pi / sqrt 3) of inelastic collapse (Cornell, Swift and
+/// Bray, Physical Review Letters 81, 1142 (1998)). For restitution coefficients up to the critical
+/// value, a particle under white noise makes infinitely many impacts in a finite time and comes to
+/// rest on the wall. Neither the equation nor the impact condition determines how the particle
+/// leaves the wall again.
+inline constexpr double kCollapseRestitution = 0.16303353482158048;
+
+/// Explains why inelastic collapse leaves the stationary density undetermined, and which change of
+/// the problem helps; empty if the density is determined. Inelastic collapse needs white noise,
+/// either in the problem or in the equation `white`, since discrete impulses separate the particle
+/// from the wall.
+std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation);
+
+struct UnsupportedFeature {
+  std::string_view subject;
+  /// Words in lower case, which are compared with the parts into which '.', '_' and '-' split a
+  /// key.
+  std::vector<std::string_view> words;
+};
+
+/// Returns all unsupported features, in agreement with the list in README.md.
+const std::vector<UnsupportedFeature>& unsupported_features();
+
+/// Returns one line that names the unsupported feature that a key or a command requests; empty if
+/// no unsupported feature is requested.
+std::string unsupported_feature_message(std::string_view name);
+
+}  // namespace fpkcheck::problem

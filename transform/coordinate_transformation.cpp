@@ -1,0 +1,106 @@
+#include "transform/coordinate_transformation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fpkcheck::transform {
+
+SmoothDensity zhuravlev_transform(ZhuravlevDensity density) {
+  const double y_max = density.x1_max;
+  const double v_max = density.x2_max;
+  return {[p = std::move(density.value)](double y, double v) { return p(y, v) + p(-y, -v); }, y_max,
+          v_max};
+}
+
+namespace {
+
+template <class Coordinate>
+std::vector<double> transformed(std::vector<double> edges, bool mirrored, const Coordinate& at) {
+  for (double& edge : edges) edge = at(edge) + 0.0;  // adding 0 turns -0 into +0
+  if (mirrored) std::ranges::reverse(edges);
+  return edges;
+}
+
+using Edges = std::vector<double>;
+
+Edges exact_y_edges(const problem::WallFrame& frame, const Edges& x_edges, const Edges& known) {
+  return x_edges == to_x_edges(frame, known) ? known : to_y_edges(frame, x_edges);
+}
+
+GridDensity transformed(const problem::WallFrame& frame, GridDensity grid, const Edges& known) {
+  grid.y_edges = exact_y_edges(frame, grid.y_edges, known);
+  grid.v_edges = transform_v_edges(frame, grid.v_edges);
+  if (frame.mirrored)
+    std::ranges::reverse(grid.averages);  // reversing the row-major averages mirrors both axes
+  return grid;
+}
+
+SmoothDensity transformed(const problem::WallFrame& frame, SmoothDensity smooth, const Edges&) {
+  const double from = frame.physical_y(smooth.y_min), to = frame.physical_y(smooth.y_max);
+  return {.value = [frame, value = std::move(smooth.value)](
+                       double y,
+                       double v) { return value(frame.wall_x(y), frame.physical_velocity(v)); },
+          .y_max = std::max(from, to),
+          .v_max = smooth.v_max,
+          .y_min = std::min(from, to)};
+}
+
+Marginal transformed(const problem::WallFrame& frame, StateVariable variable, Marginal marginal,
+                     const Edges& known) {
+  marginal.edges = variable == StateVariable::y ? exact_y_edges(frame, marginal.edges, known)
+                                                : transform_v_edges(frame, marginal.edges);
+  if (frame.mirrored) {
+    for (auto* values : {&marginal.density, &marginal.lower, &marginal.upper}) {
+      std::ranges::reverse(*values);
+    }
+  }
+  return marginal;
+}
+
+}  // namespace
+
+std::vector<double> to_y_edges(const problem::WallFrame& frame,
+                               const std::vector<double>& x_edges) {
+  return transformed(x_edges, frame.mirrored, [&](double x) { return frame.physical_y(x); });
+}
+
+std::vector<double> to_x_edges(const problem::WallFrame& frame,
+                               const std::vector<double>& y_edges) {
+  return transformed(y_edges, frame.mirrored, [&](double y) { return frame.wall_x(y); });
+}
+
+std::vector<double> transform_v_edges(const problem::WallFrame& frame,
+                                      const std::vector<double>& edges) {
+  return transformed(edges, frame.mirrored, [&](double v) { return frame.physical_velocity(v); });
+}
+
+Density to_physical_coordinates(const problem::WallFrame& frame, Density density,
+                                const Edges& y_edges) {
+  if (frame.is_identity()) return density;
+  return std::visit(
+      [&](auto& form) { return Density(transformed(frame, std::move(form), y_edges)); }, density);
+}
+
+Density to_wall_coordinates(const problem::WallFrame& frame, Density density) {
+  return to_physical_coordinates(frame.inverse(), std::move(density));
+}
+
+Solution to_physical_coordinates(const problem::WallFrame& frame, Solution solution,
+                                 const Edges& y_edges) {
+  if (frame.is_identity()) return solution;
+  if (solution.density) {
+    solution.density = to_physical_coordinates(frame, std::move(*solution.density), y_edges);
+  }
+  if (solution.extrapolation) {
+    solution.extrapolation->coarser =
+        to_physical_coordinates(frame, std::move(solution.extrapolation->coarser), y_edges);
+  }
+  for (auto& [variable, marginal] : solution.estimated_marginals) {
+    marginal = transformed(frame, variable, std::move(marginal), y_edges);
+  }
+  for (RestAtom& atom : solution.atoms) atom.y = frame.physical_y(atom.y);
+  return solution;
+}
+
+}  // namespace fpkcheck::transform

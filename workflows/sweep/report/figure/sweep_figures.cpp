@@ -1,0 +1,91 @@
+#include "workflows/sweep/report/figure/sweep_figures.hpp"
+
+#include <fmt/format.h>
+
+#include "base/files/file_transaction.hpp"
+#include "base/process/stop_request.hpp"
+#include "report/figure/drawing.hpp"
+#include "workflows/sweep/report/figure/figures.hpp"
+#include "workflows/sweep/report/figure/key_axis.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+constexpr const char* kDistances = "sweep-distances";
+constexpr const char* kMoments = "sweep-moments";
+constexpr const char* kMap = "sweep-map";
+constexpr const char* kScatter = "sweep-keys";
+
+std::vector<SweepFigure> curves(const SweepView& view, report::FigureWidth width) {
+  std::vector<SweepFigure> pictures;
+  if (view.has_distances()) {
+    pictures.push_back(
+        {kDistances,
+         "L1 distances of p(y) and p(y') to the reference of each point. Open marks: the solution "
+         "is not ok. Dotted: error estimate of the method (for a discretised equation: with "
+         "respect to that equation, which may differ from the problem's). Grey: error estimate of "
+         "the reference, below which distances are not significant. Crosses at the top: solutions "
+         "without a density.",
+         report::figure_script(distance_curves_figure(view), kDistances, width)});
+  }
+  pictures.push_back({kMoments,
+                      "E[y\u00b2] and E[y\u2032\u00b2]. Open marks: the solution is not ok. The "
+                      "axes cover the solutions that are ok.",
+                      report::figure_script(moment_curves_figure(view), kMoments, width)});
+  return pictures;
+}
+
+SweepFigure map(const SweepView& view, report::FigureWidth width) {
+  std::string caption =
+      "The larger of the L1 distances of p(y) and p(y') to the reference of each point, by "
+      "method, from 1e-4 (light) to 1. Marks show the statuses that are not ok.";
+  if (const auto reference = view.common_reference_id(); !reference.empty()) {
+    caption += fmt::format(" The reference is {} at all points.", reference);
+  }
+  return {kMap, caption, report::figure_script(distance_map_figure(view), kMap, width)};
+}
+
+}  // namespace
+
+std::vector<SweepFigure> sweep_figures(const SweepResults& results, report::FigureWidth width) {
+  const Plan& plan = results.plan;
+  if (results.points.empty()) return {};
+  const SweepView view(results);
+  const bool one_is_words = plan.axes.size() == 2 && plan.design == PlanDesign::product &&
+                            KeyAxis(plan, 0).is_categorical() != KeyAxis(plan, 1).is_categorical();
+  if (plan.axes.size() == 1 || one_is_words) return curves(view, width);
+  if (!view.has_distances()) return {};
+  if (plan.axes.size() == 2) return {map(view, width)};
+  return {{kScatter,
+           "The larger of the L1 distances of p(y) and p(y') to the reference of each point, "
+           "against each key, and the median over the solutions that are ok.",
+           report::figure_script(distance_scatter_figure(view), kScatter, width)}};
+}
+
+std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures,
+                                            const std::vector<SweepFigure>& pictures,
+                                            const report::FigureOptions& options,
+                                            const std::string& gnuplot) {
+  std::filesystem::create_directories(figures);
+  for (const char* stem : {kDistances, kMoments, kMap, kScatter}) {
+    report::remove_script_and_pictures(figures, stem);
+  }
+  for (const auto& picture : pictures) {
+    base::write_file_atomically(figures / (picture.stem + ".gp"), picture.script);
+  }
+  std::vector<std::string> warnings;
+  try {
+    for (const auto& picture : pictures) {
+      if (base::stop_requested()) return {};
+      const auto own = report::draw_formats(gnuplot, figures, picture.stem, options);
+      warnings.insert(warnings.end(), own.begin(), own.end());
+    }
+  } catch (const report::GnuplotMissing& missing) {
+    warnings.push_back(fmt::format(
+        "no pictures: {} (install gnuplot, then the same command draws them)", missing.what()));
+  }
+  // A picture that a stop request interrupted gives no warning.
+  return base::stop_requested() ? std::vector<std::string>() : warnings;
+}
+
+}  // namespace fpkcheck::sweep

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/figure/options.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
+
+namespace fpkcheck::sweep {
+
+struct SweepFigure {
+  std::string stem;     ///< stem of the file names, e.g. "sweep-map"
+  std::string caption;  ///< description of the figure in sentences
+  std::string script;
+};
+
+/// Returns curves for one varied key, maps for two varied keys, and scatter plots for more keys.
+std::vector<SweepFigure> sweep_figures(const SweepResults& results,
+                                       report::FigureWidth width = report::FigureWidth::screen);
+
+/// Writes the script STEM.gp of each figure, draws the figure, and removes the figures of other
+/// plans.
+/// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing
+std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures,
+                                            const std::vector<SweepFigure>& pictures,
+                                            const report::FigureOptions& options = {},
+                                            const std::string& gnuplot = "gnuplot");
+
+}  // namespace fpkcheck::sweep

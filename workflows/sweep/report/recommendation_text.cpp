@@ -1,0 +1,189 @@
+#include "workflows/sweep/report/recommendation_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "report/text/columns.hpp"
+#include "report/text/wrap_text.hpp"
+#include "results/json.hpp"
+#include "results/run.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using report::TextColumn;
+
+constexpr std::size_t kShownMethods = 3;
+constexpr double kLargeError = 0.05;
+
+std::string coordinates_sentence(const MethodRecommendation& advice, const std::string& name) {
+  const MapCoordinates& coordinates = advice.coordinates;
+  std::string text = fmt::format(
+      "{}: {:.2g} impulses per decay time, damping ratio {:.2g}, {:.0f} % of the stiffness cubic, "
+      "r = {:.4g}, {} impulses",
+      name, coordinates.groups.impulses_per_decay_time, coordinates.groups.damping_ratio,
+      100 * coordinates.groups.cubic_share, coordinates.restitution, coordinates.law);
+  if (coordinates.relative_mean != 0)
+    text += fmt::format(", mean {:.2g} times the root mean square", coordinates.relative_mean);
+  return text + '.';
+}
+
+std::string nearest_sentence(const MethodRecommendation& advice) {
+  if (std::isinf(advice.nearest_distance)) {
+    return advice.coordinates.relative_mean != 0
+               ? "Outside the map: none of its points has impulses with a mean."
+               : fmt::format("Outside the map: none of its points has {} impulses.",
+                             advice.coordinates.law);
+  }
+  if (advice.is_outside_map()) {
+    return fmt::format("Outside the map: the nearest point has distance {:.2g} (limit 1).",
+                       advice.nearest_distance);
+  }
+  return fmt::format("Nearest point of the map: distance {:.2g}; {} points within 1.",
+                     advice.nearest_distance, advice.nearby_points);
+}
+
+std::string nearby_table(const std::vector<NearbyMethodResults>& methods,
+                         const report::TextFormat& format) {
+  TextColumn id{"", "method", true, report::kAlwaysShown},
+      points{"at the points nearby", "points", false, 1},
+      ok{"at the points nearby", "ok", false, 2},
+      worst{"at the points nearby", "worst L1", false, report::kAlwaysShown},
+      seconds{"at the points nearby", "seconds", false, 3};
+  for (const auto& one : methods) {
+    id.cells.push_back(one.id);
+    points.cells.push_back(std::to_string(one.points));
+    ok.cells.push_back(std::to_string(one.ok));
+    worst.cells.push_back(one.worst_l1 ? fmt::format("{:.2g}", *one.worst_l1)
+                                       : report::kMissingCell);
+    seconds.cells.push_back(fmt::format("{:.2g}", one.seconds));
+  }
+  return report::format_text_table({id, points, ok, worst, seconds}, format);
+}
+
+// The status `ok` of a method refers to the method's own equation and impact condition. The text
+// states the equation and the impact condition, e.g. "fd-white (solves white/map, error up to 0.11
+// at 31 of 31 points)".
+std::string underestimated_sentence(const MethodRecommendation& advice,
+                                    const methods::SolverRegistry& registry) {
+  std::vector<std::string> items;
+  for (const auto& one : advice.methods) {
+    if (one.underestimated == 0) continue;
+    const auto method = registry.method_by_id(one.id);
+    items.push_back(
+        fmt::format("{} ({}error up to {:.2g} at {} of {} points)", one.id,
+                    method ? "solves " + equation_and_impact_text(method->identity) + ", " : "",
+                    one.worst_l1.value_or(0), one.underestimated, one.points));
+  }
+  if (items.empty()) return {};
+  return fmt::format("Status ok there, but error above twice the stated error: {}.",
+                     fmt::join(items, "; "));
+}
+
+std::string large_error_sentence(const MethodRecommendation& advice) {
+  std::vector<std::string> items;
+  for (const auto& one : advice.methods) {
+    if (one.underestimated > 0 || one.worst_l1.value_or(0) <= kLargeError) continue;
+    items.push_back(fmt::format("{} ({:.2g})", one.id, *one.worst_l1));
+  }
+  if (items.empty()) return {};
+  return fmt::format("Error above {:g} % at some of these points, as stated: {}.",
+                     100 * kLargeError, fmt::join(items, ", "));
+}
+
+std::string without_density_sentence(const MethodRecommendation& advice) {
+  std::vector<std::string> items;
+  for (const auto& one : advice.methods) {
+    if (!one.worst_l1) items.push_back(one.id);
+  }
+  if (items.empty()) return {};
+  return fmt::format("No probability density at any of these points: {}.", fmt::join(items, ", "));
+}
+
+}  // namespace
+
+std::string recommendation_text(const MethodRecommendation& advice,
+                                const RecommendationContext& context,
+                                const report::TextFormat& format) {
+  const auto paragraph = [&](const std::string& text) {
+    return text.empty() ? text : report::wrap_text(text, format.width);
+  };
+  std::string text =
+      paragraph(coordinates_sentence(advice, context.name) + ' ' + nearest_sentence(advice));
+  auto promised = advice.sufficiently_accurate_methods();
+  if (promised.empty()) {
+    text += '\n' + paragraph(fmt::format(
+                       "No method met L1 {:g} at all nearby points. These methods estimate "
+                       "their own errors:",
+                       advice.accuracy));
+    for (const auto& command : context.fallback_commands) text += "  " + command + '\n';
+  } else {
+    text += fmt::format(
+        "\nRecommended for L1 {:g} of p(y) and p(y'), met at all nearby points:\n"
+        "  {}\n",
+        advice.accuracy, context.command(promised.front().id));
+    promised.resize(std::min(promised.size(), kShownMethods));
+    text += '\n' + nearby_table(promised, format);
+    for (std::size_t k = 1; k < promised.size(); ++k) {
+      text += (k == 1 ? "\nOr:\n  " : "  ") + context.command(promised[k].id) + '\n';
+    }
+  }
+  const std::string status_note =
+      "Status and stated error of a solution refer to this problem itself.";
+  if (advice.is_outside_map()) return text + '\n' + paragraph(status_note);
+  const std::string warnings = paragraph(underestimated_sentence(advice, context.registry)) +
+                               paragraph(large_error_sentence(advice)) +
+                               paragraph(without_density_sentence(advice));
+  if (!warnings.empty()) text += '\n' + warnings;
+  return text + '\n' +
+         paragraph("No guarantee: the map has no data between its points (docs/validity.md). " +
+                   status_note);
+}
+
+namespace {
+
+results::Json nearby_json(const NearbyMethodResults& one, const RecommendationContext& context) {
+  results::Json json{{"id", one.id},           {"promised", one.promised},
+                     {"points", one.points},   {"ok", one.ok},
+                     {"worst_l1", nullptr},    {"misstated", one.underestimated},
+                     {"seconds", one.seconds}, {"command", context.command(one.id)}};
+  if (one.worst_l1) json["worst_l1"] = *one.worst_l1;
+  return json;
+}
+
+}  // namespace
+
+std::string recommendation_json(const MethodRecommendation& advice,
+                                const RecommendationContext& context,
+                                const std::string& command_line) {
+  using results::Json;
+  constexpr int kSchema = 1;
+  const MapCoordinates& coordinates = advice.coordinates;
+  Json json{{"schema", kSchema},
+            {"program", results::program_to_json(results::current_program(command_line))},
+            {"case", context.name},
+            {"place",
+             {{"impulses_per_decay_time", coordinates.groups.impulses_per_decay_time},
+              {"damping_ratio", coordinates.groups.damping_ratio},
+              {"cubic_share", coordinates.groups.cubic_share},
+              {"restitution", coordinates.restitution},
+              {"law", coordinates.law},
+              {"mean_share", coordinates.relative_mean}}},
+            {"accuracy", advice.accuracy},
+            {"outside", advice.is_outside_map()},
+            {"nearest", advice.nearest_distance},
+            {"points_near", advice.nearby_points},
+            {"recommended", nullptr},
+            {"methods", Json::array()}};
+  const auto promised = advice.sufficiently_accurate_methods();
+  if (!promised.empty()) json["recommended"] = promised.front().id;
+  if (promised.empty()) json["otherwise"] = context.fallback_commands;
+  for (const auto& one : advice.methods) json["methods"].push_back(nearby_json(one, context));
+  return results::serialise_json(json);
+}
+
+}  // namespace fpkcheck::sweep

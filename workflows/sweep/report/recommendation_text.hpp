@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "methods/registry.hpp"
+#include "report/text/format.hpp"
+#include "workflows/sweep/map/advice.hpp"
+
+namespace fpkcheck::sweep {
+
+struct RecommendationContext {
+  std::string name;  ///< name of the problem
+  /// Returns the command for the id of a method.
+  std::function<std::string(const std::string& id)> command;
+  /// Commands for methods with error estimates; shown if no method is recommended.
+  std::vector<std::string> fallback_commands;
+  const methods::SolverRegistry& registry;
+};
+
+/// Returns the recommended command, the results at nearby points of the validity map, and warnings
+/// as text.
+std::string recommendation_text(const MethodRecommendation& advice,
+                                const RecommendationContext& context,
+                                const report::TextFormat& format);
+
+/// Returns the recommendation as JSON, the output of --json.
+std::string recommendation_json(const MethodRecommendation& advice,
+                                const RecommendationContext& context,
+                                const std::string& command_line);
+
+}  // namespace fpkcheck::sweep
