@@ -28,7 +28,7 @@ struct SimulationChecks {
   HotellingTest generator;
   /// Errors of the force balance: means of (y'' + c y' + g(y)) phi along the polynomials of the
   /// flights, divided by c (E[y'^2] E[phi^2])^1/2. The test function phi is 1 for `momentum`, y for
-  /// `virial` and y' for `power`. These means have no sampling error.
+  /// `virial` and y' for `power`. The means of the force balance have no sampling error.
   double momentum = 0, virial = 0, power = 0;
   /// Error of the restitution coefficient: mean of y'(+) divided by mean of -y'(-), minus r. The
   /// value is 0 if no impact occurred.

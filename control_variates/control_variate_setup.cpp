@@ -75,7 +75,6 @@ DepositLayout make_deposit_layout(const problem::Problem& problem,
   DepositLayout p{
       .y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
   const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
-  // A smooth bin extends over 2 spacings on either side of its centre.
   constexpr int kBinHalfWidth = 2;
   const int v_half = static_cast<int>(kBinExtent / kVBinSpacing) - kBinHalfWidth;
   p.functionals.y_bins = {.first = -y_bin,

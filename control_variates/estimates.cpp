@@ -21,8 +21,8 @@ mcs::Estimate scale_estimate(const mcs::Estimate& e, double factor) {
   return {e.mean * factor, e.standard_error * factor};
 }
 
-/// Returns the contribution of each stream to the sampling error of each mean. The sum of the
-/// squares of these contributions over all streams is the squared standard error.
+/// Returns the contribution of each stream to the sampling error of each mean. The squares of the
+/// contributions, summed over all streams, give the squared standard error.
 Eigen::MatrixXd error_contributions(const Eigen::MatrixXd& values) {
   const auto n = static_cast<double>(values.cols());
   return (values.colwise() - values.rowwise().mean()) / std::sqrt((n - 1) * n);

@@ -13,7 +13,7 @@ namespace {
 using transform::Solution;
 using transform::StateVariable;
 
-// Both arrays list the moments in the same order.
+// The arrays transform::kMoments and kMoments list the moments in the same order.
 static_assert(std::size(transform::kMoments) == kMoments.size());
 
 /// Adds the estimates without control variates, which alone depend on the law of the drawn

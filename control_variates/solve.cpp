@@ -12,9 +12,10 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-// Longest flight in radians. With 0.9 rad the error of the flights changes E[y^2] in case 1 by the
-// fraction 6e-9, more than the sampling error with control variates. With 0.5 rad the error of the
-// flights is a hundred times smaller.
+// Longest flight in the simulation, in radians. With flights of 0.9 rad the error of the flights
+// changes E[y^2] in case 1 by the fraction 6e-9, more than the sampling error with control
+// variates. With flights of 0.5 rad the error of the flights is a hundred times smaller than with
+// 0.9 rad.
 constexpr double kStep = 0.5;
 
 constexpr double kMostBytes = 256e6;  // limit on the memory of the velocity lattices of all streams
@@ -73,8 +74,8 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   if (simulation.progress) {
     simulation.progress = [&](const mcs::Progress& at) {
       const bool fitted = setup.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-      // The sampling errors with control variates are known only at the end. The sampling errors
-      // without control variates are a thousand times larger and are not reported.
+      // The sampling errors with control variates are known only at the end. The progress reports
+      // omit the sampling errors without control variates, which are a thousand times larger.
       options.simulation.progress({.fraction = fitted ? at.fraction : 0});
     };
   }
@@ -84,7 +85,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     solution = std::move(simulated.solution);
   } else {
     try {
-      // get() may throw FitFailure: `simulated` must still be intact
+      // get() may throw FitFailure; the result `simulated` must not be moved before
       const ControlVariateSetup fitted = setup.get();
       solution = make_solution(estimate_and_check(fitted, std::move(simulated)));
     } catch (const backward::FitFailure& why) {

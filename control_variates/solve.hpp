@@ -8,8 +8,8 @@
 #include "transform/solution.hpp"
 
 /// Simulation with control variates. For every function h on the phase plane, E[f] = E[f + L h]
-/// with the generator L. If h approximately solves the backward equation L h = U - f with a
-/// constant U, the quantity f + L h is nearly constant, and its mean has a small sampling error.
+/// with the generator L. Let h approximately solve the backward equation L h = U - f with a
+/// constant U. Then f + L h is nearly constant, and the mean of f + L h has a small sampling error.
 /// The library `backward` fits h on splines.
 namespace fpkcheck::control_variates {
 
@@ -27,9 +27,9 @@ struct Options {
 /// marginal densities in smooth bins with reduced sampling errors. If a check without sampling
 /// error fails, the status is `failed`. Any other failed check adds a note.
 ///
-/// The result is a simulation without control variates, with a note, if the equation is not `kf`,
-/// with the option `tails`, for an unsupported oscillator, without enough memory, or after a failed
-/// fit.
+/// In some cases the result is a simulation without control variates, with a note: for equations
+/// other than `kf`, with the option `tails`, for unsupported oscillators, if memory is
+/// insufficient, and if the fit fails.
 /// @throws InputError as mcs::solve
 transform::Solution solve(const problem::Problem& problem, const Options& options = {});
 

@@ -20,22 +20,22 @@ Result solve(const problem::Problem& problem, const Options& options);
 
 /// Closure p(y, v) = C exp(Q_n(y, v)) between the walls, with all monomials of degree 1 .. n in
 /// Q_n. The density satisfies the exact moment equations of the impact process for every polynomial
-/// of degree up to n. The form of the exponent is the only approximation: neither the series (15)
-/// is truncated nor the impact condition (2) approximated.
+/// of degree up to n. The form of the exponent is the only approximation. The series (15) is
+/// complete, and the impact condition (2) is exact.
 namespace moment {
 
 /// Solves the exact moment equations in y and v and assesses the root. The status `ok` requires
 /// that the density decays to kEdgeDensityLimit of its peak on the edge of its support, and
-/// exp(Q_n) to kLevelDensityLimit of its peak at the confinement level. half_plane::set_status()
-/// has further conditions.
+/// exp(Q_n) to kLevelDensityLimit of its peak at the confinement level. The function
+/// half_plane::set_status() checks further conditions.
 Result solve(const problem::Problem& problem, const Options& options);
 
 }  // namespace moment
 
 /// Closure p(y, v) = C exp(Q_n(rho, theta)) on y >= 0 in the amplitude rho and the phase theta of
 /// polar::Coordinates. The means of all products rho^p theta^q, 1 <= p + q <= n, are stationary
-/// under the exact impact process. Unlike the formulation `moment`, this closure represents the
-/// jump of the density at the origin.
+/// under the exact impact process. Unlike the closure in y and v (`moment`), the closure in
+/// amplitude and phase represents the jump of the density at the origin.
 namespace polar {
 
 /// Solves the exact moment equations in amplitude and phase and assesses the root. The status `ok`

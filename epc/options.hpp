@@ -63,13 +63,13 @@ struct Options {
   /// this norm is half_plane::residual_norm.
   double tolerance = 1e-10;
   /// Largest L1 error of p(y) and of p(y') with which the caller accepts a solution as `ok`. The
-  /// closure does not compute this error. If the accuracy is empty, the caller does not estimate
+  /// closure does not compute the L1 error. If the accuracy is empty, the caller does not estimate
   /// the error.
   std::optional<double> accuracy = 2e-2;
   /// Largest number of Newton steps from one start.
   int max_iterations = 30;
   /// Time limit in seconds of the formulations `moment` and `polar`. The root search begins no
-  /// attempt after this time.
+  /// attempt after the time limit.
   double max_seconds = 20;
 };
 
@@ -78,7 +78,8 @@ const base::Description<Options>& description();
 /// @throws InputError that states the option, its value and the allowed values
 void validate(const Options& options);
 
-/// Largest order n of the closure in double precision. At higher orders rounding errors dominate.
+/// Largest order n of the closure in double precision. Rounding errors dominate solutions of orders
+/// above max_closure_order().
 int max_closure_order(Formulation formulation);
 
 DensityEquation default_equation(Formulation formulation);
@@ -86,8 +87,8 @@ DensityEquation default_equation(Formulation formulation);
 /// Returns the equation of the options, or the default equation of the formulation.
 DensityEquation effective_equation(const Options& options);
 
-/// Returns an id such as epc-gaussian-n6 or epc-moment-cut-n8. The id names the equation only if it
-/// is not the default equation.
+/// Returns an id such as epc-gaussian-n6 or epc-moment-cut-n8. The id contains the equation only if
+/// the equation differs from the default equation.
 std::string id(const Options& options);
 
 /// Parses the options from the id of a solution, without validation. The result is empty for an id

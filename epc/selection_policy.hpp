@@ -4,11 +4,12 @@
 #include "problem/problem.hpp"
 
 /// Selection policy of the closures: initial densities and weights that depend on the class of the
-/// problem. selection_policy.cpp has the reasons.
+/// problem. The file selection_policy.cpp states the reason for each choice.
 namespace fpkcheck::epc {
 
 /// Whether the formulation `moment` starts from the Gaussian density of equivalent linearisation at
-/// order 2. Otherwise this formulation starts from the density of energy averaging at order 4.
+/// order 2. Otherwise the formulation `moment` starts from the density of energy averaging at order
+/// 4.
 bool starts_from_linearisation(const problem::Problem& problem);
 
 /// Returns the standard deviations of the Gaussian weights of paper (25)-(26): the deviations of

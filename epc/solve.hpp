@@ -9,14 +9,13 @@
 namespace fpkcheck::epc {
 
 /// Solves the equations of the formulation and assesses the root. The limits of the assessment are
-/// in summary.hpp.
-/// The status `ok` requires that the density decays on the edge of its support, has mass 1, and is
-/// near the density of order n-2. In the formulation `gaussian` the density must also satisfy the
-/// balance of power.
-/// The status `inadmissible` denotes a root that violates one of these conditions. The result still
-/// contains the density and the coefficients.
-/// The status `not_converged` denotes that no root was found, or that the root depends on the
-/// quadrature or on the disc of gaussian::JumpIntegralRemainder. The result then has no density.
+/// in summary.hpp. The status `ok` requires that the density decays on the edge of its support, has
+/// mass 1, and is near the density of order n-2. In the formulation `gaussian` the density must
+/// also satisfy the balance of power. The status `inadmissible` denotes a root that violates a
+/// condition of the status `ok`. The result still contains the density and the coefficients. The
+/// status `not_converged` denotes that no root was found, or that the root depends on the
+/// quadrature or on the disc of gaussian::JumpIntegralRemainder. A result with the status
+/// `not_converged` has no density.
 /// @throws InputError for invalid options
 Result solve(const problem::Problem& problem, const Options& options);
 

@@ -17,7 +17,7 @@ using transform::value_from_optional;
 base::Value word(std::string_view text) { return std::string(text); }
 
 // Whether the last digits of the solution depend on the path of the root search. At high orders of
-// the formulation `moment` this path determines the quadrature points.
+// the formulation `moment` the path of the root search determines the quadrature points.
 bool is_path_dependent(const Summary& summary) {
   constexpr int kSettledOrder = 8;
   return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
@@ -37,9 +37,9 @@ double min_scale(const Term& term, const transform::Moments& moments, double rou
   return rounding / (effect * kRelative);
 }
 
-// Adds the coordinates and the constant of the closed form, for read_closed_form(). The
-// coefficients and the problem determine these parameters: a repeated run need not reproduce them.
-// Files of earlier program versions lack these metrics.
+// Adds the coordinates and the constant of the closed form, for read_closed_form(). A repeated run
+// need not reproduce coordinates and constant, since the coefficients and the problem determine
+// both. Files of earlier program versions lack the metrics of the closed form.
 void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.frame) return;
   builder.add_text("coordinates", word(name(summary.frame->variables)))

@@ -15,7 +15,8 @@ namespace fpkcheck::epc {
 struct SupportSummary {
   /// Smallest radius of the edge, in standard deviations of the weights (25)-(26)
   double least_radius;
-  double greatest_radius;  ///< largest radius of the edge, in the same unit
+  /// Largest radius of the edge, in standard deviations of the weights (25)-(26)
+  double greatest_radius;
   double y_max, v_max;
   double edge_density;  ///< largest density on the edge, relative to the peak density
   /// Estimated probability outside the support, by gaussian::DensitySupport::cut_off_probability
@@ -24,7 +25,7 @@ struct SupportSummary {
 };
 
 /// Point on the branch of solutions from the exact density under white noise with elastic impacts
-/// to the full problem. On this branch 1-r, E[Y], E[Y^3], E[Y^4] and, for `kf`, the remainder of
+/// to the full problem. On the branch, 1-r, E[Y], E[Y^3], E[Y^4] and, for `kf`, the remainder of
 /// the jump integral are multiplied by `fraction`. The full problem has fraction 1.
 struct SolutionBranchPoint {
   double fraction;
@@ -40,8 +41,8 @@ enum class SolutionBranchEnd {
   not_followed,  ///< branch not computed, since another attempt had found a root
   full_problem,
   white_noise,  ///< return to fraction 0, at another root of the white-noise equations
-  far_away,     ///< divergence: the norm of the coefficients exceeds its limit
-  lost          ///< steps too short, or largest number of points reached
+  far_away,     ///< divergence: the norm of the coefficients exceeds the limit of the continuation
+  lost          ///< continuation stopped by too short steps or by the largest number of points
 };
 inline constexpr base::EnumEntry<SolutionBranchEnd> kSolutionBranchEndNames[] = {
     {SolutionBranchEnd::not_followed, "not_followed"},
@@ -65,7 +66,7 @@ struct HalfPlaneSummary {
   double level_deviations;  ///< confinement level in deviations of v: sqrt(2 level / E[v^2])
   /// Estimated probability beyond the confinement level, by half_plane::probability_beyond_contour
   double beyond_level;
-  /// Standard deviation of the change of the exponent Q_n on more quadrature points
+  /// Standard deviation of the change of the exponent Q_n by additional quadrature points
   double quadrature_change;
   int homotopies;
 };
@@ -76,7 +77,8 @@ struct Summary {
   int order = 0;
   Formulation formulation = Formulation::gaussian;
   int iterations = 0;
-  double residual = 0;  ///< largest projection (23), or largest rate of a moment, relative to c
+  // largest projection (23), or largest rate of a moment, relative to the damping c
+  double residual = 0;
   /// Condition number of the Jacobian at the root, in the scaled unknowns of gaussian::Basis
   /// (`gaussian`) or by half_plane::condition_number (`moment`, `polar`).
   std::optional<double> condition = {};
@@ -86,14 +88,14 @@ struct Summary {
   std::optional<SupportSummary> support = {};
   std::optional<LeadingForm> leading_form = {};  ///< behaviour of the exponent Q_n at infinity
   /// Distance between the densities of order n and n-2: sum of the L1 distances of p(y) and p(y').
-  /// If the sequence of orders converges fast, this distance approximates the error of order n-2.
-  /// The distance is empty if no root of order n-2 was found.
+  /// If the sequence of orders converges fast, the distance between orders n and n-2 approximates
+  /// the error of order n-2. The distance is empty if no root of order n-2 was found.
   std::optional<double> distance_to_previous = {};
   transform::Moments moments = {};
   /// Residuals of the virial balance and of the momentum balance.
   transform::BalanceResiduals balances = {};
-  /// Relative change of the scaled coefficients if the disc of gaussian::JumpIntegralRemainder has
-  /// a radius smaller by one standard deviation (for `kf`).
+  /// Relative change of the scaled coefficients if the disc of gaussian::JumpIntegralRemainder is
+  /// reduced in radius by one standard deviation (for `kf`).
   std::optional<double> disc_sensitivity = {};
   /// Branch of solutions, which the formulation `gaussian` follows if Newton's method finds no root
   SolutionBranch branch = {};
@@ -113,7 +115,7 @@ struct Result {
 transform::Metrics metrics(const Summary& summary, const transform::Moments& moments);
 
 // Limits within which the density of a root is accepted. docs/closure.md has the experiments that
-// set these limits.
+// set the limits of the density of a root.
 
 /// Largest accepted density on the edge of the support, relative to the peak density.
 inline constexpr double kEdgeDensityLimit = 1e-6;
@@ -122,15 +124,16 @@ inline constexpr double kEdgeDensityLimit = 1e-6;
 inline constexpr double kMassTolerance = 1e-4;
 
 /// Largest accepted residual of the energy balance, relative to the input power, in the formulation
-/// `gaussian`. A root of order n = 2 satisfies the energy balance exactly, and a root of higher
-/// order approximately: the equation projected on x2^2 without weights is the energy balance. The
-/// largest residual of a good root was 0.08. At a residual of 0.16 (r = 0.85, n = 6) E[y^2] has an
-/// error of 20 %. Roots far from any stationary density have residuals of 0.4 and more.
+/// `gaussian`. A root of order n = 2 satisfies the energy balance exactly, a root of higher order
+/// approximately. The equation projected on x2^2 without weights is the energy balance. The largest
+/// residual of the energy balance of an accurate root was 0.08. At a residual of 0.16 (r = 0.85, n
+/// = 6) E[y^2] has an error of 20 %. Roots far from any stationary density have residuals of the
+/// energy balance of 0.4 and more.
 inline constexpr double kEnergyResidualLimit = 0.1;
 
 /// Largest accepted Summary::distance_to_previous of a root, if the density of order n-2 is
-/// admissible. Good roots have distances below 0.16 at n = 4, where the density of order n-2 is a
-/// Gaussian, and below 0.04 from n = 6 on.
+/// admissible. Accurate roots have distances below 0.16 at n = 4, where the density of order n-2 is
+/// a Gaussian, and below 0.04 from n = 6 on.
 inline constexpr double kOrderDistanceLimit = 0.3;
 
 }  // namespace fpkcheck::epc

@@ -18,9 +18,9 @@ bool has_diffusion(const problem::ProblemFeatures& features, const Options& opti
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
   const auto features = problem::features(problem);
   const bool noise = has_diffusion(features, options);
-  // The approximations km4 and delta act like white noise at the wall. For the paper's oscillator
-  // the solver accepts km4 and delta, as in the paper; under `white` with the exact impact, the
-  // discretisation reports an inelastic collapse.
+  // The equation km4 and the impact condition delta act like white noise at the wall. For the
+  // paper's oscillator the solver accepts km4 and delta, as in the paper. Under `white` with the
+  // exact impact, the discretisation reports an inelastic collapse.
   if (noise && !has_linearised_scales(problem)) {
     std::string collapse = problem::inelastic_collapse_reason(problem, DensityEquation::white);
     if (!collapse.empty()) return collapse;

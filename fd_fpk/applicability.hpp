@@ -14,8 +14,8 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options);
 
 /// Returns whether the options allow transport along characteristics. The equation must be `kf`
-/// with the impact `map`. No option that only upwind differences have (cells, grading, order) may
-/// be set.
+/// with the impact `map`. Options that apply only to upwind differences (cells, grading, order)
+/// must be unset.
 bool can_use_characteristics(const Options& options);
 
 /// Returns the reason why characteristics (fd_fpk/characteristics/) cannot compute the density of

@@ -235,8 +235,6 @@ Description<TransientOptions> make_transient_description() {
 }  // namespace
 
 const Description<TransientOptions>& transient_option_descriptions() {
-  // A separate function constructs the description, because Clang 14 would destroy temporaries of
-  // this initialiser at every call.
   static const auto description = make_transient_description();
   return description;
 }

@@ -39,7 +39,8 @@ constexpr std::string_view name(TransportScheme transport) { return base::name_o
 
 struct Options {
   DensityEquation equation = DensityEquation::kf;
-  ImpactCondition impact = ImpactCondition::map;  ///< impact condition, map or delta
+  /// Impact condition of the equation, `map` or `delta`
+  ImpactCondition impact = ImpactCondition::map;
   StationarySolver stepper = StationarySolver::cvode;
   /// Automatic transport: along characteristics for rare impulses or strong losses; see solve()
   std::optional<TransportScheme> transport{};
@@ -52,10 +53,10 @@ struct Options {
   double refinement = 1;
   /// Ratio of the cell width far from the origin to the width at the origin; 1 for a uniform grid.
   /// With losses at the impact the density at the wall is discontinuous at the origin, by a factor
-  /// of 1/r^2. With this discontinuity a uniform grid converges only with the square of the cell
-  /// width, for every order. The automatic ratio is 16 (32 under white noise) if the relative
-  /// discontinuity exceeds a tenth, otherwise 1. Under white noise with losses, the cells of x1 at
-  /// the wall are graded as the cube of the cells of x2, y ~ v^3 / D2.
+  /// of 1/r^2. Because of the discontinuity a uniform grid converges only with the square of the
+  /// cell width, for every order. The automatic ratio is 16 (32 under white noise) if the relative
+  /// discontinuity 1/r^2 - 1 exceeds a tenth, otherwise 1. Under white noise with losses, the cells
+  /// of x1 at the wall are graded as the cube of the cells of x2, y ~ v^3 / D2.
   std::optional<double> origin_refinement{};
   /// Number of cells in x1; automatic: from the length scales of the density
   std::optional<int> nx{};

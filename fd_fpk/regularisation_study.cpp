@@ -16,7 +16,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Largest number of cells for which the whole matrix is factored. The dense jump matrix fills the
-// factors, and KLU takes minutes for more cells.
+// LU factors, and KLU takes minutes for a larger number of cells.
 constexpr int kMostCellsFactored = 5000;
 // Threshold of the real part of the rightmost eigenvalue, in units of sqrt(k_eq), above which an
 // operator counts as unstable.

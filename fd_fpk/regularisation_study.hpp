@@ -15,7 +15,7 @@ namespace fpkcheck::fd_fpk {
 struct RegularisationSchemeResult {
   std::string scheme;  ///< "literal", "regularised", "0.9 l*", "1.1 l*", "pade"
   double step;         ///< width h of the velocity cells
-  double length;       ///< step l of the fourth difference; 0 for pade
+  double length;       ///< step l of the fourth difference; 0 for the Pade scheme
   int nx = 0;          ///< numbers of cells in y (nx) and in y' (nv)
   int nv = 0;
   /// Fastest growing wave by the symbol of the excitation, for waves that depend on x2 alone
@@ -41,7 +41,8 @@ struct RegularisationSchemeResult {
 
 struct RegularisationStudy {
   double default_length;  ///< default regularisation length l, with l^2 = E[Y^6] / (5 E[Y^4])
-  /// Length l*: for every shorter length the symbol has a positive real part
+  /// Shortest stable regularisation length l*: for every length below l* the symbol has a positive
+  /// real part
   double shortest_length;
   std::vector<RegularisationSchemeResult> rows;
 };

@@ -43,9 +43,10 @@ bool can_grade_cubically(const Options& options) {
 
 // Returns whether impulses are so small that the density at a wall has the singularity of white
 // noise down to the resolved lengths. The threshold is an eighth of the standard deviation of
-// velocity. The threshold was measured by the estimated error and the limit of the finest grids,
-// for case 1 with r = 0.3 .. 0.7, rates 30 .. 1e6, gaussian and exponential
-// (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
+// velocity. The threshold was measured by the estimated error and the limit of the finest grids.
+// The measured problems are case 1 with r = 0.3 .. 0.7, impulse rates 30 .. 1e6, and Gaussian and
+// exponential impulses (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates
+// 30,100,1e3,1e4,1e6).
 bool are_impulses_small(const problem::Problem& problem) {
   constexpr double kShort = 1.0 / 8;
   if (!problem.impulses.is_present()) return false;
@@ -54,7 +55,7 @@ bool are_impulses_small(const problem::Problem& problem) {
 }
 
 // Returns the coefficient of p'' in the terms that act on the shortest resolved lengths: white
-// noise, the truncated series, and small impulses.
+// noise, the truncated Kramers-Moyal series, and small impulses.
 double diffusion_coefficient(const problem::Problem& problem, DensityEquation equation) {
   const bool local = equation == DensityEquation::km4 || equation == DensityEquation::white ||
                      are_impulses_small(problem);
@@ -77,8 +78,8 @@ bool has_wall_singularity(const problem::Problem& problem, const Options& option
 double automatic_origin_refinement(const problem::Problem& problem, const Options& options) {
   if (!has_dissipative_wall(problem.system)) return 1;
   const bool singular = has_wall_singularity(problem, options);
-  // Schemes of high order oscillate on narrow cells at the spike that rare impulses cause; a wide
-  // cell represents the spike as a mass. Under white noise the density has no spike.
+  // Schemes of high order oscillate on narrow cells at the spike of the density that rare impulses
+  // cause. A wide cell represents the spike as a mass. Under white noise the density has no spike.
   if (!singular && is_density_unbounded_at_origin(problem)) return 1;
   if (has_linearised_scales(problem) && has_rare_impacts_by_mean_impulse(problem)) return 1;
   return singular ? kOriginRefinementUnderWhiteNoise : kOriginRefinement;
@@ -94,7 +95,8 @@ bool must_satisfy_balances(const problem::Problem& problem) {
   return !has_linearised_scales(problem);
 }
 
-// The thresholds for characteristics are empirical, from random problems (docs/limits.md).
+// The thresholds between characteristics and upwind differences are empirical, from random problems
+// (docs/limits.md).
 bool are_characteristics_preferred(const problem::Problem& problem,
                                    double impulses_per_decay_time) {
   constexpr double kRare = 3, kFrequent = 500;  // limits of the number of impulses per decay time
@@ -121,10 +123,10 @@ int automatic_order(const problem::Problem& problem) {
                                                                                 : kHighOrder;
 }
 
-// A box with the default wall density truncates tails due to impulses. The truncated tails
-// contribute a fraction 2e-7 of E[v^2], and a hundred times this fraction of the part of E[v^4] due
-// to the fourth cumulant. For problems with has_linearised_scales(), a solution in an enlarged box
-// estimates the truncation error instead.
+// A box with the default Options::wall_density truncates tails due to impulses. The truncated tails
+// contribute a fraction 2e-7 of E[v^2]. Their fraction of the part of E[v^4] due to the fourth
+// cumulant is a hundred times larger. For problems with has_linearised_scales(), a solution in an
+// enlarged box estimates the truncation error instead.
 double box_edge_density_factor(const problem::Problem& problem) {
   constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
   return problem.impulses.is_present() ? kTailsOfImpulses : kTails;
@@ -154,12 +156,12 @@ double origin_refinement(const problem::Problem& problem, const Options& options
 // the wall. Cells that resolve x2 down to the length `core` must resolve x1 down to core^3 / D2. If
 // x1 is graded like x2, the computed impact rate is too small (by 1 % at r = 0.6). If the widths of
 // neighbouring cells differ by more than a quarter, a grid-scale ripple of up to 4 % of p(y) is
-// amplified. The long reach keeps the differences below a quarter, also on the coarser grids of an
-// error estimate.
+// amplified. The length kLongReach keeps the differences of cell widths below a quarter, also on
+// the coarser grids of an error estimate.
 GridGradings automatic_gradings(const problem::Problem& problem, const Options& options,
                                 const LengthScales& lengths) {
-  // Distances from the refinement point, in length scales, at which cells have half of their full
-  // width.
+  // Distances from the refinement point, in length scales, at which cells have half of the width
+  // far from the point.
   constexpr double kLongReach = 2, kReach = 0.75;
   const double factor = origin_refinement(problem, options);
   if (factor == 1) return {};
@@ -181,7 +183,8 @@ GridGradings automatic_gradings(const problem::Problem& problem, const Options& 
 
 LengthScales automatic_cell_widths(const problem::Problem& problem, const Options& options,
                                    const LengthScales& lengths) {
-  // Cell widths in length scales; the steep tail of p(y) requires the narrower cells in x1.
+  // Cell widths in length scales of the density. The steep tail of p(y) requires narrower cells in
+  // x1 than in x2.
   constexpr double kX1Step = 0.15, kX2Step = 0.16;
   // Wider cells far from the refinement points compensate the number of narrow cells near the
   // refinement points.

@@ -27,10 +27,11 @@ bool are_characteristics_preferred(const problem::Problem& problem, double impul
 /// between impacts shorter than a cell.
 bool are_characteristics_required(const problem::Problem& problem);
 
-/// Automatic order for several length scales without losses at a wall. Without losses, order 7 with
-/// wider cells is more accurate than order 5 at equal cost (docs/performance.md).
+/// Automatic order of the scheme for a density with several length scales, without losses at a
+/// wall. Without losses, order 7 with wider cells is more accurate than order 5 at equal cost
+/// (docs/performance.md).
 inline constexpr int kHighOrder = 7;
-/// Factor by which cells are wider for schemes of order kHighOrder
+/// Factor by which cells are wider for schemes of order kHighOrder than for lower orders
 inline constexpr double kHighOrderWidthFactor = 1.2;
 int automatic_order(const problem::Problem& problem);
 
@@ -50,8 +51,9 @@ struct ResolutionLimits {
   bool is_power_residual_accepted(double residual) const { return std::abs(residual) <= power; }
 };
 
-/// An automatic grid whose density violates kAutomaticGridLimits is refined. For a margin,
-/// kAutomaticGridLimits is stricter than kStationaryLimits (stationary/status_checks.hpp).
+/// An automatic grid whose density violates kAutomaticGridLimits is refined. The limits of the
+/// refinement are stricter than the limits of the status `ok`, kStationaryLimits
+/// (stationary/status_checks.hpp), and leave a margin.
 inline constexpr ResolutionLimits kAutomaticGridLimits{.min_density = -1e-5, .power = 5e-4};
 
 /// L1 error estimate down to which an automatic grid is refined, if the time limit permits.
@@ -74,11 +76,12 @@ bool has_dissipative_impacts(const std::optional<problem::Wall>& wall);
 /// Automatic ratio of the cell width far from the origin to the cell width at the origin
 inline constexpr double kOriginRefinement = 16;
 /// Automatic ratio of the cell widths of x2 under white noise with losses at the impact. The
-/// density at the wall is proportional to u^-beta, with the speed u. For orders 3 and 5,
-/// Grading::core of x1 is at most the cube of Grading::core of x2 divided by D2.
+/// density at the wall is proportional to u^-beta, with the speed u. For schemes of order 3 and 5,
+/// the length Grading::core of x1 is at most the cube of the length Grading::core of x2, divided by
+/// the noise coefficient D2.
 inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
 
-/// Returns options.origin_refinement, or the automatic ratio if this option is not set.
+/// Returns options.origin_refinement, or the automatic ratio if the option is not set.
 double origin_refinement(const problem::Problem& problem, const Options& options);
 
 /// Length scales of the density in x1 and in x2; 0 for a length that is not yet determined.

@@ -56,18 +56,17 @@ class Solver {
       return solve_with(along ? TransportScheme::characteristics : TransportScheme::upwind);
     if (along && are_characteristics_required(problem_))
       return solve_with(TransportScheme::characteristics);
-    // The transport of first choice has half of the time limit; the alternative transport has the
-    // other half.
+    // The transport of first choice and the alternative transport each have half of the time limit.
     Result first = solve_with(
         along ? TransportScheme::characteristics : TransportScheme::upwind,
         Deadline(options_.tolerance ? deadline_.limit_seconds() : deadline_.limit_seconds() / 2));
-    // As first choice, upwind differences must reach a small error estimate (kSmallError).
+    // If upwind differences are the first choice, their error estimate must be small (kSmallError).
     if (first.solution.is_ok() && (along || has_small_error(first))) return first;
     // An alternative transport does not reach the tolerance faster than the transport of first
     // choice.
     if (options_.tolerance && first.solution.density) return first;
     // Above kMostImpulsesOfCharacteristics characteristics would visit too many cells. A box that
-    // the options set is the same for both transports.
+    // the options set applies to upwind differences and to characteristics.
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && impulses_per_decay_time > kMostImpulsesOfCharacteristics))
       return first;

@@ -21,7 +21,8 @@ class Deadline {
   explicit Deadline(double seconds) : seconds_(seconds) {}
   static Deadline unlimited() { return Deadline(std::numeric_limits<double>::infinity()); }
 
-  /// Returns whether a computation of this duration would end before the deadline if started now.
+  /// Returns whether a computation that takes `seconds` would end before the deadline if started
+  /// now.
   bool has_time_for(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
   bool has_passed() const { return !has_time_for(0); }
   double limit_seconds() const { return seconds_; }

@@ -13,7 +13,7 @@ namespace {
 using transform::MetricBuilder;
 using transform::value_from_count;
 
-// Differences of densities below this fraction of the peak are insignificant.
+// Fraction of the peak below which differences of densities are insignificant.
 constexpr double kInsignificant = 1e-6;
 
 void add_density_metric(MetricBuilder& builder, const std::string& path, double density) {

@@ -49,7 +49,7 @@ struct Summary {
   long factorisations = 0;  ///< number of factorisations by KLU on the final grid
   long rhs_evaluations = 0;
   long krylov_iterations = 0;
-  long factor_entries = 0;  ///< number of entries of both factors of the preconditioner
+  long factor_entries = 0;  ///< number of entries of the L and U factors of the preconditioner
   double factor_seconds = 0;
   double krylov_seconds = 0;
   double residual = 0;  ///< stationarity residual ||L P||_1 / ||P||_1, in units of sqrt(k_eq)
@@ -64,7 +64,7 @@ struct Summary {
   transform::Moments moments_outside_box = {};  ///< estimated moments of the tails outside the box
   /// Error estimates; absent if the options do not request an estimate
   std::optional<ErrorEstimate> error = {};
-  /// Residuals of the balances of power, virial and momentum, if there is a density
+  /// Residuals of the balances of power, virial and momentum; absent without a density
   transform::BalanceResiduals balances = {};
   /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite if the oscillator comes to rest in
   /// contact after infinitely many impacts

@@ -26,12 +26,10 @@ namespace {
 
 using transform::Status;
 
-// Half-width of the box in standard deviations of the initial density, and minimum number of cells
-// per standard deviation.
+// Half-width of the box in standard deviations of the initial density.
 constexpr double kInitialBoxDeviations = 6;
 constexpr double kCellsPerDeviation = 5;
 
-// Returns the initial Gaussian of the options, in wall coordinates.
 Gaussian initial_density(const problem::Problem& problem, const problem::MotionScales& scales,
                          const TransientOptions& transient) {
   constexpr double kDefault = 0.5;
@@ -78,7 +76,8 @@ double max_initial_energy(const problem::System& system, const numerics::Polynom
   return most;
 }
 
-// Returns a box for both densities and all states that the initial energy can reach.
+// Returns a box for the initial density, the stationary density and all states that the initial
+// energy can reach.
 Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
                   const Options& options, const Gaussian& start, const Deadline& deadline) {
   const auto& system = problem.system;
@@ -97,7 +96,7 @@ Box transient_box(const problem::Problem& problem, const problem::MotionScales& 
 }
 
 // Returns the options with cells refined for the initial density. A narrow initial density requires
-// narrower cells in both directions, since the flow rotates the density in the phase plane.
+// narrow cells in y and in y', since the flow rotates the density in the phase plane.
 Options refine_for_initial_density(Options options, const LengthScales& of_stationary,
                                    const Gaussian& start) {
   constexpr double kCells = 6;  // number of cells of the automatic grid per length scale
@@ -168,9 +167,9 @@ void check_snapshot(const problem::WallFrame& frame, const Grid& grid, const Den
 }
 
 // Returns a discretisation that resolves the initial and the stationary density, with at most
-// kMaxTransientCells cells. Time steps on more cells take minutes. A density in narrow wells, or at
-// rest under rare impulses, is narrower than the cells; kTransientLimits detects the insufficient
-// resolution.
+// kMaxTransientCells cells. Time steps on more than kMaxTransientCells cells take minutes. A
+// density in narrow wells, or at rest under rare impulses, is narrower than the cells;
+// kTransientLimits detects the insufficient resolution.
 Discretisation discretise_within_limit(const problem::Problem& problem, const Box& box,
                                        Options& options) {
   constexpr double kMaxTransientCells = 10000;

@@ -52,9 +52,9 @@ struct TransientResult {
 /// in time with BDF of variable step and order, and GMRES is preconditioned by KLU.
 ///
 /// An automatic box contains the stationary density, the initial density, and every state that the
-/// initial energy can reach. An automatic grid resolves both densities, as far as 10 000 cells
-/// suffice. The function ignores Options::stepper and residual_tolerance. Options::order must be 3
-/// or 5, since operators of other orders have growing modes.
+/// initial energy can reach. An automatic grid resolves the stationary and the initial density, as
+/// far as 10 000 cells suffice. The function ignores Options::stepper and residual_tolerance.
+/// Options::order must be 3 or 5, since operators of other orders have growing modes.
 ///
 /// The status is `inadmissible` if the density of a snapshot violates kTransientLimits.
 /// @param problem problem in any coordinates; the result has physical coordinates

@@ -14,7 +14,7 @@
 
 /// Monte Carlo simulation of the impact system, paper (1)-(2), in wall coordinates
 /// (problem/walls.hpp), with other forces, damping, walls and Gaussian noise as extensions. The
-/// simulation uses no transformation of the variables, no density equation and no code of the other
+/// simulation uses no transformation of the variables, no density equation and no code of other
 /// solvers.
 namespace fpkcheck::mcs {
 
@@ -31,9 +31,10 @@ struct Progress {
 /// streams.
 struct ProcessGroup {
   int part = 0, parts = 1;
-  /// Function that sends the streams of this process to the first process.
+  /// Function that each process calls to send its streams to the first process.
   /// @param serialised_streams streams of this process; ignored in the first process
-  /// @return in the first process: streams of the other processes, in their order; otherwise empty
+  /// @return in the first process: streams of all other processes, in the order of the processes;
+  /// otherwise empty
   std::function<std::vector<std::string>(const std::string& serialised_streams)> gather = {};
 };
 
@@ -42,10 +43,11 @@ struct Options {
   /// mean and intensity
   DensityEquation equation = DensityEquation::kf;
   /// Simulated time, summed over all streams, rounded up to whole rounds. The default is 1.6e6
-  /// decay times of the slowest mode of equivalent linearisation (2/c_eq below critical damping),
-  /// divided by 32 with `tails` and by 8 with `controlled`. With `samples` or `target_error` the
-  /// limit is 1e4 times the default. A default time that needs more than a few seconds is
-  /// shortened, unless `accuracy` requires up to about a minute (simulation/simulation_plan.cpp).
+  /// decay times of the slowest mode of equivalent linearisation (2/c_eq below critical damping).
+  /// The option `tails` divides the default time by 32, and `controlled` by 8. With `samples` or
+  /// `target_error` the time limit is 1e4 times the default. A default time that needs more than a
+  /// few seconds is shortened, unless `accuracy` requires up to about a minute
+  /// (simulation/simulation_plan.cpp).
   std::optional<double> time{};
   /// Required number of effective samples of y'^2 (Summary::effective_samples)
   std::optional<double> samples{};
@@ -68,8 +70,8 @@ struct Options {
   /// default is 0.05. For other oscillators the mean frequency and the damping define the radians,
   /// and the default is 0.2 or, at strong impact losses, 0.05 (NoiseKicks).
   std::optional<double> white_step{};
-  /// Splits trajectories at high energies (ImportanceSplitting), to resolve densities down to 1e-8
-  /// of their peak and beyond.
+  /// Splits trajectories at high energies (ImportanceSplitting), to resolve densities of 1e-8 of
+  /// the peak density and less.
   bool tails = false;
   /// Reduces the variance by control variates, for `kf` without `tails`. Only
   /// control_variates::solve() implements this option; mcs::solve() returns the plain estimates.
@@ -94,8 +96,8 @@ struct Options {
   std::function<void(const Progress&)> progress{};
   /// Callback after every round; if `stop` returns true, the result uses the completed rounds
   std::function<bool()> stop{};
-  /// Callback for one-line warnings that do not affect the result; Summary::warnings has the same
-  /// lines
+  /// Callback for one-line warnings that do not affect the result; Summary::warnings contains all
+  /// warnings as well
   std::function<void(const std::string&)> warn{};
   /// Processes among which the streams are divided. The result of the first process is the same,
   /// bit for bit, for any number of processes. Several processes require `time` and permit no

@@ -21,10 +21,10 @@ namespace fpkcheck::mcs {
 namespace {
 
 constexpr double kRarest = 1e-10;
-// least number of visits of branches that defines a threshold
+// least number of visits of branches to energies above a threshold
 constexpr double kFewestVisits = 1000;
 constexpr int kMostPilots = 30;
-constexpr double kPilotTime = 0.5;  // shortest pilot run, in burn-ins
+constexpr double kPilotTime = 0.5;  // shortest pilot run, in durations of the burn-in
 // least number of impulses in a pilot run, summed over all streams
 constexpr double kPilotImpulses = 8 * kFewestVisits;
 constexpr double kLargestEnergy = 1e4;  // largest energy of the energy bins, in units of sigma_2^2
@@ -44,7 +44,7 @@ numerics::Polynomial splitting_potential(const problem::Problem& problem,
 
 struct SamplingErrors {
   double y_l1, ydot_l1;
-  double target;  ///< error that Options::target_error limits
+  double target;  ///< largest of the errors that Options::target_error limits
 };
 
 SamplingErrors current_sampling_errors(const Simulation& simulation) {
@@ -66,7 +66,7 @@ SamplingErrors current_sampling_errors(const Simulation& simulation) {
 
 struct RunProgress {
   double fraction;  ///< fraction of the required work; may exceed 1
-  /// Empty if neither an option nor the caller needs the errors
+  /// Sampling errors; empty if neither an option nor the caller needs the errors
   std::optional<SamplingErrors> errors;
   bool goal_reached;  ///< whether Options::samples and Options::target_error are reached
 };
@@ -104,7 +104,7 @@ std::optional<RunOutcome> run_outcome(const Simulation& simulation, const Option
                           "simulated time too short: samples or target error not reached; increase "
                           "--time"};
   }
-  // With several processes Options::stop is ignored, since all processes must simulate the same
+  // With several processes Options::stop is ignored, since all processes must simulate an equal
   // time. A stop request then ends the process.
   if (simulation.rounds() > 0 && options.process_group.parts == 1 && options.stop &&
       options.stop()) {
@@ -124,7 +124,7 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
   const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
   const numerics::Polynomial potential = splitting_potential(problem, plan);
   SimulationPlan pilot = plan;
-  // with this seed the pilot runs use other random numbers than the simulation
+  // with the inverted seed the pilot runs use other random numbers than the simulation
   pilot.seed = ~plan.seed;
   pilot.samples_per_round =
       static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *

@@ -11,13 +11,12 @@
 namespace fpkcheck::mcs {
 
 /// Chooses the energy thresholds of the splitting for a problem by pilot runs with independent
-/// random numbers. Each pilot run uses the thresholds of the previous run and adds higher
-/// thresholds. The probability that the energy after an impulse exceeds the last threshold is about
-/// 1e-10.
+/// random numbers. Each pilot run uses the thresholds of the previous run and adds thresholds at
+/// higher energies than these. The probability that the energy after an impulse exceeds the last
+/// threshold is about 1e-10.
 ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
                                                 const SimulationPlan& plan);
 
-/// Whether a simulation reached its goal, and the reason if the goal was not reached.
 struct RunOutcome {
   /// Reason why the goal was not reached, in one sentence; empty if the goal was reached
   std::string unreached_reason{};

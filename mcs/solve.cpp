@@ -46,7 +46,6 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
   set(&Moments::v4, 0, 4);
 }
 
-/// Returns the mean damping power E[y' f(y, y')] with the damping force f.
 double damping_power(const problem::System& system, const Simulation& simulation,
                      const StreamStatistics& r) {
   const auto& c = system.damping_polynomial();
@@ -80,8 +79,8 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
 }
 
 /// Sets the residuals of the virial and momentum balances. The residuals are linear in the averages
-/// and therefore have no sampling bias. Each residual is divided by the scale of its balance,
-/// averaged over all streams.
+/// and therefore have no sampling bias. The residual of each balance is divided by the scale of the
+/// balance, averaged over all streams.
 void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
                        const StreamWeights& weights, Summary& summary) {
   const auto& force = problem.system.restoring_force();
@@ -213,7 +212,8 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   solution.density = std::move(joint.density);
   summary.joint_standard_errors = std::move(joint.standard_errors);
   summary.outside_fraction = outside_fraction(simulation, weights);
-  // With atoms the distribution function has jumps, which the interpolation does not resolve.
+  // If the law has atoms, the distribution function has jumps, which the interpolation does not
+  // resolve.
   if (solution.atoms.empty()) {
     summary.y_quantiles = estimate_quantiles(simulation, weights, StateVariable::y);
     summary.v_quantiles = estimate_quantiles(simulation, weights, StateVariable::ydot);
@@ -384,10 +384,10 @@ Result solve(const problem::Problem& problem, const Options& options) {
   solution.identity = identity(options);
   const SimulationPlan plan = make_simulation_plan(problem, options);
   require_options_for_processes(options);
-  // Evenly spaced kicks would lift the mass off the wall after each interval. The result would
-  // depend on the interval and would not converge as the interval tends to 0.
+  // Evenly spaced kicks would lift the mass off the wall after each interval. The simulated density
+  // would depend on the interval and would not converge as the interval tends to 0.
   solution.reason = problem::inelastic_collapse_reason(problem, options.equation);
-  if (!solution.reason.empty()) return result;  // status `failed`
+  if (!solution.reason.empty()) return result;
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
     summary.warnings.push_back(warning);
     if (options.warn) options.warn(warning);

@@ -51,7 +51,8 @@ void add_quantile_metrics(MetricBuilder& builder, const std::string& path,
 
 void add_rate_metrics(MetricBuilder& builder, const std::string& path,
                       const std::vector<LevelEventRate>& rates) {
-  // With fewer than about 100 events the standard error itself is inaccurate.
+  // Relative standard error of a rate from about 100 events; with fewer events the standard error
+  // itself is inaccurate.
   constexpr double kRare = 0.1;
   add_metric_list(
       builder, path, rates, MetricKind::result,

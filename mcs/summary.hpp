@@ -13,7 +13,6 @@
 
 namespace fpkcheck::mcs {
 
-/// Deposited sums of one stream and the numbers that normalise the sums.
 struct StreamDeposit {
   DepositedSums sums;
   double samples = 0;  ///< number of samples N, the divisor of the sums
@@ -27,17 +26,18 @@ struct Summary {
   double time = 0;  ///< simulated time over all streams, without the burn-in
   std::uint64_t samples = 0;
   double sampling_interval = 0;
-  /// Effective number of samples Var(y'^2) / SE^2 for E[y'^2]: the number of independent draws with
-  /// the same standard error SE, without weights of the streams
+  /// Effective number of samples Var(y'^2) / SE^2 for E[y'^2]: the number of independent draws that
+  /// would give the standard error SE of the unweighted mean
   double effective_samples = 0;
   double effective_samples_y2 = 0;  ///< effective number of samples for E[y^2]
   /// Variance reduction by the weights of the streams: variance of the plain mean divided by the
   /// variance of the weighted mean
   double variance_reduction_y2 = 1;
   double variance_reduction_v2 = 1;
-  /// Power of the drawn impulses minus the expected power, relative to lambda E[Y^2]/2, and its
-  /// standard error. The stream weights remove the excess power from the estimates. An excess power
-  /// of many standard errors indicates that the impulses do not follow their law.
+  /// Power of the drawn impulses minus the expected power, relative to lambda E[Y^2]/2, and the
+  /// standard error of this excess power. The stream weights remove the excess power from the
+  /// estimates. An excess power of many standard errors indicates that the impulses do not follow
+  /// their law.
   double excess_power = 0;
   double excess_power_error = 0;
   double outside_fraction = 0;

@@ -35,7 +35,7 @@ bool is_narrow_enough(const FunctionalBounds& bound, const Options& options) {
 // Reason why the refinement of the grids stopped for a functional.
 struct StopReason {
   enum class Cause { none, time, grids, fit } cause = Cause::none;
-  double seconds = 0;  ///< expected total time after the next grid
+  double seconds = 0;  ///< expected total computing time at the end of the next grid
   std::string error_message{};
 };
 
@@ -46,14 +46,15 @@ struct Refinement {
 
 using FunctionalIndices = std::vector<std::size_t>;
 
-// A grid and the functionals whose bounds are computed next on this grid.
+// A spline grid and the functionals whose bounds are computed next on the grid.
 struct GridGroup {
   SplineGrid grid;
   FunctionalIndices indices;
 };
 
-// Groups the functionals whose bounds are too wide by the next grid of their sequences. Stores a
-// StopReason for each functional whose sequence has no further grid.
+// Groups the functionals whose bounds are too wide. All functionals of a group have the same next
+// grid in the sequence of grids. Stores a StopReason for each functional whose grid sequence is
+// exhausted.
 std::vector<GridGroup> next_grid_groups(std::size_t level, const Options& options,
                                         Refinement& refinement) {
   std::vector<GridGroup> groups;
@@ -145,7 +146,8 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
         record.values =
             bounds_from_grid(problem, tau, grid, functionals, threads_of(options), &report);
       } catch (const FitFailure& broken) {
-        end_all({StopReason::Cause::fit, 0, broken.what()});  // finer grids would also fail
+        // the fit would also fail on finer grids
+        end_all({StopReason::Cause::fit, 0, broken.what()});
         continue;
       }
       record.unknowns = report.unknowns;
@@ -154,8 +156,8 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
         previous_seconds[indices[n]] = record.seconds;
         numerics::Enclosure& value = result.bounds.each[indices[n]].value;
         value = value.intersection(record.values[n]);
-        // The enclosures from two grids contain the same expectation. An empty intersection of the
-        // enclosures shows an error of the program or of the rounding of the processor.
+        // The enclosures from two grids both contain the exact expectation. An empty intersection
+        // of the enclosures shows an error of the program or of the rounding of the processor.
         if (value.lower > value.upper) {
           throw std::logic_error("bounds of " + name(functionals[n]) +
                                  " from two grids are disjoint");
@@ -166,7 +168,7 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
   }
 }
 
-// Computes the bounds of a problem with only a right wall from the mirrored problem, in which this
+// Computes the bounds of a problem with only a right wall from the mirrored problem, whose only
 // wall is on the left.
 Refinement mirrored_refinement(const problem::Problem& problem, const Options& options) {
   Options there = options;

@@ -31,28 +31,29 @@ struct FunctionalBounds {
   numerics::Enclosure value;
 };
 
-/// Computing time of a spline grid, and the bounds from this grid alone.
+/// Computing time of one spline grid, and the bounds computed on the grid.
 struct SplineGridBounds {
   SplineGrid grid;
   int unknowns;
   double seconds;                 ///< wall-clock time of the computation
-  std::vector<std::size_t> each;  ///< indices of the functionals bounded on this grid
-  /// Bounds of the functionals in `each`, from this grid alone
+  std::vector<std::size_t> each;  ///< indices of the functionals bounded on the grid
+  /// Bounds of the functionals in `each`, computed on the grid without other grids
   std::vector<numerics::Enclosure> values;
 };
 
 struct GuaranteedBounds {
   BoundsStatus status = BoundsStatus::ok;
   std::string reason;  ///< cause of a status other than ok, in one line; empty for ok
-  std::vector<FunctionalBounds> each;  ///< bounds in the order of the options; w1 only if supported
+  /// Bounds in the order of the options; the functional w1 only if supported
+  std::vector<FunctionalBounds> each;
   std::vector<SplineGridBounds> grids;
 };
 
 /// Returns guaranteed bounds of stationary expectations of the oscillator with the exact impact and
-/// impulses (equation `kf`, impact `map`), from the backward equation (docs/bounds.md has theorem
-/// and proof). The bounds hold for the problem whose parameters are exactly the stored
-/// floating-point numbers. The functional w1 is the impact momentum at the only wall; w1 is omitted
-/// without a wall or with two walls.
+/// impulses (equation `kf`, impact `map`). The bounds follow from the backward equation (theorem
+/// and proof: docs/bounds.md). The bounds hold for the problem whose parameters are exactly the
+/// stored floating-point numbers. The functional w1 is the impact momentum at the only wall; w1 is
+/// omitted without a wall or with two walls.
 /// @param problem in physical coordinates
 /// @throws InputError when an option is invalid; std::runtime_error when the rounding mode of the
 /// processor cannot be set; std::logic_error when bounds from two grids are disjoint

@@ -15,8 +15,8 @@ struct SplineGridReport {
   double table_seconds = 0, fit_seconds = 0, check_seconds = 0;
   struct FunctionalResidual {
     double mean;            ///< approximate mean U of the integrand f
-    double least, largest;  ///< range of (f + L V - U)/tau inside the box
-    double outside;         ///< upper bound of |f + L V - U|/tau outside the box
+    double least, largest;  ///< range of the residual (f + L V - U)/tau inside the box
+    double outside;         ///< upper bound of the residual |f + L V - U|/tau outside the box
     long boxes;             ///< number of sub-boxes in the bisection
   };
   std::vector<FunctionalResidual> each;

@@ -124,7 +124,7 @@ numerics::BernsteinCoefficients bin_enclosure(const SmoothBin& bin, const numeri
       slope = std::max(slope, magnitude(d));
     slope = (slope / numerics::Interval((to - from).lower())).upper();
   }
-  // bound as in basis_functions_on_piece(), with |f'| <= 3 / shortest knot interval
+  // error bound as in basis_functions_on_piece(), with |f'| <= 3 / shortest knot interval
   if (overhang > 0) {
     const double error = (overhang * (slope + 3.1 / numerics::Interval(shortest))).upper();
     for (numerics::Interval& c : b) c += numerics::symmetric_interval(error);

@@ -28,7 +28,8 @@ struct SmoothBin {
   static SmoothBin with_equidistant_knots(Axis axis, double centre, double spacing);
 };
 
-/// Impact momentum w1 = int u^2 p(a, -u) du at a left wall y = a. The equation E[L y'] = 0 gives
+/// Impact momentum w1 = int u^2 p(a, -u) du at a left wall y = a. With the generator L, the
+/// stationarity condition E[L y'] = 0 gives
 ///
 ///     (1 + r) w1 = E[k y + mu y^3] - lambda E[Y].
 struct ImpactMomentum {};
@@ -63,7 +64,7 @@ numerics::BernsteinCoefficients integrand_enclosure(const Functional& functional
                                                     const numerics::Interval& to, int degree);
 
 /// Returns an upper bound of the magnitude |f| of the integrand for 0 <= y <= `y`, |v| <= `v` and k
-/// y + mu y^3 <= `force`. The bound is a polynomial of degree <= 4 in these arguments with
+/// y + mu y^3 <= `force`. The bound is a polynomial of degree <= 4 in `y`, `v` and `force`, with
 /// nonnegative coefficients.
 numerics::Interval integrand_magnitude_bound(const Functional& functional,
                                              const numerics::Interval& y,

@@ -12,8 +12,8 @@ struct Options {
   /// The functionals are not a command-line option
   std::vector<Functional> functionals = default_functionals();
   /// Requested half-widths of the bounds. Grids are refined until every half-width is below the
-  /// larger of `half_width` and `relative_half_width` times the value. If both are 0, only the time
-  /// limit ends the refinement.
+  /// maximum of `half_width` and `relative_half_width` times the value. If `half_width` and
+  /// `relative_half_width` are 0, only the time limit ends the refinement.
   double half_width = 0;
   double relative_half_width = 0;
   /// Time limit in seconds (wall clock). A grid, except the first, is omitted if its computation

@@ -143,7 +143,7 @@ class OuterResidual {
 
   // The residual |f + L V - U| is at most a polynomial in sqrt(G) of degree <= 4 < 2m with
   // coefficients >= 0, since |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2
-  // sqrt(stiffness))). The ratio of this polynomial to G^m is largest at the least G.
+  // sqrt(stiffness))). The ratio of the polynomial to G^m is largest at the least energy G.
   double region_bound(const Region& region) const {
     const double least = region.energy.lower();
     if (!(least > 0)) return HUGE_VAL;

@@ -30,7 +30,7 @@ struct CertificateCheckInputs {
 };
 
 /// Returns an upper bound of the weighted residual |f + L V - U| / tau outside the box of the
-/// splines. Beyond the ends of an axis the certificate V is constant along this axis
+/// splines. Beyond the ends of an axis the certificate V is constant along the axis
 /// (docs/bounds.md, "Outside the box").
 /// @pre inside call_with_upward_rounding
 double outer_residual_bound(const CertificateCheckInputs& context, const Functional& functional,
@@ -38,15 +38,15 @@ double outer_residual_bound(const CertificateCheckInputs& context, const Functio
 
 struct ResidualRange {
   double least = 0, largest = 0;  ///< the residual range satisfies least <= 0 <= largest
-  /// Whether the bisection reached its tolerance; without convergence the range is wider, but valid
+  /// Whether the bisection reached the tolerance; otherwise the range is valid but not narrow
   bool is_converged = true;
   long boxes = 0;
 };
 
 /// Encloses the range of the weighted residual (f + L V - U) / tau over the box of the splines. On
-/// each product of a y piece and a v piece the range is bounded by the Bernstein coefficients of
-/// the residual, divided by the least tau. The bisection stops when the bounds of the range differ
-/// from attained values by less than the relative tolerance.
+/// each product of a y piece and a v piece, the Bernstein coefficients of the residual bound the
+/// residual. Division by the least weight tau gives the range. The bisection stops when the bounds
+/// of the range differ from attained values by less than the relative tolerance.
 /// @param expected_range (least, largest) values that are probably attained. Good values reduce the
 /// number of bisections; the range is valid for any values
 /// @pre inside call_with_upward_rounding

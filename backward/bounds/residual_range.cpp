@@ -140,8 +140,8 @@ class RangeSearch {
     }
   }
 
-  // Bisects the box in the direction in which the coefficients vary more. Every fourth bisection is
-  // in the other direction, since the weight also varies.
+  // Bisects the box in the direction, y or v, in which the coefficients of the residual vary most.
+  // Every fourth bisection is in the second direction, since the weight tau also varies.
   void bisect(const Box& box) {
     double along_y = 0, along_v = 0;
     for (int i = 0; i < rows_; ++i) {

@@ -10,7 +10,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Returns a bound of the moment E[G^(n/2)] of the energy G from the bounds of its moments of
+// Returns a bound of the moment E[G^(n/2)] of the energy G from bounds of the moments E[G^j] of
 // integer power, by E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
 numerics::Interval half_power_bound(const std::vector<numerics::Interval>& bounds, int n) {
   if (n % 2 == 0) return bounds[n / 2];
@@ -25,16 +25,18 @@ numerics::Interval power_of_root_two(int n) {
 std::vector<numerics::Interval> moment_bounds(const problem::Problem& problem, int power) {
   const numerics::Interval rate = problem.impulses.arrival_rate(),
                            damping = problem.system.damping();
-  std::vector<numerics::Interval> impulse(2 * power + 1);  // bounds of |E[Y^n]|
+  // upper bounds of the impulse moments |E[Y^n]|
+  std::vector<numerics::Interval> impulse(2 * power + 1);
   for (int n = 0; n <= 2 * power; ++n) {
     impulse[n] = magnitude(moment_enclosure(problem.impulses.law(), n));
   }
-  // An impulse Y changes the energy G to G + w Y + Y^2/2, w = v + c y/2, |w| <= sqrt(2G). Hence
+  // An impulse Y changes the energy G to G + w Y + Y^2/2, w = v + c y/2, |w| <= sqrt(2G). Hence the
+  // moments of G satisfy
   //
   //   j c E[G^j] <= lambda sum_{(i,l) != (0,0)} j!/(i! l! (j-i-l)!) 2^(i/2-l) |E[Y^(i+2l)]|
   //                        E[G^(j-i/2-l)].
   //
-  // The term with i = 1 and l = 0 of this sum contains E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]), which
+  // The term of the sum with i = 1 and l = 0 contains E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]), which
   // gives a quadratic inequality for sqrt(E[G^j]).
   std::vector<numerics::Interval> bounds{numerics::Interval(1)};
   for (int j = 1; j <= power; ++j) {

@@ -16,9 +16,9 @@ namespace fpkcheck::backward {
 /// give E[tau] <= 1.25.
 struct ResidualWeight {
   double damping, stiffness, cubic;  ///< parameters c, k and mu of the oscillator
-  int power;                         ///< exponent m
-  double scale;                      ///< energy scale h0
-  double mean_bound;                 ///< upper bound of E[tau]
+  int power;                         ///< exponent m of the weight tau
+  double scale;                      ///< energy scale h0 of the weight tau
+  double mean_bound;                 ///< upper bound of the mean E[tau] of the weight
 
   /// Values of the energy G and of the weight tau at (y, v), rounded to nearest
   double energy(double y, double v) const;

@@ -55,9 +55,8 @@ BoxEndTypes box_end_types(const numerics::SplineBasis& displacement,
 
 ImpactBasis velocity_spline_basis(const SplineGrid& grid, const ResidualWeight& weight,
                                   double restitution) {
-  // Without impact losses the edge of the box is at v = -u, where v^2/2 = edge h0. With impact
-  // losses the box is larger, so that the energy G is also large at the outgoing edge v = r u of
-  // the box.
+  // Without impact losses the edge of the box is at v = -u, where v^2/2 = edge h0. Impact losses
+  // require a larger u, so that the energy G is also large at the outgoing edge v = r u of the box.
   const double u = std::sqrt(2 * grid.edge * weight.scale) / std::pow(restitution, 0.85);
   return ImpactBasis(numerics::SplineBasis(numerics::graded_breaks(u, grid.speed_cells,
                                                                    grid.finest * u, grid.even * u)),
@@ -79,8 +78,9 @@ std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature limit) {
                                            {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
                                            {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
                                            {72, 72, 2.5e-6, 0.15, 8}};
-  // For moments of higher powers the normal equations lose digits already on coarser grids. The
-  // last grids of kTails therefore have wider cells at the origin and a larger box.
+  // For moments of powers above 2 the normal equations lose digits already on coarser grids than
+  // for kOrigin. Compared with kOrigin, the last grids of kTails therefore have wider cells at the
+  // origin and a larger box.
   static constexpr SplineGrid kTails[] = {kOrigin[0],
                                           kOrigin[1],
                                           kOrigin[2],

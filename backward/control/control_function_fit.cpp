@@ -21,28 +21,29 @@ constexpr double kBoxFactorY = 9.0 / 7,
 constexpr double kUniformFraction = 0.55;  // fraction of the extent that has uniform cells
 constexpr double kMinCellRatio = 0.05;     // width of the narrowest cell relative to a uniform cell
 // Width ratio of the narrowest cell of y if white noise and impact losses cause a spike at the
-// wall, which is as narrow as v^3 / D
+// wall, with a width of v^3 / D
 constexpr double kMinSpikeCellRatio = 0.002;
 constexpr double kCellGrowth =
-    0.25;                        // slope of the cell width with distance from the narrowest cell
+    0.25;                        // increase of the cell width per distance from the narrowest cell
 constexpr int kCornerKnots = 3;  // multiplicity of the knot at v = 0 with a wall
 constexpr double kWeightTemperature = 2;  // temperature T of the weight, in variances of y'
 // Temperature T of the weight with several wells. The slowest solution of the backward equation is
-// nearly constant in each well and varies on the barrier. The magnitude of the slowest solution is
-// the exchange time between the wells, exp(barrier / T). With a weight wider than the density, the
-// residual on the barrier adds more to the weighted sum than wrong means in the wells, and the fit
-// omits the slowest solution. Of 30 random problems the fit contains the slowest solution in 14 at
-// temperature 2 and in 18 at 0.7 (RandomWells in tests/backward/residual). In ten of these problems
-// the unresolved residual is about the same at temperatures 0.5 to 0.7, and larger at 1 and 2.
+// nearly constant in each well and varies at the barrier between wells. The magnitude of the
+// slowest solution is the exchange time between the wells, exp(barrier / T). With a weight wider
+// than the density, the residual on the barrier adds more to the weighted sum than wrong means in
+// the wells. The fit then omits the slowest solution. Of 30 random problems the fit contains the
+// slowest solution in 14 at temperature 2 and in 18 at temperature 0.7 (RandomWells in
+// tests/backward/residual). In ten of the 30 problems the unresolved residual is nearly constant
+// for temperatures 0.5 to 0.7, and larger at temperatures 1 and 2.
 constexpr double kWellWeightTemperature = 0.7;
 constexpr double kNegligibleRatio = 1e-9;
 
 // Cells for a nearly Gaussian density, as fractions of the extents of MotionScales, which are seven
 // deviations. Cells have equal width up to five deviations in y and six in v, and geometrically
-// increasing widths beyond. With cells from cell_widths() the control functions gave larger
-// standard errors of E[y^2], E[y'] and p(y) (`ctest -R baselines.case2`).
+// increasing widths outside. With cells from cell_widths() the standard errors of E[y^2], E[y'] and
+// p(y) were larger than with geometric cells (`ctest -R baselines.case2`).
 constexpr double kGaussianCoreY = 5.0 / 7, kGaussianCoreV = 6.0 / 7;
-// number of cells that become narrower towards the wall and towards v = 0
+// number of cells of decreasing width towards the wall and towards v = 0
 constexpr int kGradedCells = 12;
 constexpr double kOffWallDeflection = 4;  // static deflection off the wall, in deviations of y
 
@@ -69,7 +70,7 @@ std::vector<double> breaks_by_width(double begin, double end, int cells,
 }
 
 /// Returns the cell width as a function of position. The width is `even` between `low` and `high`,
-/// grows outside this interval, and is smaller near the points `narrow_at`.
+/// increases outside the interval [low, high], and decreases towards the points `narrow_at`.
 std::function<double(double)> cell_widths(std::vector<double> narrow_at, double even, double low,
                                           double high, double least_cell = kMinCellRatio) {
   return [=](double x) {

@@ -18,8 +18,8 @@ enum class CellWidths {
   /// Cells of equal width, for the control functions of the simulation
   /// @pre problem::has_equivalent_linearisation()
   even,
-  /// Cells narrower towards walls and, with walls, towards v = 0, for the residuals of densities:
-  /// errors of densities concentrate where impacts are slow and the motion has decayed
+  /// Cells whose widths decrease towards walls and, with walls, towards v = 0, for the residuals of
+  /// densities. Errors of densities concentrate at slow impacts and where the motion has decayed.
   narrower_at_walls
 };
 
@@ -29,7 +29,7 @@ enum class CellWidths {
 ///   density is exp(-9^2/2) of its peak.
 /// - The range of y' extends to 1.5 times the velocity where the energy-averaged density is
 ///   exp(-7^2/2) of its peak.
-/// - Both ranges are wider if a single impulse moves the oscillator beyond these limits.
+/// - The ranges of y and y' are widened if a single impulse moves the oscillator out of the ranges.
 /// - The cells have about equal widths where the density is large and are wider towards an open
 ///   end.
 /// - With walls the knot at v = 0 is triple, since grazing impacts cause a corner of the control

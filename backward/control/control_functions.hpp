@@ -33,7 +33,7 @@ struct ControlFitProblem {
 struct ControlFunctions {
   /// Coefficients of A_i(y) B_j(v) in row i * v.size() + j, with one column for each functional
   Eigen::MatrixXd coefficients;
-  std::vector<double> means;  ///< estimates U of E[f]
+  std::vector<double> means;  ///< estimates U of the means E[f]
 };
 
 /// Fits the control functions of all functionals at once. The fit minimises int w (f - U + L h)^2 +

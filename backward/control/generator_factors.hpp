@@ -31,8 +31,8 @@ std::vector<ImpactWall> impact_walls(const problem::System& system);
 /// (speeds u, functions).
 Eigen::MatrixXd spline_jumps_at_impacts(const numerics::QuinticBSplines& splines,
                                         const ImpactWall& wall, std::span<const double> speeds);
-/// Returns the impact speeds u at which spline_jumps_at_impacts() is not smooth, increasing from 0, within the
-/// range of the splines.
+/// Returns the impact speeds u at which spline_jumps_at_impacts() is not smooth, increasing from 0,
+/// within the range of the splines.
 std::vector<double> non_smooth_impact_speeds(const numerics::QuinticBSplines& splines,
                                              const ImpactWall& wall);
 
@@ -41,8 +41,8 @@ std::vector<double> non_smooth_impact_speeds(const numerics::QuinticBSplines& sp
 ///     L (A B) = A' v B + A (lambda (K B - B) - (c + c_vv v^2) v B' + D B'') - g A B'
 ///               - (c(y) - c) A v B',      c = c(0),
 ///
-/// evaluated at points, each of shape (points, functions). Without position-dependent damping, c(y)
-/// = c, the last term is absent.
+/// Each factor is a matrix of values at points, of shape (points, functions). Without
+/// position-dependent damping, c(y) = c, the last term of L is absent.
 using GeneratorFactors = std::vector<Eigen::MatrixXd>;
 
 /// Returns the factors in y: A', A, g A, (c(y) - c) A.

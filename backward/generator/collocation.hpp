@@ -10,13 +10,13 @@
 
 namespace fpkcheck::backward {
 
-/// Values of the three factors in v of the generator (VelocityFactorEnclosures) at points, rounded to
+/// Values of the three factors in v of the generator (VelocityFactorEnclosures), rounded to
 /// nearest. The least-squares fit needs no guaranteed enclosures.
 struct VelocityFactorSamples {
-  std::vector<double> v;  ///< increasing points
+  std::vector<double> v;  ///< collocation points, increasing
   Eigen::MatrixXd jump;   ///< factor lambda (K B - B) - c v B', shape (points, functions)
-  Eigen::SparseMatrix<double> drift;  ///< factor v B
-  Eigen::SparseMatrix<double> force;  ///< factor -B'
+  Eigen::SparseMatrix<double> drift;  ///< factor v B of the generator
+  Eigen::SparseMatrix<double> force;  ///< factor -B' of the generator
 };
 
 struct DisplacementSplineSamples {

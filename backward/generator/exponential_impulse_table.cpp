@@ -8,8 +8,8 @@
 // tail.
 //
 // L is integrated from piece to piece along the axis. Within a piece of length e, with theta = (z -
-// begin)/e, L is the sum of L(begin) exp(-e theta/s) and of a solution that starts at 0. Both terms
-// are power series with
+// begin)/e, L is the sum of L(begin) exp(-e theta/s) and of a solution that starts at 0. The two
+// terms of L are power series in theta, whose coefficients q_n satisfy
 //
 //     q_{n+1} = (e/s) (-q_n + w b_n) / (n + 1).
 //
@@ -27,7 +27,7 @@ constexpr int kOneSidedOrder = 16;  // number N of coefficients of the power ser
 
 // Bernstein coefficients in theta of the two solutions on a piece.
 struct OneSidedSolution {
-  numerics::BernsteinCoefficients decay;  ///< decay exp(-e theta/s) of L within the piece
+  numerics::BernsteinCoefficients decay;  ///< decay exp(-e theta/s) of the integral L
   std::vector<numerics::BernsteinCoefficients>
       forced;                      ///< solution for each function of the piece, 0 at theta = 0
   numerics::Interval final_decay;  ///< decay exp(-e/s) over the whole piece
@@ -67,8 +67,8 @@ OneSidedSolution solve_one_sided(const std::vector<numerics::BernsteinCoefficien
   return solution;
 }
 
-// The pieces shifted by the offset of the law, in order, with additional pieces between the shifted
-// pieces and the ends of the basis.
+// Velocity pieces shifted by the offset of the law, in increasing order. Additional pieces lie
+// between the shifted pieces and the ends of the basis.
 struct ShiftedAxis {
   std::vector<VelocityPiece> pieces;
   std::size_t first = 0;  ///< index of the shifted first piece
@@ -149,8 +149,8 @@ ImpulseMeanTable make_tail_table(const numerics::Interval& shift, double s,
   // A bound of the error of a spline B on the whole axis also bounds the error of the mean K B
   // after an impulse.
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
-  // If all shifted pieces are beyond the range of the basis, the pieces between the shifted pieces
-  // and this range are missing, and no bound is valid.
+  // If all shifted pieces are beyond the range of the basis, no pieces connect the shifted pieces
+  // with the range, and no bound is valid.
   const double range_length = (pieces.back().to - pieces.front().from).lower();
   if (!(magnitude(shift) < range_length)) table.remainder = HUGE_VAL;
   return table;

@@ -4,7 +4,7 @@
 //     K B(v) = int B(z) phi((z - v - m)/s) dz/s
 //            = sum_{q,k} x^q (h/s)^q/q! (-1)^k (g/s)^k/k! He_{q+k}(D) phi(D) int B y^k dz/s.
 //
-// Truncation errors for |V| <= 1, since the functions are positive and their sum is 1:
+// Truncation errors of the sum, for |V| <= 1, since the basis functions are positive with sum 1:
 // - sources beyond kSourceRange deviations: P(|Y - m| > kSourceRange s) <= 2
 //   exp(-kSourceRange^2/2);
 // - q >= N: |d^N/dv^N K V| <= s^-N E|He_N| <= s^-N sqrt(N!), so (h/s)^N / sqrt(N!);

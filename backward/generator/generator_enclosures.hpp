@@ -16,13 +16,13 @@ namespace fpkcheck::backward {
 ///     L (A B) = A(y) (lambda (K B - B) - c v B') + A'(y) v B + (k y + mu y^3) A(y) (-B'),
 ///
 /// as enclosed Bernstein coefficients on every piece. Differences of coefficients c_l express the
-/// derivative of a spline: sum_l c_l B_l' = sum_{l>0} (c_l - c_{l-1}) S_l', where S_l = B_l +
-/// B_{l+1} + .. is a sum over the functions of a piece and S_0 = 1. On small cells neighbouring
+/// derivative of a spline: sum_l c_l B_l' = sum_{l>0} (c_l - c_{l-1}) S_l'. The partial sum S_l =
+/// B_l + B_{l+1} + .. contains the functions of a piece, and S_0 = 1. On small cells neighbouring
 /// coefficients are nearly equal, and the sum over S_l' keeps the rounding error small relative to
 /// the differences of coefficients.
 struct VelocityFactorEnclosures {
   std::vector<VelocityPiece> pieces;
-  std::vector<std::vector<int>> index;  ///< nonzero functions on each piece
+  std::vector<std::vector<int>> index;  ///< indices of the nonzero basis functions on each piece
   /// Factor lambda (K B - B) - c v B' of the spline A(y); the remainder of the table includes the
   /// factor lambda
   ImpulseMeanTable jump;
@@ -40,8 +40,8 @@ VelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& proble
                                                   const ImpactBasis& basis,
                                                   std::span<const double> cuts);
 
-/// Enclosures of the three factors in y of the generator (VelocityFactorEnclosures) on every piece of the
-/// displacement axis, as Bernstein coefficients of degree p + 3.
+/// Enclosures of the three factors in y of the generator, defined at VelocityFactorEnclosures, as
+/// Bernstein coefficients of degree p + 3 on every piece of the displacement axis.
 struct DisplacementFactorEnclosures {
   struct Piece {
     int span;

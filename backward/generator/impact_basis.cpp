@@ -107,7 +107,7 @@ std::vector<double> velocity_breaks(const ImpactBasis& basis) {
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
                                            double largest_length) {
   // Cuts closer than `negligible` to a break are omitted, since the overhang of the pieces covers
-  // these cuts.
+  // such cuts.
   const double negligible = 4e-16 * basis.speeds().end();
   std::vector<VelocityPiece> pieces;
   const auto add_span = [&](VelocitySide side, int span) {

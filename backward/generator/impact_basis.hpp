@@ -8,11 +8,11 @@
 
 namespace fpkcheck::backward {
 
-/// Splines of v on [-u_max, r u_max], constant beyond these ends. The incoming side, v = -u, and
-/// the outgoing side, v = r u, have the same splines of the impact speed u. The two sides are
-/// joined continuously at v = 0 (an inner knot of full multiplicity). If at y = 0 each function `b`
-/// has the same coefficient as the function `mirrored_index(b)`, the impact condition V(0, r u) =
-/// V(0, -u) holds exactly for all u, even if r u is rounded.
+/// Splines of the velocity v on [-u_max, r u_max], constant outside this interval. The incoming
+/// side, v = -u, and the outgoing side, v = r u, are functions of the impact speed u with equal
+/// splines. The two sides are joined continuously at v = 0 (an inner knot of full multiplicity). If
+/// at y = 0 the functions `b` and `mirrored_index(b)` have equal coefficients, the impact condition
+/// V(0, r u) = V(0, -u) holds exactly for all u, even with rounding of r u.
 class ImpactBasis {
  public:
   ImpactBasis(numerics::SplineBasis speeds, double restitution)
@@ -24,7 +24,8 @@ class ImpactBasis {
   /// Returns the index of the only function that is nonzero at v = 0.
   int centre_index() const { return speeds_.size() - 1; }
   int mirrored_index(int b) const { return size() - 1 - b; }
-  /// Indices on the incoming and on the outgoing side of the spline `speed_index` of the speed
+  /// Returns the index of the spline `speed_index` of the impact speed, on the incoming or the
+  /// outgoing side.
   int incoming_index(int speed_index) const { return centre_index() - speed_index; }
   int outgoing_index(int speed_index) const { return centre_index() + speed_index; }
   double begin() const { return -speeds_.end(); }
@@ -47,8 +48,8 @@ struct VelocityPiece {
   VelocitySide side;
   int span;                     ///< knot span of the speeds; 0 beyond all spans
   numerics::Interval from, to;  ///< increasing ends of the segment in v
-  /// Upper bound of the length by which the segment extends past its span, due to rounding of the
-  /// ends
+  /// Upper bound of the length by which the segment extends past the knot span, due to rounding of
+  /// the ends
   double overhang;
 
   numerics::Interval length() const { return to - from; }
@@ -56,7 +57,7 @@ struct VelocityPiece {
 
 /// Functions of a basis on a segment, as polynomials of t = (v - from)/(to - from).
 struct BasisFunctionsOnPiece {
-  /// nonzero functions on the segment
+  /// Indices of the basis functions that are nonzero on the segment
   std::vector<int> index;
   std::vector<numerics::BernsteinCoefficients> value;
   /// Upper bound of |function - polynomial| on the segment, valid for every function; 0 without

@@ -16,8 +16,8 @@ using problem::LaplaceLaw;
 using problem::TwoPointLaw;
 using problem::UniformLaw;
 
-// Returns the atoms of the law, and the amplitudes at which the density of the law or its
-// derivative is discontinuous.
+// Returns the atoms of the law, and the amplitudes at which the density of the law, or the
+// derivative of the density, is discontinuous.
 std::vector<double> kink_offsets(const GaussianLaw&) { return {}; }
 std::vector<double> kink_offsets(const LaplaceLaw& law) {
   return law.mean == 0 ? std::vector<double>{} : std::vector{law.mean};

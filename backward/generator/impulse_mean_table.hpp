@@ -27,13 +27,13 @@ struct ImpulseMeanTable {
   }
 };
 
-/// Returns whether the impulse table and the moments of a law have interval enclosures. The other
-/// functions of this header require a law with enclosures.
+/// Returns whether the impulse table and the moments of a law have interval enclosures. All other
+/// functions of impulse_mean_table.hpp require a law with interval enclosures.
 bool has_interval_enclosures(const problem::ImpulseLaw& law);
 
 struct VelocityPieceConstraints {
   double longest;            ///< largest permitted length of a piece
-  std::vector<double> cuts;  ///< points, besides breaks of the basis, where K B is not smooth
+  std::vector<double> cuts;  ///< velocities, besides breaks of the basis, where K B is not smooth
 };
 VelocityPieceConstraints velocity_piece_constraints(const ImpactBasis& basis,
                                                     const problem::ImpulseLaw& law);

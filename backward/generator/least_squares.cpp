@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMaxSteps = 12;
 // Convergence threshold of the product of gradient and preconditioned gradient, relative to the
-// product in the first step; the threshold has the size of rounding errors.
+// product in the first step. The threshold has the size of rounding errors.
 constexpr double kConverged = 1e-20;
 
 // Matrix of the least-squares problem, applied to vectors as a sum of three separable terms.
@@ -72,7 +72,8 @@ class FitRows {
     return matrix;
   }
 
-  /// Returns the generator applied to a spline V, at all points, shape (v points, y points).
+  /// Returns the values L V of the generator applied to a spline V, at all collocation points,
+  /// shape (v points, y points).
   /// @param c coefficients of V, shape (functions of y, functions of v)
   Eigen::MatrixXd apply(const Eigen::MatrixXd& c) const {
     const Eigen::MatrixXd jump = p_.v.jump * c.transpose(), drift = p_.v.drift * c.transpose(),

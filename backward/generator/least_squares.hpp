@@ -13,9 +13,9 @@ namespace fpkcheck::backward {
 struct BackwardSolutions {
   /// Spline coefficients c_{ab} of A_a(y) B_b(v), shape (functions of y, functions of v). At a left
   /// wall c_{0,b} = c_{0,mirrored_index(b)} to the last bit. At a right wall the last row of
-  /// coefficients has the same symmetry.
+  /// coefficients has the symmetry between b and mirrored_index(b).
   std::vector<Eigen::MatrixXd> coefficients;
-  std::vector<double> means;  ///< estimates U of E[f]
+  std::vector<double> means;  ///< estimates U of the means E[f]
   /// Least and largest value of the residual (f + L V - U) times residual_weight at the collocation
   /// points, for each functional
   std::vector<std::pair<double, double>> residual_extremes;
@@ -29,7 +29,8 @@ struct LeastSquaresProblem {
   const VelocityFactorSamples& v;
   /// Weight of each row of the fit, and weight of the residuals in `residual_extremes`
   std::function<double(double y, double v)> row_weight, residual_weight;
-  /// Whether V satisfies the impact condition of `velocity` at the first and at the last y
+  /// Whether the solution V satisfies the impact condition of the basis `velocity` at the first and
+  /// at the last knot of y
   bool has_impact_condition_at_begin = true, has_impact_condition_at_end = false;
 };
 

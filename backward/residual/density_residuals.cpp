@@ -18,8 +18,9 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Weight of the jumps at the wall (ControlFitProblem::wall_weight), as for four samples per radian
-// of the undamped motion. The corrected moments hardly depend on the weight of the jumps.
+// Weight of the jumps at the wall (ControlFitProblem::wall_weight), equal to the weight for four
+// samples per radian of the undamped motion. The corrected moments hardly depend on the weight of
+// the jumps.
 constexpr double kWallWeight = 4;
 
 const ControlCells& cells_for(const problem::ProblemFeatures& features) {
@@ -27,21 +28,21 @@ const ControlCells& cells_for(const problem::ProblemFeatures& features) {
   return features.noise ? DensityResiduals::kWellCells : DensityResiduals::kSharpWellCells;
 }
 
-// Ratio of the local error of a density to its L1 error where the fit does not resolve the backward
-// equation, since errors concentrate there
+// Assumed ratio of local error to L1 error of a density where the fit does not resolve the backward
+// equation. Errors concentrate in such regions.
 constexpr double kConcentration = 10;
-// L1 distance of disjoint densities, and largest error (E_p - E)[e] of the mean of the residual e
-// in units of the unresolved residual
+// L1 distance of disjoint densities, which is also the largest error (E_p - E)[e] in units of the
+// unresolved residual
 constexpr double kDisjointL1 = 2;
 
 // Largest contrast for which an error estimate is stated. The limit is from tests with random
 // problems with wells (RandomWells in tests/backward/residual), in which the well probabilities had
-// an error d. At contrasts above 0.65 the error estimate was below the true error 2 d.
+// an error d. At contrasts above 0.65 the error estimate was below the true L1 error 2 d.
 constexpr double kMaxContrast = 0.5;
 
 /// Returns the total error t of a density, which solves t = found + min(kConcentration t,
-/// kDisjointL1) unresolved + contrast t. Well probabilities with an error d <= t/2 contribute 2 d
-/// contrast to (E_p - E)[e]. The error is infinite if the residuals do not determine the well
+/// kDisjointL1) unresolved + contrast t. An error d <= t/2 of the well probabilities contributes 2
+/// d contrast to (E_p - E)[e]. The error is infinite if the residuals do not determine the well
 /// probabilities.
 double total_error(const ErrorComponents& error) {
   if (error.contrast > kMaxContrast) return std::numeric_limits<double>::infinity();
@@ -169,7 +170,7 @@ Eigen::MatrixXd spline_fractions_in_cells(const numerics::QuinticBSplines& splin
       fractions(cell, b.first + l) += weights(static_cast<Eigen::Index>(n)) * b.value[l];
     }
   }
-  // The integral of a B-spline is the width of its support divided by its degree plus 1 (de Boor).
+  // The integral of a B-spline of degree n is the width of the support divided by n + 1 (de Boor).
   for (int i = 0; i < splines.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const auto& knots = splines.knots();

@@ -20,12 +20,13 @@ namespace fpkcheck::backward {
 inline constexpr std::size_t kMomentCount = std::size(transform::kMoments);
 
 struct ErrorComponents {
-  double found = 0;  ///< error found by the dual-weighted residuals
+  double found = 0;  ///< L1 error computed by the dual-weighted residuals
   /// Mean residuals (UnresolvedResidual) of the functions h that weight the residuals of the
   /// density
   double unresolved = 0;
-  /// Half the sum of UnresolvedResidual::well_residual_contrasts(): 0 if the residuals determine the
-  /// probabilities of the wells, 1 if the residuals do not depend on the probabilities
+  /// Half the sum of UnresolvedResidual::well_residual_contrasts(). The contrast is 0 if the
+  /// residuals determine the probabilities of the wells, and 1 if the residuals do not depend on
+  /// the probabilities.
   double contrast = 0;
 };
 
@@ -33,10 +34,10 @@ struct ErrorComponents {
 struct DensityErrors {
   double mass;  ///< mass of the density; all other members are values per unit mass
   transform::Moments corrected;  ///< estimates of the exact moments E[f]
-  transform::Moments error;      ///< error E_p[f] - corrected
+  transform::Moments error;      ///< errors E_p[f] - corrected of the moments of the density
   /// Contributions -(h_ij - E_p[h]) rho_ij to the error of each of transform::kMoments, shape
-  /// (functions of y, functions of v). The sum of the contributions to a moment is the error of
-  /// this moment.
+  /// (functions of y, functions of v). The contributions to the error of a moment sum to the error
+  /// of the moment.
   std::array<Eigen::MatrixXd, kMomentCount> contributions;
 
   std::array<double, kMomentCount> unresolved;
@@ -45,18 +46,19 @@ struct DensityErrors {
   ErrorComponents y_l1, ydot_l1;
 
   /// Returns the error estimate of the density; empty if an L1 estimate is at least 2, the L1
-  /// distance of disjoint densities. The unresolved part is proportional to the error, since the
-  /// error (E_p - E)[e] of the mean residual is small for a nearly exact density p.
+  /// distance of disjoint densities. The unresolved part of the estimate is proportional to the
+  /// error, since the error (E_p - E)[e] of the mean residual is small for a nearly exact density
+  /// p.
   std::optional<transform::ErrorEstimate> error_estimate() const;
 
-  /// Factor of the L1 error estimates for features narrower than a bin. Without the factor 1 in 20
-  /// of 1389 errors of closures in random problems exceeded the estimate by a factor of 1.3, and 1
-  /// in 100 by a factor of 1.5 (docs/limits.md).
+  /// Factor of the L1 error estimates for features narrower than a bin. Without this factor, 1 in
+  /// 20 of the 1389 errors of closures in random problems exceeded the estimate by a factor of 1.3
+  /// (1 in 100: 1.5; docs/limits.md).
   static constexpr double kSubBinFactor = 1.6;
 };
 
-/// Dual-weighted residuals. Let h = sum h_ij A_i(y) B_j(v) solve L h = E[f] - f with h(0, r u) =
-/// h(0, -u). For any density p of mass 1
+/// Computes errors of densities by dual-weighted residuals. Let h = sum h_ij A_i(y) B_j(v) solve L
+/// h = E[f] - f with h(0, r u) = h(0, -u). For any density p of mass 1
 ///
 ///     E_p[f] - E[f] = -(int p L h dy dv + int u p(0, -u) [h(0, r u) - h(0, -u)] du)
 ///                   = -sum_ij h_ij rho_ij,
@@ -65,8 +67,8 @@ struct DensityErrors {
 /// other density (Becker and Rannacher, Acta Numerica 10 (2001) 1). The fitted h solves the
 /// equations L h = E[f] - f only approximately (fit_control_functions). The remaining error is a
 /// product of two small quantities, the residual of h and the error of p. A constant added to h
-/// changes the contributions but not their sum; the normalisation E_p[h] = 0 makes the
-/// contributions comparable.
+/// changes the contributions h_ij rho_ij but not the sum of all contributions. The normalisation
+/// E_p[h] = 0 makes the contributions comparable.
 ///
 /// The reference of the error is the full problem with impulses: the error of a solution of the
 /// white-noise equation includes the model error. Moments are in physical coordinates
@@ -74,12 +76,13 @@ struct DensityErrors {
 class DensityResiduals {
  public:
   static constexpr ControlCells kCells{.y = 40, .v = 88};
-  /// Numbers of cells for several wells under Gaussian noise. A well is narrower than the range of
-  /// y, and with kCells the bins resolve less than half of an error within a well. The fit takes as
-  /// long as with kCells (docs/residuals.md).
+  /// Numbers of spline cells for a potential with several wells under Gaussian noise. A well is
+  /// narrower than the range of y, and with kCells the bins resolve less than half of an error
+  /// within a well. The fit on kWellCells takes as long as the fit on kCells (docs/residuals.md).
   static constexpr ControlCells kWellCells{.y = 80, .v = 64};
-  /// Numbers of cells for several wells without Gaussian noise. Without noise solutions of the
-  /// backward equation have a sharp bend along the orbits that end on top of a barrier.
+  /// Numbers of spline cells for a potential with several wells without Gaussian noise. Without
+  /// noise solutions of the backward equation have a sharp bend along the orbits that end on top of
+  /// a barrier.
   static constexpr ControlCells kSharpWellCells{.y = 56, .v = 112};
 
   /// Fits h, which takes most of the computing time of an error estimate.

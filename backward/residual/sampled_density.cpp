@@ -53,7 +53,7 @@ void check_edges(std::span<const double> edges, const char* axis) {
   }
 }
 
-/// Range of a density in y; its ends are compared with walls up to rounding errors.
+/// Range of a density in y, whose ends are compared with walls up to rounding errors.
 struct DisplacementRange {
   double low, high;
 
@@ -192,8 +192,8 @@ RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
   for (std::size_t n = 0; n < points.size(); ++n) {
     const double x = points[n];
     if (x < edges.front() || x > edges.back()) continue;
-    // k - 1 and k are the edges of the cell that contains x; begin .. end - 1 are the edges on the
-    // same side of 0.
+    // The edges k - 1 and k enclose the cell that contains x. The edges begin .. end - 1 lie on the
+    // same side of 0 as this cell.
     const auto k = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges, x) - edges.begin(), 1,
                                               std::ssize(edges) - 1);
     const std::ptrdiff_t begin = has_edge_at_zero && k > zero ? zero : 0;
@@ -203,8 +203,8 @@ RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
     const auto chosen =
         edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
     const std::vector<double> slopes = lagrange_slopes(chosen, x);
-    // The cumulative distribution at an edge is the sum of the masses of all cells before this
-    // edge. The slopes of all Lagrange polynomials sum to 0.
+    // The cumulative distribution at an edge is the sum of the masses of all cells below the edge.
+    // The slopes of all Lagrange polynomials sum to 0.
     double sum = 0;
     for (auto a = count - 1; a > 0; --a) {
       const auto at = static_cast<std::size_t>(a);

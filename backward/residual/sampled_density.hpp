@@ -15,14 +15,14 @@ using RowMajorSparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// are the slope of the cumulative distribution, which polynomials of degree 7 interpolate between
 /// the edges (as in transform::ConservativeRemap). Each cell therefore keeps its mass, and the
 /// values of a smooth function have an error of seventh order in the cell width. No stencil crosses
-/// an edge at 0. A point on an edge belongs to the cell after this edge, and a point on the last
-/// edge to the last cell. Values beyond the first and the last edge are 0.
+/// an edge at 0. A point on an edge belongs to the cell above the edge. A point on the last edge
+/// belongs to the last cell. Values beyond the first and the last edge are 0.
 /// @param edges n + 1 increasing cell edges
 RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
                                            std::span<const double> points);
 
-/// Quadrature rule along an axis for a density given by samples along this axis. The samples are
-/// values at the points, or averages over cells.
+/// Quadrature rule along an axis for a density given by samples. The samples are values at the
+/// points, or averages over cells.
 struct AxisQuadrature {
   std::vector<double> points;
   /// Matrix of shape (points, samples) that maps samples to quadrature weight times density at the
@@ -47,7 +47,7 @@ struct SampledWallDensity {
 /// samples times a column vector.
 struct SampledDensity {
   AxisQuadrature y, v;
-  Eigen::MatrixXd samples;  ///< shape (samples along y, along v)
+  Eigen::MatrixXd samples;  ///< samples of the density, shape (samples along y, samples along v)
   std::vector<SampledWallDensity> impacts;
 };
 
@@ -68,10 +68,10 @@ struct IntegrandBreaks {
 /// Samples a density at the points of a Gauss rule of six points between all breaks of the density
 /// and of the integrands. The rule is exact for the product of a spline of degree 5 and a
 /// polynomial of reconstruction_matrix(). For a density given as a function no panel is longer than
-/// 1/24 of the range. A density whose range ends before a wall has no impacts at this wall.
+/// 1/24 of the range. A density has no impacts at a wall that is outside the range of the density.
 /// @throws InputError when the edges do not increase, extend past a wall, do not begin at a left
-/// wall or do not match the number of averages, or when a density given as a function has no range
-/// of positive length
+/// wall or do not match the number of averages
+/// @throws InputError when a density given as a function has no range of positive length
 SampledDensity sample_density(const transform::Density& density, const IntegrandBreaks& breaks);
 
 }  // namespace fpkcheck::backward

@@ -9,9 +9,9 @@
 
 namespace fpkcheck::backward {
 
-/// Residuals of approximate solutions h of backward equations: e = f - U + L h in the phase plane
-/// and the jump h(0, r u) - h(0, -u) at the wall. The class stores the means of |e| and of the
-/// absolute jump over cells of the splines.
+/// Residuals of approximate solutions h of backward equations. The residual is e = f - U + L h in
+/// the phase plane, and the jump h(0, r u) - h(0, -u) at the wall. The class stores the means of
+/// |e| and of the absolute jump over cells of the splines.
 class UnresolvedResidual {
  public:
   UnresolvedResidual() = default;
@@ -20,11 +20,10 @@ class UnresolvedResidual {
   UnresolvedResidual(const ControlFitProblem& fit, std::span<const SeparableFunction> functions,
                      const ControlFunctions& h);
 
-  /// Returns the mean residual E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du for each function,
-  /// with the last term for each wall, where `density` contains integrals of p. The error (E_p -
-  /// E)[f] minus its estimate -sum h rho equals (E_p - E)[e] plus the corresponding term of the
-  /// jumps at the wall. If p is disjoint from the exact density, the error minus its estimate is
-  /// about twice the mean residual.
+  /// Returns the mean residual E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du for each function.
+  /// The integral over impacts is summed over all walls. The error (E_p - E)[f] minus its estimate
+  /// -sum h rho equals (E_p - E)[e] plus a term of the jumps of h at the wall. If p is disjoint
+  /// from the exact density, the error minus its estimate is about twice the mean residual.
   Eigen::VectorXd mean_residuals(const DensityIntegrals& density) const;
 
   /// Returns the largest difference between the means of e over any two wells, for each function; 0

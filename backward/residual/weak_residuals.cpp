@@ -16,9 +16,9 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr std::size_t kNodesPerCell = 8;  // number of Gauss points between consecutive breaks of v
-constexpr int kPowers = 5;                // number of the powers 0 .. 4
+constexpr int kPowers = 5;                // number of powers of a coordinate, 0 .. 4
 constexpr double kMinBreakDistance =
-    1e-12;  // relative to the range of v; closer breaks differ only by rounding errors
+    1e-12;  // smallest distance of breaks, in ranges of v; closer breaks differ only by rounding
 
 std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
   auto nodes = numerics::composite_gauss_rule<kNodesPerCell>(breaks).points;
@@ -26,9 +26,9 @@ std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
   return nodes;
 }
 
-/// Returns the breaks of the splines B_j and of their means K B_j after an impulse. Each atom of
-/// the amplitude law and each corner of its density shifts the multiple knots, at which the splines
-/// are less smooth.
+/// Returns the breaks of the splines B_j and of the means K B_j after an impulse. Each atom of the
+/// amplitude law, and each corner of the density of the law, shifts the multiple knots, where the
+/// splines have discontinuous derivatives.
 std::vector<double> breaks_after_impulse(const numerics::QuinticBSplines& v,
                                          const problem::ImpulseTrain& impulses) {
   std::vector<double> amplitudes;

@@ -36,7 +36,7 @@ struct DensityIntegrals {
 /// and u p(b, u) [B_j(-r u) - B_j(u)] is the integrand. The weak residuals of the exact solution
 /// are 0 for any splines. The sum of all A_i B_j is 1, therefore the sum of all rho_ij is 0. Each
 /// term of L A_i B_j is a product of a function of y and a function of v, so that p is integrated
-/// along one axis after the other.
+/// first along one axis, then along the second axis.
 class WeakResiduals {
  public:
   /// @param problem in wall coordinates; the moments are in physical coordinates

@@ -40,7 +40,8 @@ PolarExponent polar_exponent(const Polynomial& q) {
 }
 
 /// Returns Gauss-Legendre points in the amplitude rho and the phase theta, v = rho sin(theta). The
-/// weights include the prefactor of the density. If there is an atom, the last point is the atom.
+/// weights include the prefactor of the density. If the law has an atom, the last point is the
+/// atom.
 /// @param breaks increasing amplitudes between 0 and rho_max at which a panel in rho ends
 /// @param size numbers of points: s in rho, with additional points near the breaks, and t in theta
 template <class Coordinates>
@@ -110,7 +111,8 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordi
 }
 
 /// Determines the behaviour of the exponent Q_n at infinity by condition (19) of the paper, along
-/// Coordinates::leading_form_phases(). The radii in the result are rho/sigma_2.
+/// Coordinates::leading_form_phases(). The radii in the result are amplitudes rho in units of
+/// sigma_2, the standard deviation of the velocity.
 template <class Coordinates>
 LeadingForm leading_form_in_amplitude(const Polynomial& q, const StandardDeviations& sigma) {
   std::vector<Direction> directions;
@@ -125,9 +127,9 @@ LeadingForm leading_form_in_amplitude(const Polynomial& q, const StandardDeviati
 ///     L*phi = rho' phi_rho + t' phi_t + lambda ( E[phi(y, v + Y)] - phi ).
 ///
 /// At the atom, an impact follows each impulse towards the wall. In polar::Coordinates phi has a
-/// jump at the origin, but all terms are bounded there. White noise has no such equations, since
-/// d^2 theta/dv^2 is not integrable. If rho^2/2 is the energy, the root satisfies the balance of
-/// power exactly, since the basis contains rho^2/2.
+/// jump at the origin, but all terms of the equations are bounded there. Under white noise the
+/// Galerkin equations do not exist, since d^2 theta/dv^2 is not integrable. If rho^2/2 is the
+/// energy, the root satisfies the balance of power exactly, since the basis contains rho^2/2.
 /// @param points quadrature points up to the amplitude rho_max
 /// @param wall_points number of quadrature points on the wall
 template <class Coordinates>

@@ -8,8 +8,9 @@
 
 #include "numerics/quadrature/gauss_rule.hpp"
 
-/// Common part of the formulations polar and contact. The exponent is a polynomial of the amplitude
-/// rho = sqrt(v^2 + 2 V(y)) and of a second coordinate. The problem has one wall, on the left.
+/// Common part of the closures in amplitude and phase (epc/polar) and in amplitude and velocity
+/// (epc/contact). The exponent is a polynomial of the amplitude rho = sqrt(v^2 + 2 V(y)) and of a
+/// second coordinate. The problem has one wall, on the left.
 namespace fpkcheck::epc::amplitude {
 
 inline double energy_of_amplitude(double rho) { return rho * rho / 2; }
@@ -20,26 +21,28 @@ inline double amplitude_of_energy(double energy) { return std::sqrt(2 * energy);
 using PolarExponent = std::function<double(double rho, double theta)>;
 
 inline constexpr int kPhaseCount = 33;
-/// Returns equidistant phases on the half-circle, including both ends -pi/2 and pi/2.
+/// Returns equidistant phases from -pi/2 to pi/2, including the ends.
 const std::array<double, kPhaseCount>& equidistant_phases();
 double trapezoidal_phase_weight(int phase_index);
 
 double maximum_over_phase(const PolarExponent& exponent, double rho);
 
 struct ExponentDecayScan {
-  /// First amplitude at which the maximum over the phases lies `depth` below its peak
+  /// First amplitude at which the maximum of the exponent over all phases lies `depth` below the
+  /// peak
   std::optional<double> crossing;
-  /// Amplitude at which the maximum over the phases begins to rise, or `last_amplitude`
+  /// Amplitude at which the maximum of the exponent over the phases begins to rise, or
+  /// `last_amplitude`
   double extent;
 };
 
-/// Scans growing amplitudes until the maximum over the phases lies `depth` below its peak or rises
-/// again.
+/// Scans growing amplitudes until the maximum of the exponent over all phases lies `depth` below
+/// the peak or rises again.
 ExponentDecayScan scan_exponent_decay(const PolarExponent& exponent, double depth,
                                       double last_amplitude);
 
 /// Returns a Gauss-Legendre rule on [0, end] with one panel between successive breaks. The number
-/// of points of a panel is proportional to its width, plus a constant.
+/// of points of a panel is a constant plus a multiple of the panel width.
 numerics::QuadratureRule piecewise_gauss_legendre_rule(double end,
                                                        const std::vector<double>& breaks,
                                                        int point_count);

@@ -22,15 +22,16 @@ using half_plane::SearchStage;
 
 namespace {
 
-// Candidates for the confinement level: depths of Q_n below its peak, in the order of the attempts.
+// Candidates for the confinement level: amplitudes at which the exponent Q_n lies kDepths below its
+// peak, in the order of the attempts.
 constexpr std::array kDepths{24.0, 18.0, 32.0};
 // Further candidates for the confinement level: multiples of the amplitude at which the exponent
 // Q_n begins to rise, and multiples of the standard deviation of v.
 constexpr std::array kBeyondDecayExtent{1.2, 1.0};
 constexpr std::array kLevelDeviations{8.0, 6.5, 11.0};
 constexpr double kFarthestDeviations = 30;
-// Largest accepted density at the confinement level, relative to the peak density. Above this limit
-// the confinement would determine the density.
+// Largest accepted density at the confinement level, relative to the peak density. At larger
+// densities the confinement would determine the density.
 constexpr double kLevelDensityLimit = 1e-4;
 
 double largest_scan_amplitude(double temperature) {

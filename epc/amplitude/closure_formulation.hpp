@@ -10,13 +10,13 @@
 namespace fpkcheck::epc::amplitude {
 
 /// Returns the exponent of the density at an intermediate order: Q_n up to the amplitude at which
-/// Q_n may rise, and the exponent of a Gaussian at larger amplitudes.
+/// Q_n may rise, and the exponent of a Gaussian beyond this amplitude.
 double exponent_with_gaussian_tail(const PolarExponent& q,
                                    const half_plane::ClosureDensity& closure, double rho,
                                    double theta);
 
-/// Tolerance on the change of the exponent Q_n on more quadrature points, in standard deviations.
-/// This tolerance is below the error of the closure at the default orders.
+/// Tolerance on the change of the exponent Q_n by additional quadrature points, in standard
+/// deviations. The tolerance 1e-3 is below the error of the closure at the default orders.
 inline constexpr double kQuadratureTolerance = 1e-3;
 
 /// Closure formulation whose coordinate s is the amplitude rho. The confinement level is the energy
@@ -47,7 +47,8 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   double decay_ratio_limit(half_plane::SearchStage stage) const override;
 
  protected:
-  /// Returns the exponent Q_n as a function of amplitude and phase, with a reference to q.
+  /// Returns the exponent Q_n as a function of amplitude and phase. The function refers to the
+  /// polynomial q.
   virtual PolarExponent polar_exponent(const Polynomial& q) const = 0;
   virtual double phase(double s, double t) const = 0;
 
@@ -56,8 +57,8 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   TailTreatment tail_;
 };
 
-/// Returns the reason why a density that decays only by the confinement is inadmissible, or an
-/// empty string.
+/// Returns the reason why a density is inadmissible if only the confinement term causes its decay.
+/// The reason is empty for an admissible density.
 /// @param quantity name of the checked quantity, for the reason
 /// @param at_level largest value of the quantity at or beyond the confinement level, relative to
 ///   its peak

@@ -22,8 +22,8 @@ class GradedImpulseQuadrature {
  public:
   explicit GradedImpulseQuadrature(const problem::ImpulseLaw& law);
 
-  /// Returns velocities and probabilities after an impulse at velocity v. The reference is valid
-  /// until the next call.
+  /// Returns velocities and probabilities after an impulse at velocity v. The returned reference is
+  /// valid until the next call of the function.
   /// @param width width over which f varies near velocity 0, or 0 if f is smooth up to velocity 0
   ///   on either side
   const PostImpulseVelocities& operator()(double v, double width);

@@ -33,9 +33,9 @@ bool force_presses_on_single_wall(const problem::Problem& problem);
 ///     P0 = 2 C exp(Q_n(0, 0)) ln(1/r) / lambda.
 ///
 /// The exact limit has a small log-periodic dependence on u, which no polynomial can represent.
-/// Continuous functions of rho and v have a value at the corner, unlike functions of amplitude and
-/// phase. Polynomials of y and v lack odd powers of rho, such as the time until the mass comes to
-/// rest.
+/// Continuous functions of rho and v have a unique value at the corner y = v = 0, unlike functions
+/// of amplitude and phase. Polynomials of y and v cannot represent odd powers of rho. The time
+/// until the mass comes to rest is an odd power of rho.
 class Coordinates {
  public:
   static constexpr ExponentCoordinates kVariables = ExponentCoordinates::contact;
@@ -72,7 +72,7 @@ class Coordinates {
   static double density_prefactor(double rho) { return 2 / (rho * rho); }
   /// Returns the probability P0 of the atom divided by C exp(Q_n(0, 0)).
   double atom_weight() const { return atom_weight_; }
-  /// No amplitudes are needed: the mean of a basis function over the impulses is continuous.
+  /// Returns no break points, since the mean of a basis function over the impulses is continuous.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw&, double) {
     return {};
   }

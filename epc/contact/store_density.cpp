@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using half_plane::QuadraturePoints;
 
-// Returns cell edges from 0 to `end`. After a first cell of width first * end, the widths grow in
-// proportion to the distance from 0 up to a largest width.
+// Returns cell edges from 0 to `end`. The first cell has the width first * end. The widths of all
+// later cells grow in proportion to the distance from 0, up to a largest width.
 std::vector<double> edges_graded_to_zero(double end, double first, double growth) {
   constexpr int kEven = 120;
   std::vector<double> edges{0};
@@ -81,7 +81,7 @@ transform::Moments moments_of(const problem::WallFrame& frame, const DiscreteLaw
           .v4 = mean(0, 4)};
 }
 
-// Returns the partial moment E[|Y|^power; Y < 0] over the impulses towards the wall.
+// Returns the partial moment E[|Y|^power; Y < 0] of the impulses towards the wall.
 double moment_into_wall(const problem::ImpulseLaw& law, int power) {
   const auto after = amplitude::GradedImpulseQuadrature(law)(0, 0);
   double sum = 0;
@@ -126,8 +126,8 @@ transform::BalanceResiduals balances_of(const problem::Problem& problem, const D
 }  // namespace
 
 transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density) {
-  // Near the corner y is of the order of v^2: the first cell in y has the relative width kFirst^2.
-  // The first cells contain a probability of the order of kFirst.
+  // Near the corner y = v = 0, y is of the order of v^2. The first cell in y therefore has the
+  // relative width kFirst^2. The first cells contain a probability of the order of kFirst.
   constexpr double kFirst = 1e-6, kGrowth = 1.3;
   return transform::average_over_cells(
       density, edges_graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),

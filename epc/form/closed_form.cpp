@@ -15,8 +15,8 @@ namespace {
 
 using transform::Metrics;
 
-// Largest power that a file may contain, checked before memory is allocated. No larger power is
-// usable in double precision.
+// Largest power that a file may contain, checked before memory is allocated. Powers above 40 are
+// unusable in double precision.
 constexpr int kHighestPower = 40;
 
 double require_number(const Metrics& metrics, const std::string& path) {

@@ -83,8 +83,8 @@ RadialPolynomial radial_polynomial(const Polynomial& q, const StandardDeviations
 
 namespace {
 
-// Removes terms without a reliable sign, which are rounding errors. In the scaled plane these terms
-// are smaller than kRounding times the largest term.
+// Removes terms without a reliable sign, which are rounding errors. In the scaled plane, terms
+// without a reliable sign are smaller than kRounding times the largest term.
 Polynomial without_rounding(const Polynomial& q, const StandardDeviations& sigma) {
   constexpr double kRounding = 1e-10;
   const auto size = [&](const Term& term) {
@@ -98,7 +98,7 @@ Polynomial without_rounding(const Polynomial& q, const StandardDeviations& sigma
 }
 
 // Returns the radius, in units of sigma, from which a polynomial of the radius rises: the largest
-// radius below `end` at which its slope changes sign.
+// radius below `end` at which the slope of the polynomial changes sign.
 double last_rise(const RadialPolynomial& ray, double sigma, double end, double step) {
   const RadialPolynomial slope = derivative_coefficients(ray);
   double radius = end;

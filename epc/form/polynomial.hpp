@@ -29,7 +29,7 @@ class Polynomial {
  private:
   std::vector<Term> terms_;
   int degree_;
-  // Coefficients in rows p = degree .. 0, each with q = degree - p .. 0
+  // Coefficients of x1^p x2^q: one row for each p = degree .. 0, with q = degree - p .. 0
   std::vector<double> triangle_;
 };
 

@@ -18,7 +18,6 @@ double right_flux(const problem::Problem& problem, const transform::SmoothDensit
   return numerics::integrate_by_composite_gauss(integrand, 0.0, density.v_max, kPanels);
 }
 
-// Returns the mean power E[v f] of the damping force f.
 double damping_power(const problem::System& system, const transform::SmoothDensity& density) {
   return transform::expectation(density, [&](double y, double v) {
     return (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v * v;
@@ -59,8 +58,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   }
   transform::BalanceResiduals residuals{.virial =
                                             problem::virial_balance(problem, virial).residual()};
-  // Without impacts the two sides of the momentum balance may be 0, and the residual would be a
-  // rounding error.
+  // Threshold of the momentum balance: without impacts the left and the right side may be 0, and
+  // the residual would be a rounding error.
   constexpr double kRounding = 1e-9;
   const double force_unit = marginals.moments.v2 / std::sqrt(marginals.moments.y2);
   const problem::BalanceEquation balance = problem::momentum_balance(problem, momentum);

@@ -27,7 +27,7 @@ double absolute_moment(double m, double sigma) {
 
 // Returns the exponent -(c/D2) (x2^2/2 + U(|x1|)) of the exact density under white noise with
 // elastic impacts. For an even power a y^m of the force, U(|x1|) is not a polynomial. A linear
-// force with the mean slope E[a m |x1|^(m-1)] of the even power replaces this power.
+// force replaces the even power, with the mean slope E[a m |x1|^(m-1)] of this power.
 std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
                                                const StandardDeviations& sigma) {
   const double beta = f.damping / (f.rate_times_moment[2] / 2);

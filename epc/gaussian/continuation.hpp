@@ -7,8 +7,8 @@ namespace fpkcheck::epc::gaussian {
 
 struct SolutionBranchAndRoot {
   SolutionBranch branch;
-  /// Root of the full problem. If the branch does not reach fraction 1, this member is the iterate
-  /// at the largest fraction, without convergence.
+  /// Root of the full problem. If the branch does not reach fraction 1, this member is the
+  /// unconverged iterate at the largest fraction.
   numerics::NewtonResult root;
 };
 
@@ -19,7 +19,7 @@ struct SolutionBranchAndRoot {
 SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
                                              const ResidualCoefficients& full, double tolerance);
 
-/// @param start root of the equations of lower order
+/// @param start root of the equations of order n-2
 numerics::NewtonResult follow_newton_homotopy(const ProjectedEquations& projection,
                                               const ResidualCoefficients& f,
                                               const Eigen::VectorXd& start, double tolerance);

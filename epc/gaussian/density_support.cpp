@@ -13,7 +13,8 @@ namespace fpkcheck::epc::gaussian {
 namespace {
 
 // Radius of the disc in which the peak of the exponent Q_n is searched, in standard deviations. If
-// the exponent Q_n exceeds this peak outside the disc, condition (19) of the paper is violated.
+// the exponent Q_n outside the disc exceeds the peak in the disc, condition (19) of the paper is
+// violated.
 constexpr double kCoreRadius = 2;
 constexpr int kRadialPanels = 6;
 
@@ -42,7 +43,7 @@ double crossing_between(const RadialPolynomial& q, const RadialPolynomial& slope
 
 struct EdgeOnRay {
   double radius;
-  double peak;  // largest exponent Q_n at smaller radii
+  double peak;  // largest exponent Q_n at radii below the edge
 };
 
 // Applies rules (a) to (c) of DensitySupport along one direction.
@@ -154,7 +155,7 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Densit
   };
   const bool even =
       std::ranges::all_of(q.terms(), [](const Term& t) { return (t.x1 + t.x2) % 2 == 0; });
-  if (even) {  // both points (z, z') of paper (5) have the same density
+  if (even) {  // the two points (z, z') and (-z, -z') of paper (5) have equal densities
     return {[plane](double y, double v) { return 2 * plane(y, v); }, support.x1_max(),
             support.x2_max()};
   }

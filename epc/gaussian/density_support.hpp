@@ -15,7 +15,7 @@ namespace fpkcheck::epc::gaussian {
 ///  - (c) the radius at which the exponent Q_n is smallest before the exponent Q_n exceeds its peak
 ///    again, up to kLargestRadius deviations of the weights (25)-(26).
 /// A shallow minimum of the exponent Q_n in the bulk of the density is therefore not an edge of the
-/// set. If condition (19) is violated, the set ends before the exponent Q_n rises.
+/// support. If condition (19) is violated, the set ends before the exponent Q_n rises.
 class DensitySupport {
  public:
   static constexpr double kNegligible = 1e-14;

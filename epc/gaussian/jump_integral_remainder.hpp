@@ -11,10 +11,11 @@
 namespace fpkcheck::epc::gaussian {
 
 /// Returns the Gauss rule for the mean E[g(Y)] of a smooth function g of the impulse Y. The rule is
-/// Gauss-Hermite for the law gaussian, Gauss-Laguerre for exponential and on either side of the
-/// mean for laplace, and Gauss-Legendre for uniform. The rule of two_point consists of the atoms.
-/// Other laws use piecewise_impulse_quadrature_rule().
-/// @param points number of points of the Gauss rule (for laplace on each side of the mean)
+/// Gauss-Hermite for the Gaussian law and Gauss-Legendre for the uniform law. For the exponential
+/// law, and on either side of the mean of the Laplace law, the rule is Gauss-Laguerre. For the
+/// two-point law the rule consists of the two atoms. Other laws use
+/// piecewise_impulse_quadrature_rule().
+/// @param points number of points of the Gauss rule (for the Laplace law, on each side of the mean)
 numerics::QuadratureRule impulse_quadrature_rule(const problem::ImpulseLaw& law, int points);
 
 /// Returns a quadrature rule for E[g(Y)] for any law of the impulse Y: the atoms of the law, and
@@ -26,16 +27,17 @@ numerics::QuadratureRule piecewise_impulse_quadrature_rule(const problem::Impuls
 ///
 ///     lambda ( E[exp( Q(x1, x2 - sgn(x1) Y) - Q(x1, x2) )] - 1 )
 ///
-/// minus the Kramers-Moyal series of this expression up to the fourth derivative. The projection
-/// over the whole plane diverges. If the leading form is negative, exp(-Q) outgrows the weights;
-/// where the exponent Q_n rises, the expectation is infinite. The small remainder is therefore
-/// integrated only on a disc with a radius of kRadius standard deviations of the weights. Jumps to
-/// points beyond the radius kRadius + kJumpMargin are omitted. The result is insensitive to both
-/// radii (table in docs/closure.md).
+/// minus the Kramers-Moyal series of this expression up to the fourth derivative. The projection of
+/// the remainder over the whole plane diverges. If the leading form is negative, exp(-Q) outgrows
+/// the Gaussian weights. Where the exponent Q_n rises, the expectation is infinite. The small
+/// remainder is therefore integrated only on a disc with a radius of kRadius standard deviations of
+/// the weights. Jumps to points beyond the radius kRadius + kJumpMargin are omitted. The projected
+/// remainder is insensitive to kRadius and kJumpMargin (table in docs/closure.md).
 class JumpIntegralRemainder {
  public:
-  static constexpr double kRadius = 5.5;    ///< disc radius in standard deviations of the weights
-  static constexpr double kJumpMargin = 2;  ///< margin around the disc, in the same unit
+  static constexpr double kRadius = 5.5;  ///< disc radius in standard deviations of the weights
+  /// Width of the margin around the disc, in standard deviations
+  static constexpr double kJumpMargin = 2;
 
   JumpIntegralRemainder(const Basis& basis, const problem::ImpulseTrain& impulses,
                         double radius = kRadius);

@@ -151,7 +151,6 @@ using Eigen::VectorXd;
 constexpr double kLeastStepFraction = 1e-4;
 constexpr double kArmijo = 0.1;
 
-// Adapter of equations (23) for numerics::solve_by_newton().
 struct NewtonEquations {
   struct Iterate {
     VectorXd a, residual;

@@ -38,8 +38,8 @@ class ProjectedEquations {
 };
 
 /// Returns the unit of the residual: the damping c, but at least 1e-4 times the frequency
-/// sigma_2/sigma_1. In a smaller unit, rounding errors of the transport terms would dominate the
-/// residual.
+/// sigma_2/sigma_1. If the unit were smaller than this minimum, rounding errors of the transport
+/// terms would dominate the residual.
 double residual_unit(const ProjectedEquations& projection, const ResidualCoefficients& f);
 
 /// Solves (23) by the paper's Newton-Raphson method with the analytic Jacobian. The norm of the

@@ -20,7 +20,7 @@ using numerics::NewtonResult;
 using problem::DensityEquation;
 
 // Limit on the relative change of the coefficients between two discs of the jump integral. For
-// roots that are insensitive to the disc, this change is below 0.01.
+// roots that are insensitive to the disc, the relative change is below 0.01.
 constexpr double kDiscSensitivityLimit = 0.05;
 
 std::vector<Term> gaussian_exponent(const StandardDeviations& sigma) {

@@ -21,14 +21,15 @@ struct RootSearchResult {
   std::string failure;
   SolutionBranch branch;
   bool plain_newton_converges = false;
-  /// Relative change of the scaled coefficients if the disc of JumpIntegralRemainder has a radius
-  /// smaller by one standard deviation; only for `kf`.
+  /// Relative change of the scaled coefficients if the disc of JumpIntegralRemainder is reduced in
+  /// radius by one standard deviation; only for `kf`.
   std::optional<double> disc_sensitivity;
   std::optional<Polynomial> previous;
 };
 
-/// Searches for a root of (23) and returns the first root of these attempts. Beyond n = 6 the first
-/// root whose density decays on the edge of its support is preferred.
+/// Searches for a root of the projected equations (23) and returns the root of the first successful
+/// attempt. Beyond order n = 6 the first root whose density decays on the edge of the support is
+/// preferred. The attempts are:
 ///  1. plain Newton steps from equivalent linearisation, as in the paper;
 ///  2. damped Newton steps from equivalent linearisation;
 ///  3. damped Newton steps from the root of order n-2;

@@ -23,8 +23,8 @@ transform::SmoothDensity density_on(const problem::Problem& problem, const Polyn
              : density_without_wall(q, support, log_normalising_constant(support));
 }
 
-// Returns the smallest order n-2 whose density is compared with order n. Without a wall a Gaussian,
-// order 2, approximates neither several wells nor a ring.
+// Returns the smallest order n-2 whose density is compared with order n. Without a wall, order 2 is
+// excluded for several wells and for a ring, which no Gaussian approximates.
 int first_comparable_order(const problem::Problem& problem) {
   return problem.system.left_wall() ? 2 : 4;
 }
@@ -99,7 +99,8 @@ void assess_root(const problem::Problem& problem, const Polynomial& q,
   if (previous) {
     const DensitySupport before(*previous, sigma);
     auto before_density = density_on(problem, *previous, before);
-    before_density.y_min = density.y_min;  // both densities then have the same panels
+    // the densities of order n and n-2 then have equal panels
+    before_density.y_min = density.y_min;
     summary.distance_to_previous = distance(
         marginals, transform::quadrature_marginals(before_density, density.y_max, density.v_max));
     if (before.edge_density_ratio() < kEdgeDensityLimit &&

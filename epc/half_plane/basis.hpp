@@ -42,17 +42,18 @@ class OrthonormalPolynomials {
   /// derivative of h_k at x_i.
   /// @param order highest derivative j
   std::vector<Eigen::MatrixXd> derivative_tables(const Eigen::VectorXd& x, int order) const;
-  /// Entry (i, k) of the result is h_k(x_i).
+  /// Returns the values of the polynomials at points x: entry (i, k) is h_k(x_i).
   Eigen::MatrixXd polynomial_values(const Eigen::VectorXd& x) const {
     return derivative_tables(x, 0)[0];
   }
 
-  /// Entry (k, p) of the result is the coefficient of x^p in h_k.
+  /// Returns the monomial coefficients of the polynomials: entry (k, p) is the coefficient of x^p
+  /// in h_k.
   Eigen::MatrixXd monomial_coefficients() const;
 
  private:
-  std::vector<double> centre_;  // a_i
-  std::vector<double> norm_;    // b_i
+  std::vector<double> centre_;  // coefficients a_i of the recurrence
+  std::vector<double> norm_;    // coefficients b_i of the recurrence
 };
 
 /// Basis of products h_p(s) g_q(t), 1 <= p + q <= n, in the coordinates s and t of

@@ -13,7 +13,7 @@ namespace fpkcheck::epc::half_plane {
 /// Confinement term -(h / level)^kPower, added to the exponent Q_n, where h is the energy. The term
 /// is negligible in the bulk of the density and steeper than every Q_n beyond the level. Therefore
 /// C exp(Q_n - (h/level)^kPower) is a density on the whole half-plane, and satisfies the moment
-/// equations without a cut.
+/// equations without a cut-off of the density.
 struct Confinement {
   static constexpr int kPower = 16;
   /// The density is neglected at energies where the confinement term is below -kNegligible.
@@ -37,7 +37,7 @@ struct ClosureDensity {
   Polynomial q{{}};              ///< polynomial Q_n of s and t, without the constant term
   double temperature = 0;        ///< mean square velocity E[v^2]
   double log_normalisation = 0;  ///< ln of the integral of exp(Q_n + confinement)
-  double peak = 0;               ///< largest value of the exponent
+  double peak = 0;               ///< largest value of the exponent of the density
   double level = 0;              ///< confinement level, or energy beyond which the density is cut
   double support = 0;            ///< energy beyond which the density is 0
   /// Largest coordinate s up to which the exponent Q_n falls.
@@ -57,7 +57,7 @@ std::pair<double, double> scaled_radius_range(const Contour& contour,
 
 /// Estimates the probability outside a contour by T oint p dA/dh, which is exact for a density that
 /// decays like exp(-h/T).
-/// @param temperature temperature T of this decay
+/// @param temperature temperature T of the decay exp(-h/T)
 /// @param log_normalisation ln of the integral of exp(Q_n + confinement)
 double probability_beyond_contour(const Polynomial& q, const Contour& contour, double temperature,
                                   double log_normalisation);

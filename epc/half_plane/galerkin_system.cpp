@@ -56,7 +56,8 @@ MatrixXd GalerkinSystem::covariance(const DensityAtPoints& density) const {
 }
 
 VectorXd GalerkinSystem::fit_coefficients(const VectorXd& exponent, const VectorXd& mass) const {
-  // Q_n has no constant term: the column of ones represents the constant term of the exponent.
+  // The column of ones represents the constant term of the exponent, since Q_n has no constant
+  // term.
   MatrixXd columns(tables_.basis_functions.rows(), tables_.basis_functions.cols() + 1);
   columns << VectorXd::Ones(tables_.basis_functions.rows()), tables_.basis_functions;
   const MatrixXd weighted = mass.asDiagonal() * columns;

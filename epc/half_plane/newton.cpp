@@ -48,7 +48,6 @@ using Eigen::VectorXd;
 constexpr double kLongestStep = 2;
 constexpr double kLeastStepFraction = 1e-6;
 
-// Adapter of the Galerkin equations for numerics::solve_by_newton().
 struct NewtonEquations {
   struct Iterate {
     VectorXd a;
@@ -111,7 +110,8 @@ numerics::SolutionCurve follow_homotopy(const GalerkinSystem& equations, const V
   const auto jacobian = [&](const VectorXd& a) -> MatrixXd {
     return equations.jacobian(equations.evaluate_density(a));
   };
-  // These options are in units of coefficients of functions with a variance of about 1.
+  // The options of the path are in units of the coefficients of basis functions with a variance of
+  // about 1.
   return numerics::trace_solution_curve(numerics::newton_homotopy(residual, jacobian, start), start,
                                         {.tolerance = 0,
                                          .correction_tolerance = 1e-6,

@@ -12,15 +12,16 @@
 /// not depend on the choice of basis.
 namespace fpkcheck::epc::half_plane {
 
-/// Returns the unit of rates of change: the relaxation rate D_eff / E[v^2], which equals the
-/// damping c of a linear oscillator, but at least 1e-4 times the frequency. In a smaller unit,
-/// rounding errors of the terms of the undamped motion would dominate the residual.
+/// Returns the unit of rates of change: the relaxation rate D_eff / E[v^2], but at least 1e-4 times
+/// the frequency. For a linear oscillator the relaxation rate is the damping c. If the unit were
+/// smaller than this minimum, rounding errors of the terms of the undamped motion would dominate
+/// the residual.
 /// @param temperature approximation of E[v^2]
 /// @pre temperature > 0
 double rate_of_change_unit(const problem::Problem& problem, double temperature);
 
 /// Returns the norm of a residual R: the supremum of |d E[phi]/dt| / unit over all polynomials phi
-/// of unit variance. This supremum is sqrt(R^T G^{-1} R) / unit with the covariance matrix G, and
+/// of unit variance. The norm equals sqrt(R^T G^{-1} R) / unit with the covariance matrix G, and is
 /// infinite for a singular G.
 double residual_norm(const Eigen::VectorXd& residual, const Eigen::MatrixXd& covariance,
                      double unit);
@@ -30,7 +31,8 @@ double residual_norm(const Eigen::VectorXd& residual, const Eigen::MatrixXd& cov
 /// covariance matrix.
 double condition_number(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& covariance);
 
-/// Returns the standard deviation of the change of the exponent Q_n by a step in its coefficients.
+/// Returns the standard deviation of the change of the exponent Q_n by a step in the coefficients
+/// of Q_n.
 double step_norm(const Eigen::VectorXd& step, const Eigen::MatrixXd& covariance);
 
 /// Solves the Galerkin equations by a damped Newton method. The norm of each step is at most 2, and

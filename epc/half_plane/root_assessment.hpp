@@ -29,8 +29,8 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
 
 /// Sets the status of the solution. If the quadrature does not resolve the root, the status is
 /// not_converged. A root is inadmissible if
-///  - the formulation gives a reason;
-///  - the integral of its density by an independent quadrature is not 1;
+/// - the formulation states a reason why the root is inadmissible;
+/// - the integral of the density by an independent quadrature is not 1;
 ///  - too much probability lies at or beyond the confinement level: the confinement would determine
 ///    the density.
 /// @param quadrature_tolerance tolerance on the change of the exponent Q_n on more quadrature

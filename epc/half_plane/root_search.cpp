@@ -99,8 +99,8 @@ class RootSearch {
     return true;
   }
 
-  // At the level of the initial guess Newton's method starts from the exponent Q_n of the initial
-  // guess without a fit.
+  // At the confinement level of the initial guess, Newton's method starts from the exponent Q_n of
+  // the initial guess without a fit.
   std::vector<double> confinement_levels(const ClosureDensity& guess, SearchStage stage) const {
     std::vector<double> confinement_levels = formulation_.confinement_levels(guess, stage);
     if (guess.level > 0) confinement_levels.push_back(guess.level);
@@ -263,7 +263,7 @@ class RootSearch {
     return equations.covariance(equations.evaluate_density(a));
   }
 
-  // Returns the norm of the first Newton step on more quadrature points.
+  // Returns the norm of the first Newton step with additional quadrature points.
   static double change_on_finer_points(const ClosureEquations& fine, const ClosureEquations& coarse,
                                        const VectorXd& a) {
     const GalerkinSystem::DensityAtPoints density = coarse.evaluate_density(a);

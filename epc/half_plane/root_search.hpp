@@ -17,10 +17,9 @@ struct RootSearchResult {
   ClosureDensity closure;
   /// Density of order n - 2; empty for n = 2.
   std::optional<ClosureDensity> previous;
-  /// Value of ClosureFormulation::decay_ratio for the root.
   double decay_ratio = 0;
   QuadraturePointCounts quadrature{};
-  /// Standard deviation of the change of the exponent Q_n on more quadrature points.
+  /// Standard deviation of the change of the exponent Q_n by additional quadrature points.
   double quadrature_change = 0;
   /// Result of Newton's method at the requested order, or at the order that failed, with the number
   /// of iterations of all orders.
@@ -33,14 +32,14 @@ struct RootSearchResult {
 /// Stage of the root search, which sets the accuracy of the solution.
 enum class SearchStage {
   rough,  ///< intermediate order, whose root starts the search at the next order
-  last    ///< requested order
+  last    ///< stage at the requested order
 };
 
 struct QuadratureRefinementCriterion {
-  /// Method to determine the change of the exponent Q_n on more quadrature points.
+  /// Method to determine the change of the exponent Q_n by additional quadrature points.
   enum class ChangeMeasure {
-    solved,    ///< solve the equations again on more points, and use the new root
-    estimated  ///< estimate the change by one Newton step on more points, and keep the root
+    solved,    ///< solve the equations again with additional points, and use the new root
+    estimated  ///< estimate the change by one Newton step with additional points, and keep the root
   };
   ChangeMeasure rule;
   double tolerance;  ///< tolerance on the standard deviation of the change of the exponent Q_n
@@ -63,8 +62,8 @@ class ClosureFormulation {
   /// Candidates for the confinement level, as energies, in the order of the attempts.
   virtual std::vector<double> confinement_levels(const ClosureDensity& guess,
                                                  SearchStage stage) const = 0;
-  /// Confinement level that is larger than the level of a root's density and suits this density
-  /// better; empty if there is no such level.
+  /// Confinement level that is larger, and more suitable for the density of a root, than the level
+  /// with which the root was found. The result is empty if there is no such level.
   virtual std::optional<double> improved_confinement_level(
       const ClosureDensity& /*guess*/, const ClosureDensity& /*closure*/) const {
     return std::nullopt;
@@ -108,11 +107,11 @@ class ClosureFormulation {
 };
 
 /// Searches for the root of the requested order by solving the even orders in turn. Each order
-/// starts from the density of order n - 2, on a domain adapted to that density. If this start
-/// fails, formulations with can_start_at_any_order() restart from the initial density. Each order
-/// uses the first confinement level at which the density has decayed, or else the level with the
-/// smallest decay ratio. At the requested order the number of quadrature points grows until the
-/// quadrature resolves the root.
+/// starts from the density of order n - 2, on a domain adapted to that density. If the start from
+/// order n - 2 fails, formulations with can_start_at_any_order() restart from the initial density.
+/// Each order uses the first confinement level at which the density has decayed, or else the level
+/// with the smallest decay ratio. At the requested order the number of quadrature points grows
+/// until the quadrature resolves the root.
 RootSearchResult find_root(const ClosureFormulation& formulation, const Options& options);
 
 }  // namespace fpkcheck::epc::half_plane

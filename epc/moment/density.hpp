@@ -37,8 +37,8 @@ ExponentDecayScan scan_exponent_decay(const Polynomial& q, const problem::Proble
                                       double first_energy, double last_energy, double depth);
 
 /// Depth below the peak of the exponent Q_n at which exp(Q_n) is negligible: e^-42 = 6e-19 of the
-/// peak. If the exponent Q_n falls to this depth without a rise, the energy at this depth is the
-/// confinement level.
+/// peak. If the exponent Q_n falls by kNegligibleDepth without a rise, the confinement level is the
+/// energy at which Q_n lies kNegligibleDepth below the peak.
 inline constexpr double kNegligibleDepth = 42;
 /// Smallest factor by which a new confinement level must exceed the present level.
 inline constexpr double kMinLevelRatio = 1.05;
@@ -48,8 +48,9 @@ inline constexpr double kIntermediateLevelDensity = 1e-2;
 /// Largest exp(Q_n) at an accepted confinement level, relative to the peak, at the requested order
 /// of a search from energy averaging.
 inline constexpr double kPreferredLevelDensity = 1e-3;
-/// Largest exp(Q_n) at the confinement level, relative to the peak, of an admissible density. Above
-/// this limit the density decays by the confinement alone (in ring-shaped densities).
+/// Largest exp(Q_n) at the confinement level, relative to the peak, of an admissible density. A
+/// density with a larger ratio decays by the confinement alone (observed for ring-shaped
+/// densities).
 inline constexpr double kLevelDensityLimit = 1e-2;
 
 /// Returns the largest exp(Q_n) on the contour of the confinement level, relative to the peak.

@@ -31,7 +31,8 @@ EnergyAveragedExponent::EnergyAveragedExponent(const problem::EnergyAveraging& a
   }
 }
 
-// If no orbit of the nearest energy contains the displacement y, the next higher energy is used.
+// If no orbit of the nearest energy contains the displacement y, the function uses the next higher
+// energy.
 const problem::EnergyAveraging::EnergyBand& EnergyAveragedExponent::nearest_band(
     double y, double energy) const {
   const double place = std::round((energy - bands_.front().energy) / step_);

@@ -34,10 +34,10 @@ class EnergyAveragedExponent {
   double slope_of_exponent_above(const Band& band) const;
 
   numerics::Polynomial potential_;
-  double bottom_;  // minimum of the potential
+  double bottom_;  // minimum of the potential energy
   std::vector<Band> bands_;
   std::vector<std::size_t> levels_;  // index of the first band of each energy, then the end
-  double step_;                      // difference of successive energies
+  double step_;                      // difference of successive energies of the bands
   double temperature_ = 0, bulk_ = 0, barrier_ = 0;
 };
 

@@ -47,7 +47,7 @@ double EnergyDomain::v_half_width(double y) const {
 double EnergyDomain::v_max() const { return std::sqrt(2 * level_); }
 
 // Returns the turning point that the motion would have behind a wall, at a distance of at most the
-// width of this part of the domain.
+// width of the given part of the domain.
 double EnergyDomain::turning_point_behind_wall(double wall, double far) const {
   constexpr int kSteps = 16;
   const double step = (wall - far) / kSteps;
@@ -59,8 +59,8 @@ double EnergyDomain::turning_point_behind_wall(double wall, double far) const {
 }
 
 EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
-  // v_half_width() has a further singularity at the turning point that the motion would have behind
-  // a wall, which this change of variables also removes.
+  // The half-width v_half_width() also has a singularity at the turning point that the motion would
+  // have behind a wall. The substitution y = a + b sin(phi) removes this singularity, too.
   const double low = part.at_left ? turning_point_behind_wall(part.left, part.right) : part.left;
   const double high = part.at_right ? turning_point_behind_wall(part.right, part.left) : part.right;
   const double centre = (low + high) / 2, half_length = (high - low) / 2;

@@ -20,8 +20,8 @@ namespace fpkcheck::epc::moment {
 ///
 /// V is the potential of the restoring force and of the mean of the impulses. Under weak damping a
 /// stationary density is nearly constant along the edge of the domain. A rectangle would be
-/// unsuitable: in its far corners no equation controls a polynomial exponent. Below the energy of a
-/// potential barrier the domain has several parts.
+/// unsuitable, since no equation controls a polynomial exponent in the far corners of a rectangle.
+/// Below the energy of a potential barrier the domain has several parts.
 class EnergyDomain {
  public:
   /// @param level energy of the edge of the domain, > 0
@@ -67,9 +67,9 @@ class EnergyDomain {
   double turning_point_behind_wall(double wall, double far) const;
   SineMap sine_map_of(const problem::HalfCycle& part) const;
 
-  numerics::Polynomial potential_;  // potential V
+  numerics::Polynomial potential_;
   double level_;
-  double lowest_potential_;  // minimum of the potential V
+  double lowest_potential_;
   double wall_low_, wall_high_;
   std::vector<problem::HalfCycle> parts_;
 };

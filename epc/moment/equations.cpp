@@ -57,8 +57,8 @@ half_plane::ClosureEquations closure_equations(
   const auto y_tables = basis.polynomials_in_s().derivative_tables(y, 1);
   const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
 
-  // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ]. White noise beside
-  // the impulses adds its intensity 2D to lambda E[Y^2], since D = 2D/2!.
+  // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ]. White noise of
+  // diffusion coefficient D, besides the impulses, adds 2D to lambda E[Y^2], since D = 2D/2!.
   MatrixXd impulses = MatrixXd::Zero(v.size(), n + 1);
   for (int j = 1; j <= n; ++j) {
     const double intensity = j == 2 ? problem.noise.intensity : 0;

@@ -14,8 +14,8 @@ namespace fpkcheck::epc::moment {
 ///     L*phi = v phi_y - (f(y, v) + g(y)) phi_v + D phi_vv
 ///             + sum_{j=1}^n lambda E[Y^j]/j! d^j phi/dv^j.
 ///
-/// The sum over j is finite, since phi is a polynomial. Each wall adds an impact term. For a
-/// right wall at y = b this term is
+/// The sum over j is finite, since phi is a polynomial. Each wall adds an impact term. For a right
+/// wall at y = b the impact term is
 ///
 ///     int_{v>0} v p(b,v) [phi(b,-r v) - phi(b,v)] dv.
 ///

@@ -47,7 +47,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   double rate_of_change_unit() const override { return rate_unit_; }
 
   // Candidates for the confinement level: the energy at which exp(Q_n) of the initial guess is
-  // negligible, if there is such an energy, then candidate_levels().
+  // negligible, if such an energy exists, then candidate_levels().
   std::vector<double> confinement_levels(const ClosureDensity& guess,
                                          SearchStage stage) const override {
     std::vector<double> levels = candidate_levels(guess);
@@ -97,8 +97,8 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   const problem::Problem& problem_;
 
  private:
-  // Energy at which the Q_n of a density lies kNegligibleDepth below its peak; empty if the scan
-  // finds no such energy.
+  // Energy at which the exponent Q_n of a density lies kNegligibleDepth below its peak; empty if
+  // the scan finds no such energy.
   std::optional<double> negligible_level(const ClosureDensity& closure, double from,
                                          const ClosureDensity& guess) const {
     const auto [begin, end] = scan_range(from, guess);
@@ -132,7 +132,8 @@ class LinearisedFormulation final : public MomentFormulation {
     const double deviations = std::sqrt(2 * level_over_temperature);
     const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
     const auto widened = [&](int points) {
-      constexpr double kRounding = 1e-9;  // a width of 1 must not lose a point by rounding
+      // prevents the loss of a quadrature point by rounding at a relative width of 1
+      constexpr double kRounding = 1e-9;
       return static_cast<int>(points * width * (1 + kRounding));
     };
     const int v = widened(32 + 2 * order);
@@ -163,8 +164,9 @@ class LinearisedFormulation final : public MomentFormulation {
   problem::MotionScales scales_;
 };
 
-// Root search from the density of energy averaging. The first order starts from this density, and a
-// higher order if the search from the next lower order finds no root.
+// Root search from the density of energy averaging. The lowest order starts from the averaged
+// density. A higher order starts from the averaged density if the search from the next lower order
+// finds no root.
 class EnergyAveragedFormulation final : public MomentFormulation {
  public:
   EnergyAveragedFormulation(const problem::Problem& problem, const Options& options)
@@ -190,8 +192,8 @@ class EnergyAveragedFormulation final : public MomentFormulation {
     return guess.q.terms().empty() ? averaged_(y, v) : guess.q(y, v);
   }
 
-  // In a fit to the averaged density the weights are a small power of this density. The fit then
-  // also covers large energies, where Q_n might rise.
+  // In a fit to the averaged density the weights are a small power of the averaged density. The fit
+  // then also covers large energies, where Q_n might rise.
   Eigen::VectorXd fit_weights(const ClosureDensity& guess, double, const QuadraturePoints& points,
                               const Eigen::VectorXd& exponent,
                               const Eigen::VectorXd& mass) const override {
@@ -215,8 +217,8 @@ class EnergyAveragedFormulation final : public MomentFormulation {
   static constexpr std::array kDeviations{6.5, 7.2, 5.2, 8.0};
   // Largest energy of a scan, relative to the first candidate for the confinement level.
   static constexpr double kLargestScanRatio = 8;
-  // Lower limits of the confinement level, in units of bulk_energy(). With these limits the
-  // confinement term (energy / level)^16 is at most 5e-4 and 4e-8 at bulk_energy().
+  // Lower limits of the confinement level, in units of bulk_energy(). The confinement term (energy
+  // / level)^16 at bulk_energy() is then at most 5e-4 for kAboveBulk and 4e-8 for kFarAboveBulk.
   static constexpr double kAboveBulk = 1.6, kFarAboveBulk = 2.9;
   // Lower limit of the confinement level, in units of barrier_energy().
   static constexpr double kAboveBarrier = 1.3;

@@ -18,7 +18,8 @@ namespace {
 using half_plane::ClosureDensity;
 using half_plane::RootSearchResult;
 
-// Tolerance on the change of the exponent Q_n on more quadrature points, in standard deviations.
+// Tolerance on the change of the exponent Q_n by additional quadrature points, in standard
+// deviations.
 constexpr double kQuadratureTolerance = 1e-6;
 
 transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
@@ -58,7 +59,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const auto marginals = store_density(problem, ImpactCondition::map, density, result);
   if (root.previous) {
     auto before = density_from_exponent(problem, *root.previous, options.tail);
-    before.y_min = density.y_min;  // both densities then have the same panels
+    before.y_min = density.y_min;  // the densities of order n and n-2 then have equal panels
     summary.distance_to_previous =
         distance(marginals, transform::quadrature_marginals(before, density.y_max, density.v_max));
   }

@@ -11,7 +11,7 @@ namespace fpkcheck::epc::polar {
 
 namespace {
 
-// Stiffness K of Coordinates.
+// Returns the stiffness K of the potential V(y) = U(y) + (K - k) y^2/2 in Coordinates.
 double coordinate_stiffness(const problem::Problem& problem) {
   // Lower limit of K, relative to the stiffness of equivalent linearisation
   constexpr double kLeastStiffnessRatio = 0.1;

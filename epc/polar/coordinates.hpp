@@ -21,8 +21,8 @@ namespace fpkcheck::epc::polar {
 /// p(0,0-), which functions of theta can represent, unlike continuous functions of y and v.
 ///
 /// The stiffness K equals k = g'(0), and h is the energy, except for small k. For small k, K is a
-/// fraction of the stiffness of equivalent linearisation, since w(y) with K = k would
-/// nearly be a higher power of y. The potential V does not include the mean of the impulses.
+/// fraction of the stiffness of equivalent linearisation, since w(y) with K = k would nearly be a
+/// power of y above the first. The potential V does not include the mean of the impulses.
 class Coordinates {
  public:
   static constexpr ExponentCoordinates kVariables = ExponentCoordinates::polar;
@@ -61,9 +61,9 @@ class Coordinates {
                                               double theta) const;
   static double density_prefactor(double) { return 1; }
   static double atom_weight() { return 0; }
-  /// Returns amplitudes below rho_max from which an impulse may stop the mass at the wall. At these
-  /// amplitudes the mean of a basis function over the impulses has a jump. Only the atoms of an
-  /// impulse law give such amplitudes.
+  /// Returns amplitudes below rho_max from which an impulse may stop the mass at the wall. At such
+  /// an amplitude the mean of a basis function over the impulses has a jump. Only the atoms of an
+  /// impulse law cause jumps of the mean.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw& law, double rho_max);
   /// The coefficient of the highest power of rho does not depend on theta: one phase suffices.
   static std::vector<double> leading_form_phases() { return {0}; }
@@ -72,9 +72,9 @@ class Coordinates {
   double sqrt_twice_potential_over_y(double y) const { return std::sqrt(potential_ratio_(y)); }
   double displacement_bound(double w) const;
 
-  numerics::Polynomial potential_ratio_;        // 2 V(y) / y^2
-  numerics::Polynomial potential_slope_ratio_;  // V'(y) / y
-  numerics::Polynomial force_ratio_;            // g(y) / y
+  numerics::Polynomial potential_ratio_;        // polynomial 2 V(y) / y^2
+  numerics::Polynomial potential_slope_ratio_;  // polynomial V'(y) / y
+  numerics::Polynomial force_ratio_;            // polynomial g(y) / y
 };
 
 }  // namespace fpkcheck::epc::polar

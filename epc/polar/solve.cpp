@@ -17,7 +17,8 @@ using half_plane::ClosureDensity;
 using half_plane::RootSearchResult;
 using transform::QuadraturePanelSpacing;
 
-// Selects the coarser panels if the error of their total probability is below kMissed.
+// Returns the spacing of quadrature panels: the coarse spacing if the total probability has an
+// error below kMissed with coarse panels.
 QuadraturePanelSpacing panels_for(const transform::SmoothDensity& density) {
   constexpr double kMissed = 1e-6;
   const double mass = transform::quadrature_marginals(density, density.y_max, density.v_max,
@@ -54,8 +55,8 @@ transform::QuadratureMarginals previous_marginals(const Coordinates& coordinates
 
 Result solve(const problem::Problem& problem, const Options& options) {
   const Coordinates coordinates(problem);
-  // The mean square velocity, plus the potential energy of the static deflection, which equivalent
-  // linearisation does not include.
+  // The temperature is the mean square velocity plus the potential energy of the static deflection.
+  // Equivalent linearisation does not include the potential energy of the static deflection.
   const problem::MotionScales scales = problem::scales(problem);
   const double centre = coordinates.sqrt_twice_potential(scales.centre);
   const double temperature =

@@ -36,7 +36,7 @@ AxisOperator assemble(int rows, int columns, const Triplets& entries) {
   return matrix;
 }
 
-// Appends the entries of a stencil; cells outside the axis have p = 0 and no entry.
+// Appends the matrix entries of a stencil. Cells outside the axis have density 0 and no entry.
 void append_stencil(Triplets& entries, const Axis& axis, int row, int first_cell,
                     const Eigen::VectorXd& weights) {
   for (int c = 0; c < weights.size(); ++c) {
@@ -62,7 +62,7 @@ int clamp_at_left_boundary(const Axis& axis, int first, int limit) {
 }
 
 // Returns the matrix of a functional, such as the value at xi = 0, on every inner face. The local
-// coordinate is xi = (x - x_face)/width, and the result is divided by width^derivative.
+// coordinate is xi = (x - x_face)/width, and the functional is divided by width^derivative.
 AxisOperator inner_face_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
                                  int derivative, const std::function<double(int)>& functional) {
   Triplets entries;

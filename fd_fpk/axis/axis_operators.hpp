@@ -13,7 +13,8 @@ namespace fpkcheck::fd_fpk {
 
 using AxisOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Side of a face on which a stencil with an odd number of cells has one more cell.
+/// Side of a face on which a stencil with an odd number of cells has one cell more than on the
+/// other side.
 enum class UpstreamSide { left, right };
 
 /// Returns the matrix that maps cell averages to point values on the inner faces 1 .. cells-1,
@@ -22,11 +23,12 @@ enum class UpstreamSide { left, right };
 /// Stencils with an even number of cells are centred.
 AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side);
 
-/// Returns the matrix that maps cell averages to derivatives on the inner faces, with the shape of
-/// face_value_operator. The number `stencil_size` of cells in each centred stencil is even.
+/// Returns the matrix, shape (cells + 1, cells), that maps cell averages to derivatives on the
+/// inner faces. The number `stencil_size` of cells in each centred stencil is even.
 AxisOperator face_derivative_operator(const Axis& axis, int stencil_size);
 
-/// Returns the row vector that extrapolates the value at an end of the axis, shape (1, cells).
+/// Returns the row vector that extrapolates cell averages to the point value at an end of the axis,
+/// shape (1, cells).
 AxisOperator end_value_operator(const Axis& axis, AxisEnd end, int stencil_size);
 
 /// Returns the matrix that maps averages of p over cells to averages of weight(x) p, shape (cells,
@@ -38,7 +40,7 @@ AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
 
 /// Returns the matrix that maps cell averages to point values inside the cells, shape (n cells,
 /// cells), for n fractions. Row i n + k gives the value at face(i) + fractions[k] width(i). The
-/// stencils are the stencils of weighted_average_operator.
+/// function uses the same stencils as weighted_average_operator().
 AxisOperator point_value_operator(const Axis& axis, int stencil_size,
                                   std::span<const double> fractions,
                                   std::optional<int> barrier = {});

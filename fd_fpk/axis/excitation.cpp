@@ -162,7 +162,8 @@ double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
     });
   };
   if (!too_short(min_length)) return min_length;
-  // The loop terminates, since the second difference dominates for long lengths.
+  // The loop terminates, since for long lengths the diffusion (second difference) dominates the
+  // fourth difference.
   double shorter = min_length, longer = kStep * min_length;
   for (; too_short(longer); longer *= kStep) shorter = longer;
   while (longer > kClose * shorter) {

@@ -21,27 +21,28 @@ struct Excitation {
   /// vector of cell widths times the matrix is zero.
   Eigen::MatrixXd exchange;
   /// Drift, diffusion and decay rate by which the preconditioner approximates the exchange matrix.
-  /// Drift and diffusion approximate long waves; short waves decay at the rate `exchange_rate`.
+  /// The drift and the diffusion approximate the exchange matrix for long waves. Short waves decay
+  /// at the rate `exchange_rate`.
   double exchange_drift = 0;
   double exchange_diffusion = 0;
   double exchange_rate = 0;
 };
 
-/// Returns the parameter-free regularisation length l of `km4`, with l^2 = E[Y^6] / (5 E[Y^4]).
-/// With the length l the leading error of the fourth difference equals the sixth term of the
-/// Kramers-Moyal series. The scheme with the length l is well-posed, since E[Y^6]/E[Y^4] >=
-/// E[Y^4]/E[Y^2] (Cauchy-Schwarz).
+/// Returns the parameter-free regularisation length l of the truncated series `km4`, with l^2 =
+/// E[Y^6] / (5 E[Y^4]). With the length l the leading error of the fourth difference equals the
+/// sixth term of the Kramers-Moyal series. The scheme with the regularisation length l is
+/// well-posed, since E[Y^6]/E[Y^4] >= E[Y^4]/E[Y^2] (Cauchy-Schwarz).
 double default_regularisation_length(const problem::ImpulseLaw& law);
 
 /// Returns the white-noise approximation of the impulses, -lambda E[Y] p' + lambda E[Y^2]/2 p''.
 Excitation white_noise_excitation(const problem::ImpulseTrain& impulses);
 
 /// Returns the Kramers-Moyal series truncated after the fourth derivative. The series consists of
-/// the terms of white_noise_excitation and of two differences over the fixed step l:
+/// drift, diffusion and two finite differences over the fixed step l:
 ///
 ///     -lambda E[Y^3]/6 delta_l^3 p / l^3 + lambda E[Y^4]/24 delta_l^4 p / l^4.
 ///
-/// In the literal scheme of `km4` the step l of the differences is the cell width.
+/// The literal scheme of the equation `km4` uses the cell width as the step l of the differences.
 Excitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses, const Axis& axis,
                                     double regularisation_length);
 
@@ -56,7 +57,8 @@ Excitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses, const
 Excitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses, const Axis& axis,
                                          int scheme_order);
 
-/// Returns b = D4/D2 - a^2 of the Pade approximant, which is a bounded operator if b > 0.
+/// Returns the squared kernel length b = D4/D2 - a^2 of the Pade approximant. The Pade approximant
+/// is a bounded operator if b > 0.
 double pade_kernel_length_squared(const problem::ImpulseTrain& impulses);
 
 /// Returns the excitation by the jump integral lambda (E[p(x2 - Y)] - p).
@@ -70,7 +72,7 @@ AxisOperator drift_diffusion_matrix(const Axis& axis, const Excitation& excitati
 class Axis;
 struct Excitation;
 
-/// The wave exp(i q x2) that grows fastest under an excitation alone.
+/// The wave exp(i q x2) that grows fastest under the excitation terms alone.
 struct FastestGrowingWave {
   double rate;        ///< largest real part of the symbol for 0 < q <= pi/step, per unit time
   double wavenumber;  ///< wavenumber q of the largest real part of the symbol
@@ -78,9 +80,9 @@ struct FastestGrowingWave {
 
 /// Computes the fastest growing wave from the symbol of the discrete excitation. The symbol follows
 /// from the middle row of the excitation matrix. The axis must be uniform and so long that the
-/// middle row contains no stencils of the two ends. A positive growth rate means that the discrete
-/// equation is unstable. The truncated Kramers-Moyal series has the symbol -D2 q^2 + D4 q^4 with D4
-/// > 0, so that the growth rate increases on finer grids.
+/// middle row contains no stencils shifted at the ends of the axis. A positive growth rate means
+/// that the discrete equation is unstable. The truncated Kramers-Moyal series has the symbol -D2
+/// q^2 + D4 q^4 with D4 > 0, so that the growth rate increases on finer grids.
 /// @param stencil_size even number of cells in each stencil of the centred differences
 FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& excitation,
                                         int stencil_size);
@@ -92,29 +94,31 @@ int excitation_half_bandwidth(double regularisation_length, double cell_width, i
 /// Returns whether the growth rate of a wave exceeds zero by more than rounding errors.
 bool is_unstable(const FastestGrowingWave& growth, const problem::ImpulseTrain& impulses);
 
-/// Returns the shortest regularisation length l for which -D2 q^2 + D4 (2 sin(q l / 2) / l)^4 <= 0
-/// for all q. The shortest length satisfies l^2 = 4 max_t(sin^4 t / t^2) D4/D2.
+/// Returns the shortest regularisation length l for which the symbol -D2 q^2 + D4 (2 sin(q l / 2) /
+/// l)^4 is <= 0 for all wavenumbers q. The shortest regularisation length satisfies l^2 = 4
+/// max_t(sin^4 t / t^2) D4/D2.
 double shortest_regularisation_length(const problem::ImpulseLaw& law);
 
 /// Returns the cell widths of an axis for which kramers_moyal_excitation with the regularisation
-/// length l may be unstable, in increasing order. A width less than a twentieth above the preceding
-/// width is omitted. If l is at least the default length of the law, only cells wider than l/2 can
-/// be unstable, since D4 / (D2 l^2) is at most 5/12. Up to the ratio 5/12 of the two-point law,
-/// differences of every order are stable on cells not wider than l/2.
+/// length l may be unstable, in increasing order. Cell widths less than 5 % above the preceding
+/// width in the list are omitted. If l is at least the default regularisation length of the impulse
+/// law, only cells wider than l/2 can be unstable, since D4 / (D2 l^2) is at most 5/12. Up to D4 /
+/// (D2 l^2) = 5/12, the value of the two-point law, differences of every order are stable on cells
+/// not wider than l/2.
 std::vector<double> possibly_unstable_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
                                                   double regularisation_length);
 
 /// Returns the shortest regularisation length, at least `min_length`, for which
-/// kramers_moyal_excitation is stable on cells of all given widths. On cells as wide as the length,
-/// a length for which the continuous symbol is stable may be too short.
+/// kramers_moyal_excitation is stable on cells of all given widths. On cells as wide as l, a
+/// regularisation length l for which the continuous symbol is stable may be too short.
 /// @param stencil_size even number of cells in each stencil of the centred differences
 double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
                                       std::span<const double> widths, int stencil_size,
                                       double min_length);
 
-/// Returns the default length of the law, or a longer length for stability on the cells of the
-/// axis. For order 3 and higher, the increase is below one half on cells up to ten times as wide as
-/// the length.
+/// Returns the default regularisation length of the impulse law, increased if stability on the
+/// cells of the axis requires a longer length. For schemes of order 3 and higher, the increase is
+/// below 50 % on cells up to ten times as wide as the default length.
 double default_regularisation_length(const problem::ImpulseTrain& impulses, const Axis& axis,
                                      int stencil_size);
 

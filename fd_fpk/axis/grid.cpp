@@ -52,7 +52,7 @@ std::vector<double> graded_faces(double length, int cells, const Grading& gradin
 
 std::vector<double> faces_graded_to_points(double from, double to, double step,
                                            std::span<const RefinementPoint> refinement_points) {
-  // Returns the number of cells up to x, apart from an additive constant.
+  // Returns the number of cells below x, apart from an additive constant.
   const auto cells_to = [&](double x) {
     double cells = x;
     for (const auto& [centre, grading] : refinement_points) {
@@ -89,15 +89,15 @@ std::vector<double> faces_graded_to_points(double from, double to, double step,
 std::vector<double> faces_from_width_function(std::span<const double> anchors,
                                               const std::function<double(double)>& width) {
   constexpr double kStepFraction =
-      0.05;  // a cell width is nearly constant over this fraction of a cell
+      0.05;  // fraction of a cell over which the cell width is nearly constant
   std::vector<double> faces{anchors.front()};
-  std::vector<double> x, cells;  // cells[k] is the number of cells up to x[k]
+  std::vector<double> x, cells;  // cells[k] is the number of cells below x[k]
   for (std::size_t n = 0; n + 1 < anchors.size(); ++n) {
     const double from = anchors[n], to = anchors[n + 1];
     x.assign(1, from);
     cells.assign(1, 0);
     while (x.back() < to) {
-      // The step uses the smaller of the cell widths at the two ends of the step.
+      // The step length is based on the smaller one of the cell widths at the two ends of the step.
       double step = kStepFraction * width(x.back());
       step = std::min(step, kStepFraction * width(std::min(to, x.back() + step)));
       const double next = x.back() + step < to ? x.back() + step : to;

@@ -11,8 +11,8 @@ namespace fpkcheck::fd_fpk {
 
 enum class AxisEnd { left, right };
 
-/// Condition at an end of an axis. The density is zero beyond `vacuum`, an edge of the box.
-/// Stencils are shifted inwards at `boundary`, an impact wall.
+/// Condition at an end of an axis. The condition `vacuum`, at an edge of the box, sets the density
+/// outside to zero. The condition `boundary`, at an impact wall, shifts stencils inwards.
 enum class AxisEndCondition { vacuum, boundary };
 
 class Axis {
@@ -71,11 +71,12 @@ struct RefinementPoint {
 std::vector<double> faces_graded_to_points(double from, double to, double step,
                                            std::span<const RefinementPoint> refinement_points);
 
-/// Returns the number of cells, not rounded, for the cell width `step` far from the origin.
+/// Returns the unrounded number of cells of a graded axis whose cells have the width `step` far
+/// from the origin.
 double graded_cell_count(double length, double step, const Grading& grading);
 
 /// Returns faces that include the given positions `anchors`. A whole number of cells, slightly
-/// narrower than `width` prescribes, fills each interval.
+/// narrower than `width` prescribes, fills each interval between anchors.
 /// @param anchors positions in increasing order, at least two
 /// @param width function that returns the cell width at a position, > 0. The relative change of the
 /// prescribed width over one cell must be small.
@@ -83,10 +84,10 @@ std::vector<double> faces_from_width_function(std::span<const double> anchors,
                                               const std::function<double(double)>& width);
 
 /// Grid of rectangular cells on x1 in [x1_min, x1_max] and x2 in [-x2_max, x2_max]. If the problem
-/// has a wall, x1_min is 0. For the paper's oscillator the grid covers half of the (z, z') plane;
-/// the other half follows by point symmetry. The faces of x2 are symmetric about 0 and include 0.
-/// The unknowns are the averages of p(y, y') = 2 p(z, z') over the cells; cell (i, j) has the index
-/// i nv() + j.
+/// has a wall, x1_min is 0. For the paper's oscillator the grid covers one half of the (z, z')
+/// plane; point symmetry gives the second half. The faces of x2 are symmetric about 0 and include
+/// 0. The unknowns are the averages of p(y, y') = 2 p(z, z') over the cells; cell (i, j) has the
+/// index i nv() + j.
 struct Grid {
   Axis x1;  ///< axis of displacement, with an impact wall at each end with the condition `boundary`
   Axis x2;
@@ -114,7 +115,7 @@ Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_g
 
 transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages);
 
-/// Largest density in the cells along each edge of the box, relative to a peak; 0 at a wall.
+/// Largest density in the cells along each edge of the box, relative to a peak density.
 struct BoxEdgeDensity {
   double x1;
   double x2;

@@ -17,8 +17,8 @@ class CumulativeDistributionInterpolation {
  public:
   static constexpr int kMostPoints = 10;
 
-  /// @param face_count number of faces in each stencil, at most kMostPoints; the interpolation is exact
-  /// for a polynomial density of degree points - 2
+  /// @param face_count number of faces in each stencil, at most kMostPoints; the interpolation is
+  /// exact for a polynomial density of degree face_count - 2
   /// @param left_end condition at the left end of the axis. With `boundary`, stencils remain on the
   /// axis; with `vacuum`, C = 0 left of the axis. The distribution C is constant right of the axis.
   CumulativeDistributionInterpolation(const Axis& axis, int face_count, AxisEndCondition left_end);
@@ -51,8 +51,8 @@ class CumulativeDistributionInterpolation {
 ///     map     f(w/r)/r,                          p(0+, w) = p(0-, w/r)/r^2: exact
 ///     delta   f(w) + (1-r) d(w f)/dw,            its first order in 1-r: paper (12)
 ///
-/// Differences of the cumulative flux between faces give both impact conditions and conserve mass.
-/// Stencils never cross u = 0, where the density is discontinuous.
+/// Differences of the cumulative flux between faces give the impact conditions `map` and `delta`
+/// and conserve mass. Stencils never cross u = 0, where the density is discontinuous.
 ///
 /// @param speed_axis axis of the speed u, with faces increasing from 0
 /// @param restitution restitution coefficient r, 0 < r <= 1

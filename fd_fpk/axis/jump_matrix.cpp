@@ -13,7 +13,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr int kFaces = 8;  // number of faces in each interpolation stencil, for degree 7
+constexpr int kFaces = 8;  // number of faces in each stencil, for interpolation of degree 7
 
 constexpr int kMoments = 8;  // degree of the polynomial through a face and neighbouring faces
 
@@ -27,7 +27,7 @@ Eigen::MatrixXd generator_matrix(const Axis& axis,
                                  const CumulativeDistributionInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {
   const int cells = axis.cell_count();
-  // Entry (i, j) is the rate at which mass moves to cell i from cell j, whose average is 1.
+  // Entry (i, j) is the rate at which mass moves from cell j, with density 1, to cell i.
   Eigen::MatrixXd masses(cells, cells);
   for (int i = 0; i < cells; ++i) {
     masses.row(i) = cumulative.to_average_weights(change.col(i + 1) - change.col(i)).transpose();
@@ -46,8 +46,8 @@ bool are_impulses_within_neighbours(const Axis& axis, int face, double length) {
   return true;
 }
 
-// Adds the weights of E[C(face - Y)] - C(face), where the polynomial through this face and its
-// neighbours approximates C.
+// Adds the weights of E[C(face - Y)] - C(face), where the polynomial through the face and the
+// neighbouring faces approximates C.
 void add_moment_expansion(const Axis& axis, int face, const problem::ImpulseLaw& law,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   constexpr int kAround = kMoments / 2;
@@ -55,7 +55,7 @@ void add_moment_expansion(const Axis& axis, int face, const problem::ImpulseLaw&
   std::array<double, kMoments + 1> moments;  // moments of the scaled impulse -Y / unit
   for (int k = 0; k <= kMoments; ++k) moments[k] = law.moment(k) / std::pow(-unit, k);
   for (int a = -kAround; a <= kAround; ++a) {
-    if (face + a <= 0) continue;  // C = 0 up to the first face
+    if (face + a <= 0) continue;  // the cumulative distribution C is 0 up to the first face
     // Coefficients of the Lagrange polynomial prod_{b != a} (z - z_b) / (z_a - z_b).
     const auto at = [&](int b) {
       return (axis.face_position(face + b) - axis.face_position(face)) / unit;
@@ -81,7 +81,8 @@ void add_continuous_piece(const Axis& axis, const CumulativeDistributionInterpol
                           double face, const problem::ImpulseLaw& law, double from, double to,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   const double longest = law.deviation();
-  // As a function of u = face - y, the interpolating polynomial changes at the faces of the axis.
+  // As a function of the jump u = face - y, the interpolating polynomial changes where y is a face
+  // of the axis.
   const double left = std::max(face - to, axis.faces().front());
   const double right = std::min(face - from, axis.faces().back());
   const auto& faces = axis.faces();
@@ -138,7 +139,8 @@ Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
 
 namespace {
 
-// Returns the upper end of a cell; infinity for the last cell, which receives all higher mass.
+// Returns the upper end of a cell; infinity for the last cell, which receives all mass above the
+// axis.
 double upper_end(const Axis& axis, int cell) {
   return cell + 1 < axis.cell_count() ? axis.face_position(cell + 1)
                                       : std::numeric_limits<double>::infinity();
@@ -161,7 +163,8 @@ void add_density_jumps(const Axis& axis, const problem::ImpulseLaw& law, int fro
   }
 }
 
-// Adds the jumps by a single atom of the law: each cell receives the overlap with the shifted cell.
+// Adds the jumps by a single atom of the law: each target cell receives its overlap with the
+// shifted source cell.
 void add_atom_jumps(const Axis& axis, const problem::AmplitudeAtom& atom, int from,
                     CellJumpMatrices& jumps) {
   const double left = axis.face_position(from) + atom.amplitude;

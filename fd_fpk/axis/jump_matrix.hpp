@@ -21,9 +21,9 @@ Eigen::MatrixXd fixed_jump_matrix(const Axis& axis, double amplitude);
 /// Gauss-Legendre panels integrate the product of the law's density and the interpolation.
 Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law);
 
-/// Matrices that map the masses of velocity cells before an impulse to the masses after the
-/// impulse. Without interpolation across cells, a spike of the density in a cell remains a positive
-/// mass.
+/// Matrices that map the masses of velocity cells before an impulse to the masses of the cells
+/// after the impulse. Without interpolation across cells, a spike of the density in a cell remains
+/// a positive mass.
 struct CellJumpMatrices {
   /// Matrix for mass that is uniform in each cell, shape (cells, cells); every column sums to 1.
   /// Mass that an impulse would move outside the axis remains in the outermost cell.

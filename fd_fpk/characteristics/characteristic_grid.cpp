@@ -115,7 +115,7 @@ Grid linearised_grid(const problem::Problem& problem, const Options& options, co
   const double y = typical_height(problem, flow, v);
   const double width = kCellWidth / options.refinement;
   const double core = relative_uniform_cell_radius(deviation, v);
-  // An impulse displaces the spike of mass at rest without widening the spike.
+  // An atom of the impulse law displaces the spike of mass at rest without widening the spike.
   const Singularities singular =
       is_density_unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
   return symmetric_grid(
@@ -143,9 +143,10 @@ Box initial_linearised_box(const problem::Problem& problem, const Options& optio
 // Speed, in typical speeds, below which impacts at a contact are treated as a cascade
 constexpr double kContactCore = 0.02;
 // Limits of the distance to an equilibrium, in typical amplitudes, below which cells have a
-// constant width: for rare impulses, and for frequent impulses. Around an equilibrium between walls
-// the errors of the cells on both sides cancel in the mean. Towards an equilibrium at a wall the
-// cell widths decrease further, to relative_uniform_cell_radius().
+// constant width: kLeastCore for rare impulses, kMostCore for frequent impulses. Around an
+// equilibrium between walls, the errors of cells on opposite sides of the equilibrium cancel in the
+// mean. Towards an equilibrium at a wall the cell widths decrease further, to
+// relative_uniform_cell_radius().
 constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
 
 // Returns the typical distance to an equilibrium to which the motion decays between two impulses.

@@ -9,13 +9,14 @@
 namespace fpkcheck::fd_fpk {
 
 /// Returns the grid of cells for characteristics, with all cell widths divided by
-/// options.refinement. The cell widths follow two rules, for problems with and without
-/// has_linearised_scales(). In case 1 with r = 0.3 the second rule would triple the error estimate.
+/// options.refinement. Problems with has_linearised_scales() have a separate rule for the cell
+/// widths. In case 1 with restitution 0.3, the rule for all other problems would triple the error
+/// estimate.
 ///
 /// First rule, for problems with has_linearised_scales(): far from the origin the cell width is a
 /// fifth of the typical amplitude. Nearer to the origin the cell width is a constant fraction of
-/// the distance to the origin, down to relative_uniform_cell_radius(). The cells in v are also narrow at
-/// atoms of the impulse law and at steps of the density of the law.
+/// the distance to the origin, down to relative_uniform_cell_radius(). The cells in v are also
+/// narrow at atoms of the impulse law and at steps of the density of the law.
 ///
 /// Second rule, for all other problems: far from rest points the cell width in v is a fifth of the
 /// typical speed. The cell width in y is dy = v dv / |g|, the displacement for the width dv at
@@ -25,7 +26,8 @@ namespace fpkcheck::fd_fpk {
 Grid characteristic_grid(const problem::Problem& problem, const problem::MotionScales& scales,
                          const Options& options, const Box& box);
 
-/// Returns the first box, which may be too large, since cells far from rest points are few.
+/// Returns the initial box for characteristics. A too large box costs little, since cells far from
+/// rest points are wide.
 Box initial_characteristic_box(const problem::Problem& problem, const problem::MotionScales& scales,
                                const Options& options);
 

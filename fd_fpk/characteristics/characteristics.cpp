@@ -51,7 +51,7 @@ struct Characteristics::Position {
   PhaseState state;
   int i, j;
   double flux;
-  std::size_t first;  // index of the first visit of the track
+  std::size_t first;  // index of the first cell visit of the characteristic
 };
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid,
@@ -198,8 +198,8 @@ Characteristic Characteristics::trace_characteristic(const PhaseState& from, dou
               .first = visits_.size()};
   if (deadline_.has_passed()) out_of_time_ = true;
   constexpr double kReuseRatio =
-      // ratio of the current and the earlier energy above which the earlier accessible interval is
-      // reused
+      // ratio of the current energy to an earlier energy above which the accessible interval of the
+      // earlier state is reused
       0.7;
   Characteristic track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
   AccessibleInterval accessible_interval = flow_.accessible_interval(from);
@@ -256,7 +256,7 @@ void Characteristics::set_end_at_wall(WallSide side, double speed,
 void Characteristics::record_cell_visits(Position& at, const PhaseState& to, double time) {
   const PhaseState from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
-  // The flow contracts areas over the chord by exp(-x), on average by (1 - exp(-x)) / x
+  // The flow contracts areas over the chord by the factor exp(-x), on average by (1 - exp(-x)) / x
   // (Liouville).
   const double x = flow_.contraction_rate({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
   constexpr double kSmall = 1e-4;
@@ -266,7 +266,8 @@ void Characteristics::record_cell_visits(Position& at, const PhaseState& to, dou
   at.state = to;
   double done = 0;
   while (true) {
-    // Fractions of the chord at which the next faces are; above 1 if a face is not on the chord
+    // Positions of the next cell faces in y and v, as fractions of the chord; above 1 beyond the
+    // chord
     double y_face = 2, v_face = 2;
     if (dy > 0 && at.i + 1 < grid_.nx()) y_face = (grid_.x1.faces()[at.i + 1] - from.y) / dy;
     if (dy < 0 && at.i > 0) y_face = (grid_.x1.faces()[at.i] - from.y) / dy;
@@ -302,8 +303,8 @@ void Characteristics::record_cell_visits(Position& at, const PhaseState& to, dou
   }
 }
 
-// Converts areas of visits to fractions of the cell area. Positions relative to the cell centre
-// become relative to the mean of all visits.
+// Converts areas of visits to fractions of the cell area. Positions of visits, relative to the cell
+// centre, become relative to the mean of all visits to the cell.
 void Characteristics::normalise_visit_areas() {
   struct Cover {
     double area = 0, y = 0, v = 0;
@@ -363,8 +364,8 @@ std::vector<ContactImpulseDistribution> Characteristics::contact_impulse_distrib
   for (const int contact : contacts_) {
     const WallSide side = *rest_[contact].contact;
     const double r = flow_.wall(side)->restitution;
-    // Probabilities of a speed below u after an impulse off the wall, and above u after an impulse
-    // into the wall
+    // Probability of a speed below u after an impulse off the wall, and probability of a speed
+    // above u after an impulse into the wall
     const auto slower_off = [&](double u) {
       return side == WallSide::left ? law.cumulative_probability(u)
                                     : 1 - law.cumulative_probability(-u);

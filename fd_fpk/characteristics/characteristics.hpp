@@ -31,8 +31,9 @@ inline constexpr std::size_t kMaxVisits = 16000000;
 struct CharacteristicEnd {
   std::optional<WallSide> wall = {};
   double speed = 0;
-  /// Indices of the two characteristics from the impact wall on which the mass continues after the
-  /// impact. The start speeds of the two characteristics enclose r times the impact speed.
+  /// Indices of the two characteristics that start at the wall and carry the mass after the impact.
+  /// The start speeds of the two characteristics enclose the rebound speed, r times the impact
+  /// speed.
   int faster = 0, slower = 0;
   double faster_fraction = 0;
   std::optional<int> rest = {};          ///< index in Characteristics::rest_points()
@@ -41,7 +42,7 @@ struct CharacteristicEnd {
 
 /// Characteristic from a wall or an edge of the box to the next impact or to a rest point.
 struct Characteristic {
-  std::size_t first, last;  ///< indices [first, last) of the cell visits of the track
+  std::size_t first, last;  ///< indices [first, last) of the cell visits of the characteristic
   CharacteristicEnd characteristic_end = {};
   double energy = 0;
 };
@@ -52,7 +53,7 @@ struct Characteristic {
 struct ContactImpulseDistribution {
   std::vector<double>
       shares;  ///< fraction of the mass on each characteristic of characteristics_from_walls()
-  /// Fraction of the mass that an impulse moves more slowly than every characteristic
+  /// Fraction of the mass to which an impulse gives a speed below that of every characteristic
   double rest_fraction = 0;
   /// Momentum and energy that impacts after impulses into the wall transfer, per impulse
   double momentum = 0, energy = 0;
@@ -65,18 +66,20 @@ struct ContactImpulseDistribution {
 class Characteristics {
  public:
   /// @param impulse_rate arrival rate of impulses, per unit time
-  /// @param characteristics_per_cell number of characteristics that start in each cell at the boundary
+  /// @param characteristics_per_cell number of characteristics that start in each cell at the
+  /// boundary
   /// @param deadline time at which the construction stops with a failure_reason()
   Characteristics(const problem::System& system, const Grid& grid, double impulse_rate,
                   int characteristics_per_cell, const Deadline& deadline = Deadline::unlimited());
 
   /// Returns the characteristics that start at the boundary of the box, or in a cell that no other
-  /// characteristic crosses. After an impact the mass of a characteristic from outside continues on
-  /// characteristics that start at walls.
+  /// characteristic crosses. After an impact the mass of a characteristic from the boundary
+  /// continues on characteristics that start at walls.
   const std::vector<Characteristic>& characteristics_from_boundary() const { return from_outside_; }
   /// Returns the characteristics that start at a wall, by decreasing energy. After an impact the
-  /// mass of a characteristic continues on two characteristics: the slower characteristic is later
-  /// in the list, the faster may be earlier.
+  /// mass of a characteristic continues on two characteristics with neighbouring start speeds. The
+  /// slower of the two always comes later in the list than the characteristic before the impact;
+  /// the faster of the two may come earlier.
   const std::vector<Characteristic>& characteristics_from_walls() const { return from_walls_; }
   const std::vector<CellVisit>& visits() const { return visits_; }
   /// Returns the reason why the characteristics do not cover the plane; empty for a covered plane.
@@ -86,7 +89,8 @@ class Characteristics {
   const std::vector<int>& contact_rest_point_indices() const { return contacts_; }
   const std::optional<problem::Wall>& wall(WallSide side) const { return flow_.wall(side); }
 
-  /// Returns the distribution of mass after an impulse, for each rest point of contact_rest_point_indices().
+  /// Returns the distribution of mass after an impulse, for each rest point of
+  /// contact_rest_point_indices().
   std::vector<ContactImpulseDistribution> contact_impulse_distributions(
       const problem::ImpulseLaw& law) const;
 

@@ -60,7 +60,8 @@ void ChainAggregation::set_block_chain(
     system.col(b) = one - step(one);
     one(b) = 0;
   }
-  // The term start 1^T, with `start` proportional to the block areas, makes 1 - A regular.
+  // The term start 1^T, with `start` proportional to the block areas, makes the matrix 1 - A
+  // nonsingular.
   Eigen::VectorXd added = Eigen::VectorXd::Zero(count);
   added.head(blocks_.size()) = blocks_.cell_areas() / blocks_.cell_areas().sum();
   system.colwise() += added;
@@ -191,7 +192,8 @@ void correct_by_gmres(const Chain& chain, const ChainAggregation& aggregation, d
   after /= after.sum();
 }
 
-// Under many impulses per decay time the chain converges slowly and requires more blocks.
+// Under many impulses per decay time the chain converges slowly and requires more blocks than under
+// rare impulses.
 int block_count(const problem::Problem& problem, const problem::MotionScales& scales) {
   constexpr double kPerImpulse = 20;
   const double impulses = problem::impulses_per_decay_time(problem, scales);

@@ -34,8 +34,8 @@ class ChainAggregation {
   void set_disaggregation_weights(const Eigen::VectorXd& masses);
 
   /// Replaces the residual r of (1 - A + start 1^T) d = r by an approximate solution d. The
-  /// solution for the blocks is distributed over the cells by the weights. The part of r whose sum
-  /// over each block is zero is added.
+  /// solution for the blocks is distributed over the cells by the weights. The part of the residual
+  /// r whose sum over each block is zero is added to d.
   void apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masses) const;
 
  private:
@@ -51,7 +51,8 @@ class ChainAggregation {
 
 /// Stationary distribution, as masses of the cells and masses at rest in contact.
 struct StationaryMasses {
-  /// Masses of p on the cells, which sum to 1 together with the masses at rest in contact
+  /// Masses of the density p on the cells, which sum to 1 together with the masses at rest in
+  /// contact
   std::optional<Eigen::VectorXd> masses;
   /// Mass at each rest point: in contact with the wall, or in the innermost cells of an equilibrium
   std::vector<double> at_rest = {};

@@ -97,7 +97,7 @@ double Flow::max_time_step(const PhaseState& from,
   // Largest relative change of the state in a step, in the energy norm
   constexpr double kChange = 0.1;
   // Near a saddle, and without a force, the rate of change of the state is small but increases
-  // quickly, so that further limits are necessary.
+  // quickly, so that the step also needs the limits kLongest and kIntervalFraction.
   constexpr double kLongest = 0.3, kIntervalFraction = 0.1;
   const double size =
       std::sqrt(2 * std::max(0.0, energy(from) - accessible_interval.least_potential));
@@ -199,7 +199,7 @@ HalfCycle Flow::half_cycle(double speed) const {
       half_cycle.duration = time + until;
       break;
     }
-    if (hit) {  // motion that meets the right wall
+    if (hit) {
       half_cycle.height = system_.right_wall()->position - wall;
       break;
     }

@@ -63,9 +63,9 @@ class Flow {
   /// the tangents of f and g computes the state.
   PhaseState advance_state(const PhaseState& from, double time) const;
 
-  /// Returns the largest time step with which advance_state() is accurate. The relative error of the
-  /// state is about 1e-7 after one step and 1e-6 to 1e-5 after a half-cycle. For overdamped motion
-  /// towards a rest point the relative error is 1e-4.
+  /// Returns the largest time step with which advance_state() is accurate. The relative error of
+  /// the state is about 1e-7 after one step and 1e-6 to 1e-5 after a half-cycle. For overdamped
+  /// motion towards a rest point the relative error is 1e-4.
   /// @param accessible_interval interval of the state `from` or of an earlier state of the motion
   double max_time_step(const PhaseState& from, const AccessibleInterval& accessible_interval) const;
   AccessibleInterval accessible_interval(const PhaseState& at) const;
@@ -78,8 +78,8 @@ class Flow {
   double impact_time(const PhaseState& from, double time, WallSide side) const;
 
  private:
-  /// Two modes of overdamped motion, v = v_slow exp(slow t) + v_fast exp(fast t), with forces
-  /// linearised by the tangents of the forces.
+  /// Two modes of overdamped motion under linearised forces, v = v_slow exp(slow t) + v_fast
+  /// exp(fast t).
   struct OverdampedModes {
     double slow, fast, v_slow, v_fast;
   };

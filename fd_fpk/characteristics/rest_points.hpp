@@ -39,10 +39,11 @@ std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double im
 std::vector<RestPoint> rest_points(const Flow& flow);
 
 /// Returns the distance to an equilibrium, relative to the typical amplitude A, below which cells
-/// have a constant width. Under rare impulses most of the mass is at rest in the innermost cells,
-/// and the mean displacement divided by A is proportional to (s / A)^2, with the standard deviation
-/// s. The cells of constant width are a thousandth of the mean displacement wide. The narrowest
-/// bins next to 0 are wider, with the width 8e-4 s (compare/comparison_axes.cpp).
+/// have a constant width. Under rare impulses most of the mass is at rest in the innermost cells.
+/// The mean displacement is then proportional to s^2 / A, with the standard deviation s of the
+/// displacement. The cells of constant width are a thousandth of the mean displacement wide. The
+/// narrowest bins of the comparison of methods have the width 8e-4 s (compare/comparison_axes.cpp)
+/// and are wider than the cells of constant width.
 double relative_uniform_cell_radius(double deviation, double typical_amplitude);
 
 /// Cascade of impacts by which motion that starts at a wall comes to rest in contact. During the

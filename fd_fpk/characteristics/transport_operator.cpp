@@ -145,7 +145,7 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
     return visit.share * (cell.mass + cell.slope_y * visit.y + cell.slope_v * visit.v);
   };
   constexpr std::true_type kIncludeSources;
-  // tag of later passes: the masses that start in the cells were added in an earlier pass
+  // tag of later passes, which do not add the masses that start in the cells again
   constexpr std::false_type kExcludeSources;
   const auto mass_at_track_end = [&](const Characteristic& track, double mass, auto with_sources) {
     for (std::size_t n = track.first; n < track.last; ++n) {
@@ -163,7 +163,8 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
       at_rest[point] += mass;
       return;
     }
-    // Mass that receives an impulse during the cascade is distributed on both sides of v = 0.
+    // Mass that receives an impulse during the cascade of impacts is distributed on both sides of v
+    // = 0.
     const ImpactCascade& cascade = *characteristic_end.cascade;
     at_rest[point] += cascade.rest_probability * mass;
     for (const auto& [cell, share] : rest[point].cells) {
@@ -195,8 +196,8 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
       const CharacteristicEnd& characteristic_end = track.characteristic_end;
       double mass = std::exchange(entering[n], 0.0);
       if (!with_sources && mass == 0) continue;
-      // The masses of all returns to the same characteristic after an impact form a geometric
-      // series.
+      // If mass returns to a characteristic after an impact, the masses of all returns form a
+      // geometric series.
       double again = 0;
       if (characteristic_end.wall && !characteristic_end.rest) {
         if (characteristic_end.faster == static_cast<int>(n))
@@ -216,7 +217,7 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
       }
       const double left = mass_at_track_end(track, mass, with_sources);
       distribute_at_end(track, left);
-      // The variable `left` already includes the mass of all returns.
+      // The variable `left` already includes the mass of all returns to the characteristic.
       entering[n] -= again * left;
     }
   };

@@ -60,7 +60,7 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
   require_success(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
   require_success(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
   // A Krylov basis loses orthogonality before the residual has fallen by much more than the factor
-  // kReduction. On fine grids only a restart reduces the residual further.
+  // kReduction. On fine grids only a restart reduces the residual below this factor.
   constexpr double kReduction = 1e-7;
   const double norm = weights.cwiseProduct(b).norm();
   GmresResult result{std::nullopt};

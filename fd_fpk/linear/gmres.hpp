@@ -31,7 +31,6 @@ class CallbackExceptionStore {
     }
   }
 
-  /// Rethrows the first stored exception, if a callback has thrown.
   void rethrow() {
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
   }
@@ -55,9 +54,8 @@ struct GmresResult {
 /// acts from the right, so that the residual of the unpreconditioned system is the stopping
 /// criterion.
 ///
-/// @param weights weights of the norm, the 2-norm of the products of weights and entries
+/// @param weights weights w of the norm of a vector x, (sum_i (w_i x_i)^2)^(1/2)
 /// @param tolerance largest accepted ||A x - b|| / ||b||
-/// @param deadline time limit of the iteration
 /// @throws std::runtime_error if SUNDIALS cannot allocate its memory; also rethrows every exception
 /// of `a` and `approximate_solve`
 GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,

@@ -14,9 +14,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// METIS uses one sequence of random numbers of the C library for the whole process. With concurrent
-// dissections the orderings, and the last digits of all solutions, would depend on the timing of
-// the threads.
+// METIS uses one sequence of random numbers of the C library for the whole process. If two threads
+// dissected graphs at the same time, the orderings and the last digits of all solutions would
+// depend on the timing of the threads.
 std::mutex dissection_mutex;
 
 std::vector<std::int64_t> nested_dissection(const SparseColumnMatrix& matrix) {
@@ -48,7 +48,7 @@ std::vector<std::int64_t> nested_dissection(const SparseColumnMatrix& matrix) {
 }
 
 /// Key of a sparsity pattern. If two patterns of equal size had the same hash, one pattern would
-/// get a less efficient but valid ordering.
+/// get an ordering that is valid but causes more fill-in.
 struct SparsityPattern {
   std::int64_t unknowns, entries;
   std::size_t hash;
@@ -82,7 +82,8 @@ class OrderingCache {
   }
 
  private:
-  static constexpr std::size_t kMostUnknowns = 4'000'000;  // 32 MB of orderings
+  // limit of the cached orderings, 32 MB of memory
+  static constexpr std::size_t kMostUnknowns = 4'000'000;
 
   using Entry = std::pair<SparsityPattern, std::vector<std::int64_t>>;
   std::mutex mutex_;

@@ -19,8 +19,7 @@ std::vector<std::int64_t> fill_reducing_ordering(const SparseColumnMatrix& matri
 
 /// Sparse LU factorisation by KLU with a nested-dissection ordering (CHOLMOD with METIS). All
 /// matrices that an object factors must have nonzero entries at the same positions, since the
-/// ordering is computed once. The pivots of the previous matrix are reused if they are numerically
-/// suitable.
+/// ordering is computed once. The pivots of the previous matrix are reused if numerically suitable.
 class KluFactorisation {
  public:
   KluFactorisation();

@@ -13,7 +13,7 @@ namespace fpkcheck::fd_fpk {
 
 /// Linear system dP/dt = L P, given by products with L and solutions of systems with I - gamma L.
 struct LinearOdeSystem {
-  LinearMap times;  ///< function that returns L P
+  LinearMap times;
   /// Factors I - gamma L for `solve`; returns false on failure
   std::function<bool(double gamma)> factor;
   ApproximateSolve solve;  ///< function that solves the system with the matrix factored last
@@ -41,10 +41,10 @@ struct BdfSettings {
   std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
   std::optional<double> max_step = {};
-  std::optional<double> step_growth = {};  ///< largest ratio of the lengths of successive steps
+  std::optional<double> step_growth = {};  ///< largest ratio of successive time steps
   std::optional<double> stop_time = {};    ///< time that no step exceeds
   std::optional<long> max_steps = {};      ///< maximum number of steps up to a requested time
-  /// Maximum number of steps with one factorisation while gamma is constant
+  /// Maximum number of time steps with one factorisation of I - gamma L while gamma is constant
   std::optional<long> steps_per_factorisation = {};
 };
 

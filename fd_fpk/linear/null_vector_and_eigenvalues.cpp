@@ -34,7 +34,8 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
 
 NullVector null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
                                             const Eigen::VectorXd& start, double frequency) {
-  constexpr double kShift = 1e-7;  // shift that makes the matrix regular, in units of the frequency
+  // shift that makes the matrix nonsingular, in frequencies of the oscillator
+  constexpr double kShift = 1e-7;
   constexpr int kIterations = 4;
   constexpr double kResidual = 1e-8;
   KluFactorisation klu;
@@ -64,10 +65,10 @@ constexpr int kNearest = 20;
 // Number of eigenvalues that a check requests in addition to the known eigenvalues
 constexpr int kSpare = 3;
 constexpr int kBasis = 60;
-// Distance, in units of the relevant rate, below which two Ritz values count as the same
-// eigenvalue. A residual of kTolerance determines an eigenvalue of a non-normal matrix only to
-// kTolerance times the condition number of the eigenvalue. The Pade scheme of case 1 gave the
-// eigenvalue 0 twice, 2e-7 apart.
+// Distance, in units of the growth rate or of the frequency, below which two Ritz values count as
+// the same eigenvalue. A residual of kTolerance determines an eigenvalue of a non-normal matrix
+// only to kTolerance times the condition number of the eigenvalue. The Pade scheme of case 1 gave
+// the eigenvalue 0 twice, 2e-7 apart.
 constexpr double kSame = 1e-6;
 
 // The linear operator (L - sigma)^-1, by KLU factors of L - sigma.

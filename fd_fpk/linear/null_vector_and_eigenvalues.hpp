@@ -15,7 +15,7 @@ namespace fpkcheck::fd_fpk {
 struct NullVector {
   std::optional<Eigen::VectorXd> averages;
   long iterations = 0;
-  std::string failure = {};  ///< reason why GMRES found no cell averages; empty after a success
+  std::string failure = {};  ///< reason why GMRES found no null vector; empty after a success
   double krylov_seconds = 0;
 };
 
@@ -28,7 +28,8 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
                        const Deadline& deadline = Deadline::unlimited());
 
 /// Computes the null vector of mass 1 of an unstable operator by inverse iteration with KLU factors
-/// of the whole matrix L. Without a test of well-posedness a solver would return this null vector.
+/// of the whole matrix L. A solver without a test of well-posedness would return the null vector of
+/// an unstable operator.
 /// @param frequency frequency of the oscillator, the unit of residuals
 NullVector null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
                                             const Eigen::VectorXd& start, double frequency);
@@ -41,23 +42,23 @@ struct RightmostEigenvalues {
   double residual = 0;  ///< largest ||L v - value v|| / ||v|| of the eigenpairs, per unit time
   long factorisations = 0;
   long solves = 0;
-  std::string failure = {};  ///< reason why there are no eigenvalues, and what to do
+  std::string failure = {};  ///< reason why the computation gave no eigenvalues, and what to do
 };
 
 /// Computes the `count` rightmost eigenvalues of the whole operator, including jumps, by
 /// shift-invert Arnoldi (Spectra) with KLU factors.
 ///
-/// The eigenvalues nearest to a real shift need not be the rightmost, since an oscillating mode may
-/// have a larger real part. The eigenvalues that Arnoldi finds with the shift sigma are therefore
-/// checked by the Cayley transform
+/// The eigenvalues nearest to a real shift need not be the rightmost eigenvalues: an oscillating
+/// mode, far from the shift, may have a larger real part. The eigenvalues that Arnoldi finds with
+/// the shift sigma are therefore checked by the Cayley transform
 ///
 ///     C = (L - sigma)^-1 (L - (2 m - sigma)),   |eigenvalue of C| > 1 <=> Re(eigenvalue of L) > m,
 ///
 /// The number m is just left of the last eigenvalue found. The shift sigma is so large that
 /// eigenvalues of L with larger real parts give eigenvalues of C with larger modulus. The check is
 /// repeated until no new eigenvalue is found (Meerbergen, Spence and Roose, BIT 34 (1994) 409-423).
-/// The check is strong evidence, not a proof: a mode may be missed that oscillates many times
-/// faster than 8 growth rates or frequencies.
+/// The check does not prove completeness. The check may miss a mode that oscillates many times
+/// faster than eight times the growth rate or the frequency of the oscillator.
 ///
 /// @param growth expected rightmost real part: the growth rate of the excitation; 0 if stable
 /// @param frequency frequency of the oscillator, sqrt(k_eq), the unit of rates

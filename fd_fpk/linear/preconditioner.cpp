@@ -24,7 +24,8 @@ constexpr int kOrder = 3;
 Excitation drift_diffusion_approximation(const Excitation& excitation, const Axis& x2) {
   constexpr double kOvershoot = 1.5;
   const double step = x2.smallest_cell_width();
-  // Empirical limits: on graded axes with narrow cells GMRES does not converge with larger values.
+  // Empirical limits: on graded axes with narrow cells GMRES does not converge with larger drift or
+  // diffusion coefficients.
   const double overshoot_of_drift = x2.cell_widths().maxCoeff() > 1.5 * step ? 3 : 10;
   const double shortest = std::numbers::pi / step;
   const double fastest = overshoot_of_drift * excitation.exchange_rate / shortest;
@@ -67,7 +68,8 @@ bool Preconditioner::factor_with_klu(const SparseColumnMatrix& matrix) {
 }
 
 bool Preconditioner::factorise(double gamma) {
-  constexpr double kLong = 3;  // in decay times
+  // ratio of gamma to the decay time, above which the factors of M are reused
+  constexpr double kLong = 3;
   if (are_stationary_ && gamma * loss_ >= kLong) {
     matrix_scale_ = -gamma;
     return true;

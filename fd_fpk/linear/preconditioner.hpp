@@ -14,7 +14,7 @@ namespace fpkcheck::fd_fpk {
 
 /// Preconditioner for systems with I - gamma L, or with L itself. KLU factors a sparse matrix M
 /// that approximates L. The matrix M has differences of low order, and a weak diffusion in place of
-/// the dense matrix of the velocity jumps. A small loss of mass makes M regular. The number of
+/// the dense matrix of the velocity jumps. A small loss of mass makes M nonsingular. The number of
 /// GMRES iterations hardly increases with the number of cells (docs/performance.md).
 class Preconditioner {
  public:
@@ -23,14 +23,14 @@ class Preconditioner {
   /// would not converge with a dissipative preconditioner.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                  problem::ImpactCondition impact, const Grid& grid, int order = 3);
-  /// @param loss rate of the mass loss that makes M regular, such as
+  /// @param loss rate of the mass loss that makes M nonsingular, such as
   /// problem::MotionScales::slowest_decay_rate
   Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
                  problem::ImpactCondition impact, const Grid& grid, int order);
 
   /// Factors I - gamma M and returns false on failure; see failure_reason(). If gamma is much
-  /// longer than the slowest decay time, I - gamma M is nearly -gamma M. For so long a gamma,
-  /// directly after factorise_stationary(), the factors of M are reused.
+  /// longer than the slowest decay time, I - gamma M is nearly -gamma M. For such a value of gamma
+  /// the function reuses the factors of M if factorise_stationary() was the preceding call.
   bool factorise(double gamma);
   /// Factors M and returns false on failure; see failure_reason().
   bool factorise_stationary();

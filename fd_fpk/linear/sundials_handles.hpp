@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <sundials/sundials_context.hpp>
 
-/// Owning handles of SUNDIALS objects, and a check of the flags that SUNDIALS returns. Only this
-/// header depends on the differences between SUNDIALS 6 and 7.
+/// Owning handles of SUNDIALS objects, and a check of the flags that SUNDIALS returns. Only
+/// sundials_handles.hpp depends on the differences between SUNDIALS 6 and 7.
 namespace fpkcheck::fd_fpk::sundials_owned {
 
 /// Flag of success: SUN_SUCCESS of SUNDIALS 7, CV_SUCCESS and SUNLS_SUCCESS of SUNDIALS 6.

@@ -20,8 +20,8 @@ namespace {
 constexpr double kX1BoxDeviations = 6;
 // Minimum half-width of the box in velocity, in standard deviations of a single impulse.
 constexpr double kImpulseBoxDeviations = 6.5;
-// Distance, in lengths sqrt(b), at which the kernel of the Pade approximant falls below 1e-12 of
-// the peak.
+// Distance, in units of the kernel length sqrt(b), at which the kernel of the Pade approximant
+// falls below 1e-12 of the peak.
 constexpr double kPadeReach = 28;
 
 Excitation impulse_excitation(const problem::ImpulseTrain& impulses, const Options& options,
@@ -98,7 +98,7 @@ Discretisation failed_discretisation(const Box& box, std::string failure, double
           .cells = cells};
 }
 
-// Returns the reason why there is no usable grid; empty if the grid is usable.
+// Returns the reason why no grid is usable; empty if the grid is usable.
 std::string grid_failure_reason(const problem::Problem& problem, const Options& options,
                                 const Box& box, double nx, double nv) {
   if (options.impact == ImpactCondition::map) {
@@ -128,7 +128,8 @@ std::string grid_failure_reason(const problem::Problem& problem, const Options& 
   return "";
 }
 
-// Returns the end of an axis with `cells` cells up to `length`, after the addition of `more` cells.
+// Returns the end of an axis with `cells` cells up to `length`, after `more` cells are added beyond
+// `length`.
 double extended_axis_end(int more, int cells, double length, const Grading& grading) {
   const double present = graded_cell_count(length, 1, grading), added = present * more / cells;
   if (more == 0) return length;

@@ -27,14 +27,14 @@ struct Discretisation {
   Excitation excitation;
   /// regularisation length l of km4 that was used; 0 for other equations
   double regularisation_length = 0;
-  /// Reason why there is no grid, and what to do; empty if there is a grid
+  /// Reason why no grid exists, and what to do; empty if a grid exists
   std::string failure = {};
   double cells = 0;  ///< number of cells of the grid; without a grid, the required number of cells
 };
 
 /// Returns the grid and the excitation discretised on the grid. The cell widths are about 1/7 (x1)
 /// and 1/6 (x2) of a standard deviation, or of a length scale of the box. On a graded grid the
-/// cells far from the origin are 1.6 times as wide.
+/// cells far from the origin are 1.6 times as wide as the cells of a uniform grid.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
 /// Box, and the numbers of cells of the grid in the box.
@@ -51,7 +51,7 @@ EnlargedBox enlarge_box(const problem::Problem& problem, const Options& options,
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
                                             const Discretisation& on);
 
-/// Excitation on a uniform velocity axis, the input of fastest_growing_wave. The axis is so long
+/// Excitation on a uniform velocity axis, as input of fastest_growing_wave(). The axis is so long
 /// that the middle row of the excitation matrix equals the row for an unbounded axis.
 struct UnboundedAxisExcitation {
   Axis axis;
@@ -63,15 +63,15 @@ UnboundedAxisExcitation unbounded_axis_excitation(const problem::Problem& proble
 /// Returns the box before the solver moves ends outwards; ends that the options set are kept. In x1
 /// the box extends over 6 standard deviations of equivalent linearisation from the static
 /// deflection. In x2 the box extends over 7 standard deviations of equivalent linearisation, and at
-/// least 6.5 of a single impulse. Without has_linearised_scales() the box has the limits of
-/// problem::MotionScales, or ends at the walls.
+/// least 6.5 standard deviations of a single impulse. Without has_linearised_scales() the box has
+/// the limits of problem::MotionScales, or ends at the walls.
 Box initial_box(const problem::Problem& problem, const Options& options);
 Box initial_box(const problem::Problem& problem, const problem::MotionScales& scales,
                 const Options& options);
 
 /// Returns the length scales l of a density on a coarse grid from the Fisher information, l^-2 =
 /// E[(d ln p/dx)^2]. The length scales of a normal density are the standard deviations. A density
-/// with several peaks or a ring has shorter length scales.
+/// with several peaks or a ring has length scales below the standard deviations.
 LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
                                   const problem::MotionScales& scales);
 

@@ -38,7 +38,6 @@ AxisOperator single_entry_matrix(int rows, int columns, int row, int column, dou
   return matrix;
 }
 
-// Returns `matrix` with zeros outside the rows first .. first+count-1.
 AxisOperator zero_other_rows(const AxisOperator& matrix, int first, int count) {
   AxisOperator mask(matrix.rows(), matrix.rows());
   for (int r = first; r < first + count; ++r) mask.insert(r, r) = 1.0;
@@ -69,7 +68,7 @@ int returning_cell(const Grid& grid, AxisEnd end, int b) {
 }
 
 // Returns the matrix of the impacts at a wall. The flux into the wall leaves the column of cells at
-// the wall and enters this column again with the other sign of x2.
+// the wall and enters the column again with the opposite sign of x2.
 SparseColumnMatrix wall_exchange_matrix(double restitution, problem::ImpactCondition impact,
                                         const Grid& grid, int scheme_order, AxisEnd end) {
   const int half = grid.nv() / 2;

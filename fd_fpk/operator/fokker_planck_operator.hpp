@@ -60,8 +60,8 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             ProductAveraging averaging = ProductAveraging::full);
 
 /// Returns the matrix that maps cell averages to the flux of probability into a wall, shape (nv/2,
-/// nx nv). Row i gives the average of u p(0+, -u), or of u p(b-, u) at the end b, over cell i of
-/// the axis of the speed u.
+/// nx nv). Row i gives the average of u p(0+, -u), or of u p(b-, u) at a second wall x1 = b, over
+/// cell i of the axis of the speed u.
 SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order,
                                     AxisEnd end = AxisEnd::left);
 

@@ -104,7 +104,7 @@ class TestFunctionBalance {
     return sum;
   }
 
-  // Returns the rate of change of E[h] due to impacts at the other wall.
+  // Returns the rate of change of E[h] due to impacts at the second wall, `other`.
   double mean_gain_at_wall(const problem::Wall& other, AxisEnd end, const WallCoordinates& from,
                            const WallTestFunction& h, const Eigen::VectorXd& averages) const {
     const int half = grid_.nv() / 2;

@@ -22,10 +22,11 @@ namespace fpkcheck::fd_fpk {
 ///     (pi / sqrt 3 + log r) rate = E[F h_v - F_0 f_v] - <h, S p> + d/dt E[h]
 ///                                  - int u p(b, u) [h(b, -r_b u) - h(b, u)] du,
 ///
-/// Here F is the force and damping less the drift of the excitation, S the operator of the jumps,
-/// and b a second wall. The integrand F h_v - F_0 f_v is bounded at the wall. The error of the
-/// impact rate is therefore proportional to the power 4 - beta of the narrowest cell width. For the
-/// impact condition to first order in 1-r, r - 1 replaces log r.
+/// Here F is the sum of restoring and damping force minus the drift of the excitation, and F_0 its
+/// value at the wall. S is the operator of the jumps, and x1 = b a second wall. The integrand F h_v
+/// - F_0 f_v is bounded at the wall. The error of the impact rate is therefore proportional to the
+/// power 4 - beta of the narrowest cell width. For the impact condition to first order in 1-r, the
+/// balance contains r - 1 in place of log r.
 ///
 /// @param excitation excitation on the x2 axis of the grid, as in the operator of this density
 /// @param rate_of_change rate of change of the averages; 0 for a stationary density

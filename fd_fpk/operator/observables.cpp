@@ -91,10 +91,10 @@ namespace {
 
 // Returns the moments n = 0 .. 4 of the missing mass beyond the end x of an axis, int_0^inf |x +
 // t|^n p e^(-s t) dt. The slope and the curvature of the logarithm of the marginal density
-// determine p and s. Slope and curvature are fitted from 0.6 to 0.2 of the distance between the end
-// and the mean. Cells nearer to the end lack mass. Under noise the missing mass counts twice. Under
-// impulses, a path that would have left the box is also missing on the whole way back, with the
-// density p V / v.
+// determine the density p at the end and the decay rate s. Slope and curvature are fitted from 0.6
+// to 0.2 of the distance between the end and the mean. Cells nearer to the end lack mass. Under
+// white noise the missing mass counts twice. Under impulses, the box also lacks the return path of
+// motion that would have left the box, with the density p V / v.
 std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::VectorXd& marginal,
                                                bool last, double x, bool of_impulses) {
   const double end = last ? axis.faces().back() : axis.faces().front();

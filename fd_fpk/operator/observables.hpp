@@ -13,8 +13,8 @@ namespace fpkcheck::fd_fpk {
 
 /// Averages of the marginal densities over the cells of each axis.
 struct Marginals {
-  Eigen::VectorXd y;     ///< shape (nx)
-  Eigen::VectorXd ydot;  ///< shape (nv)
+  Eigen::VectorXd y;     ///< averages of p(y), shape (nx)
+  Eigen::VectorXd ydot;  ///< averages of p(y'), shape (nv)
 };
 Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages);
 
@@ -75,8 +75,8 @@ struct WallMomentumTransfer {
 };
 
 /// Returns the residuals of problem::virial_balance and problem::momentum_balance. Without a wall
-/// and with impulses of mean zero both sides of the momentum balance are 0, and there is no
-/// momentum residual.
+/// and with impulses of mean zero, the two sides of the momentum balance are 0, and the momentum
+/// residual is absent.
 /// @param walls momentum transferred to the walls; ignored for problems without a wall
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
                                               const Eigen::VectorXd& averages, int scheme_order,
@@ -84,8 +84,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
 WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const Grid& grid,
                                             const Eigen::VectorXd& averages, int scheme_order);
 
-/// Returns the density on the edges of the box, relative to the peak of the density or of
-/// equivalent linearisation, whichever is smaller. Relative to a spike of the density at the rest
+/// Returns the density on the edges of the box, relative to the smaller of two peaks, that of the
+/// density and that of equivalent linearisation. Relative to a spike of the density at the rest
 /// point, a significant density on the edges would appear negligible.
 BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales, const Grid& grid,
                                          const Eigen::VectorXd& averages);

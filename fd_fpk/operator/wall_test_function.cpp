@@ -11,9 +11,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Table of phi, phi', theta and chi' on equidistant s, with cubic Hermite interpolation. The
-// differential equations give the derivatives for the interpolation. The interpolation error is
-// step^4 / 384 times a fourth derivative, below 1e-10.
+// Table of the functions phi, phi', theta and chi' of WallTestFunction on equidistant s, with cubic
+// Hermite interpolation. The differential equations give the derivatives for the interpolation. The
+// interpolation error is step^4 / 384 times a fourth derivative, below 1e-10.
 class ProfileTable {
  public:
   static const ProfileTable& table() {
@@ -59,8 +59,8 @@ class ProfileTable {
   }
 
   // Asymptotic series for large |s| in powers of s^-3: phi' = sum a_n s^(-1-3n), theta = sum t_n
-  // s^(-2-3n). The equations give the coefficients by recursion. At kEnd the truncation error is
-  // below 1e-11.
+  // s^(-2-3n). The differential equations give the coefficients a_n and t_n by recursion. At kEnd
+  // the truncation error is below 1e-11.
   class AsymptoticSeries {
    public:
     AsymptoticSeries() {
@@ -111,8 +111,7 @@ class ProfileTable {
   ProfileTable() : nodes_(kLast + 1) {
     nodes_[kLast] = {asymptotics_.phi(kEnd), asymptotics_.phi_slope(kEnd), asymptotics_.theta(kEnd),
                      asymptotics_.chi_slope(kEnd)};
-    // Runge-Kutta steps go towards smaller s, because homogeneous solutions decay towards smaller
-    // s.
+    // The Runge-Kutta steps decrease s, because homogeneous solutions decay towards smaller s.
     constexpr int kParts = 4;
     constexpr double h = -kStep / kParts;
     for (std::size_t k = kLast; k > 0; --k) {

@@ -10,7 +10,8 @@ namespace fpkcheck::fd_fpk {
 ///     D f_vv + v f_y = 0,              f = log(y) / 3 + phi(s),             s = v / (D y)^(1/3),
 ///     D f_1,vv + v f_1,y = F_0 f_v,    f_1 = (F_0 / D) (D y)^(1/3) chi(s), F_0 the force at y = 0,
 ///
-/// The functions phi and chi have no component that grows as e^(s^3/9). Substitution gives
+/// The functions phi(s) and chi(s) of the similarity variable s have no component that grows as
+/// e^(s^3/9). Substitution gives ordinary differential equations for phi and chi:
 ///
 ///     phi'' = s (s phi' - 1) / 3,   theta = chi - s chi',   theta' = s (s theta / 3 - phi'),
 ///     chi'' = phi' - s theta / 3.
@@ -22,7 +23,8 @@ namespace fpkcheck::fd_fpk {
 /// of h is 0 at the restitution coefficient below which impacts accumulate
 /// (problem::kCollapseRestitution).
 ///
-/// The backward equation with force F leaves the remainder F h_v - F_0 f_v, bounded at the wall.
+/// With a variable force F, the test function h satisfies the backward equation up to the remainder
+/// F h_v - F_0 f_v, which is bounded at the wall.
 class WallTestFunction {
  public:
   /// @param diffusion noise coefficient D > 0
@@ -36,7 +38,7 @@ class WallTestFunction {
   double backward_remainder(double y, double v, double force) const;
   double velocity_derivative(double y, double v) const;
 
-  /// Difference f(0, u) - f(0, -u) at the wall, the same for every speed u
+  /// Difference f(0, u) - f(0, -u) of the leading term f at the wall, equal for all speeds u
   static constexpr double kStepAtWall = std::numbers::pi / std::numbers::sqrt3;
 
  private:

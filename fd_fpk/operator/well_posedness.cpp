@@ -8,7 +8,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Returns the length rounded up to three digits, so that the printed length is long enough.
+// Returns the length rounded up to three digits: a printed regularisation length must be long
+// enough for stability.
 double round_up(double length) {
   const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
   return std::ceil(length / digit) * digit;

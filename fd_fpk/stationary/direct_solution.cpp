@@ -53,7 +53,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
                                         const Deadline& deadline, Box& box) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
-  // Approximate ratio of the computing times in the wider and the narrower box
+  // Approximate ratio of the computing times after and before the box is widened
   constexpr double kTimeRatio = 1.5;
   BoxEdgeDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
@@ -75,7 +75,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     if (is_acceptable && !deadline.has_time_for(kTimeRatio * stopwatch.seconds())) return direct;
     if (problem.system.left_wall()) {
       if (widen_x1) box.x1_max *= kWidening;
-    } else {  // a box without an impact wall widens about the middle
+    } else {  // a box without an impact wall is widened about its middle
       const double by = (kWidening - 1) * (box.x1_max - box.x1_min) / 2;
       if (widen_x1) box.x1_max += by;
       if (widen_x1_low) box.x1_min -= by;
@@ -85,9 +85,9 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   }
 }
 
-// Standard deviations overestimate the length scales of a density of several wells or of a ring.
-// The function therefore repeats the solution on grids based on the computed length scales, until
-// the length scales converge.
+// Standard deviations overestimate the length scales of a density with several wells or a ring. The
+// function therefore repeats the solution on grids based on the computed length scales, until the
+// length scales converge.
 void find_box_and_lengths(const problem::Problem& problem, const problem::MotionScales& scales,
                           const Options& coarse, const Deadline& deadline, Box& box) {
   constexpr int kMostTimes = 4;
@@ -160,7 +160,8 @@ DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBo
         is_resolved(problem, options, direct)) {
       return direct;
     }
-    // The first refinement refines only the cells at a spike at the origin, if there is a spike.
+    // If the density has a spike at the origin, the first refinement refines only the cells at the
+    // spike.
     if (is_density_unbounded_at_origin(problem) && direct.origin_refinement < kOriginRefinement) {
       on_grid.origin_refinement = kOriginRefinement;
     } else {

@@ -20,11 +20,11 @@ struct DirectSolution {
   double origin_refinement = 1;  ///< ratio Options::origin_refinement of the solution
   FokkerPlanckOperator op = {};
   std::optional<Preconditioner> preconditioner = {};
-  std::optional<Eigen::VectorXd> averages = {};  ///< the null vector, with mass 1
+  std::optional<Eigen::VectorXd> averages = {};  ///< cell averages of the null vector, with mass 1
   /// Whether GMRES reduced the residual of the initial density sufficiently
   bool converged = true;
   long krylov_iterations = 0;
-  std::string failure = {};  ///< reason why there is no null vector, and what to do
+  std::string failure = {};  ///< reason why no null vector was found, and what to do
   double krylov_seconds = 0;
 };
 
@@ -45,8 +45,8 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
 /// resolves the density. The solver adapts box and grid as far as the options leave box and grid
 /// free. An end of the box with a density above options.wall_density times the peak moves outwards
 /// by 15 %, as long as each move decreases the density at the end. After the deadline an end moves
-/// only if the density at the end exceeds kMaxBoxEdgeDensity, because the solution would otherwise be
-/// rejected. An automatic grid is refined, first at a spike at the origin, while the density
+/// only if the density at the end exceeds kMaxBoxEdgeDensity, because the solution would otherwise
+/// be rejected. An automatic grid is refined, first at a spike at the origin, while the density
 /// violates kAutomaticGridLimits and the deadline has not passed.
 DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
                               const Options& options, const Deadline& deadline);

@@ -58,7 +58,8 @@ transform::GridLevelDifference grid_level_difference(const Result& coarser, cons
   return transform::grid_level_difference(of(coarser), of(finer));
 }
 
-// Returns the options for a grid with cells narrower by `factor`, without automatic refinement.
+// Returns the options for a grid with cell widths divided by `factor`, without automatic
+// refinement.
 Options with_refined_cells(Options options, double factor) {
   options.refine_unresolved = false;
   options.refinement *= factor;
@@ -116,7 +117,8 @@ void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& er
   }
 }
 
-// Returns the changes of the moments in a larger box; zero without a density in the larger box.
+// Returns the changes of the moments when the box is enlarged; zero without a density in the
+// enlarged box.
 Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cells,
                              const Result& in_box) {
   Moments moved;
@@ -136,10 +138,11 @@ Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cell
   return moved;
 }
 
-// Raises the error estimates of the moments to the residuals of the balances, for solutions along
-// characteristics. The observed order of convergence along characteristics may be too high. A
-// relative error below the residual of a balance would contradict the balance. The dissipated power
-// is proportional to E[v^2], and so to E[y^2]; the mean force is proportional to E[y].
+// Raises the error estimates of the moments at least to the residuals of the balances of power and
+// momentum, for solutions along characteristics. The observed order of convergence along
+// characteristics may be too high. A relative error below the residual of a balance would
+// contradict the balance. The dissipated power is proportional to E[v^2], and so to E[y^2]; the
+// mean force is proportional to E[y].
 Moments raise_to_balance_residuals(Moments error, const Result& fine) {
   const auto& [solution, summary] = fine;
   if (summary.transport != TransportScheme::characteristics) return error;
@@ -270,7 +273,7 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
   // solution in the larger box takes twice as long as the coarsest grid.
   double seconds = stopwatch.seconds() / (best.summary.enlarged_box ? 1.9 : 1.6);
   Options level = with_direct_solver(with_used_grid(options, best.summary));
-  // The results `middle` and `coarse` are on the two coarser of the last three grids.
+  // The results `middle` and `coarse` belong to the two coarser grids of the last three grids.
   const Options before = with_refined_cells(level, 1 / kRefinementRatio);
   Result middle = best;
   std::optional<Result> coarse;
@@ -305,9 +308,10 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
                           const Deadline& deadline) {
   constexpr double kFirst = 0.5;  // value of Options::refinement for the coarsest grid
-  // Lack of observed order that indicates a limit by the density at the origin
+  // Deficit of the observed order that indicates a dominant error of the density at the origin
   constexpr double kOrdersMissing = 1.5;
-  // Fraction of the tolerance for the truncation error of the box, which only a larger box reduces
+  // Fraction of the tolerance that the truncation error of the box may take; only a larger box
+  // reduces this error
   constexpr double kWalls = 0.25, kLeastOnWall = 1e-12;
   Options level = with_refined_cells(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
@@ -343,7 +347,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       box_found = excess <= 1 || !free || level.wall_density <= kLeastOnWall;
       if (!box_found) {
         level.wall_density *= std::min(0.1, 1 / excess);
-        continue;  // the next solution has the same cells in a larger box
+        continue;  // the next solution uses the present cells in an enlarged box
       }
       level = with_box_of(level, last[2]->summary);
     } else {
@@ -372,7 +376,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
         level.origin_refinement = kOriginRefinement;
         estimated = std::move(last[2]);
         last = {};
-        continue;  // three new grids follow, with the same cell widths far from the origin
+        continue;  // three new, graded grids follow, with unchanged cell widths far from the origin
       }
     }
     level = with_refined_cells(level, kRefinementRatio);

@@ -10,10 +10,9 @@
 namespace fpkcheck::fd_fpk {
 
 /// Returns the estimated discretisation error of the finest of three solutions, by Richardson
-/// extrapolation (transform/richardson.hpp). The cells of each grid are narrower than those of the
-/// preceding grid by transform::kRefinementRatio. The discretisation error is estimated, not
-/// bounded: the largest observed ratio of error to estimate is 2.5.
-/// @param order order of accuracy of the scheme
+/// extrapolation (transform/richardson.hpp). The cells of each grid are narrower than the cells of
+/// the preceding grid by the factor transform::kRefinementRatio. The discretisation error is
+/// estimated, not bounded: the largest observed ratio of error to estimate is 2.5.
 /// @pre all three solutions have a density
 ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
                              int order);
@@ -22,12 +21,12 @@ ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const R
 using SolveOnOneGrid = std::function<Result(const Options&)>;
 
 /// Returns the solution on the grid of the options, with an error estimate from direct solutions on
-/// two coarser grids. The cells of the coarser grids are wider by transform::kRefinementRatio and
-/// by its square. The solution includes extrapolated moments if transform::has_richardson_limit
-/// accepts the observed order of convergence.
+/// two coarser grids. The cells of the two coarser grids are wider by the factors q and q^2, with q
+/// = transform::kRefinementRatio. The solution includes extrapolated moments if
+/// transform::has_richardson_limit accepts the observed order of convergence.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
 
-/// Goal of refine_until_deadline().
+/// Accuracy and status at which refine_until_deadline() stops refining the grid.
 struct RefinementGoal {
   double accuracy = kTargetAccuracy;
   /// Whether the grid is also refined if the error is small but the status is not `ok`

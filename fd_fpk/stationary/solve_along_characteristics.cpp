@@ -72,8 +72,8 @@ double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double ne
 }
 
 // Returns a box, determined on wide cells, that contains all but a negligible part of the mass.
-// After the deadline the mass kMaxMassAtEnd at the ends is acceptable; a box with more mass at its
-// ends would be rejected.
+// After the deadline the mass kMaxMassAtEnd at the ends is acceptable. A box with more mass at the
+// ends than kMaxMassAtEnd would be rejected.
 Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
                         const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;

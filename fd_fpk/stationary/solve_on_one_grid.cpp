@@ -33,10 +33,10 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
   // r = 0.6 GMRES took 860 iterations with tolerances of densities, instead of 372.
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
-  // The residual of GMRES in a step, relative to the peak, is gamma times the contribution of this
-  // residual to L P. The tolerance of GMRES is a hundredth of the residual expected after the step,
-  // about 1/gamma of the preceding residual in decay times. The residual of GMRES in the last step
-  // remains in the solution.
+  // The residual of GMRES in a step, relative to the peak, is gamma times the contribution of the
+  // GMRES residual to L P. The tolerance of GMRES is a hundredth of the residual expected after the
+  // step, about 1/gamma of the preceding residual in decay times. The residual of GMRES in the last
+  // step remains in the solution.
   constexpr double kPart = 1e-2, kLastStepTolerance = 1e-11;
   const auto linear_tolerance = [&](double residual) {
     const bool is_last = residual <= kLongestStep * tolerance;
@@ -106,7 +106,7 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct, const 
     return std::nullopt;
   }
   const double frequency = direct.scales.frequency;
-  // Number of CVODE steps, as long as the direct solution, for which time must remain
+  // Number of CVODE steps, each as long as the direct solution, for which time must remain
   constexpr double kStepsInFull = 20;
   std::optional<PseudoTransientResult> march;
   if (options.stepper == StationarySolver::cvode && direct.converged &&
@@ -166,9 +166,10 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
                         wall_momentum_transfer(problem.system, grid, averages, order));
 }
 
-// Returns a box that is longer by half in each direction with a significant density at the end;
-// empty if both densities are negligible. For rare impulses, with 1e-6 of the peak at an end 8
-// standard deviations away, the mass beyond the end contributes 4e-4 of E[y^4].
+// Returns the box enlarged by half in each direction in which the density at the end is
+// significant. The result is empty if the densities at all ends are negligible. For rare impulses,
+// with 1e-6 of the peak at an end 8 standard deviations away, the mass beyond the end contributes
+// 4e-4 of E[y^4].
 std::optional<EnlargedBox> make_enlarged_box(const problem::Problem& problem,
                                              const Options& options, const Grid& grid,
                                              const BoxEdgeDensity& wall) {

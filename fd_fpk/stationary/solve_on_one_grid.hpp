@@ -16,7 +16,7 @@ namespace fpkcheck::fd_fpk {
 
 /// Result of pseudo-transient time steps to the stationary density.
 struct PseudoTransientResult {
-  Eigen::VectorXd averages;  ///< cell averages of the last density
+  Eigen::VectorXd averages;
   std::string reason;        ///< error message of CVODE; empty if CVODE did not stop
   bool out_of_time = false;  ///< whether time stepping stopped because of the deadline
   double residual = 0;       ///< stationarity residual of `averages`, per unit time

@@ -10,17 +10,17 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// A stationary density that violates these limits has the status `inadmissible`.
+/// Limits of a stationary density; a violation gives the status `inadmissible`.
 inline constexpr ResolutionLimits kStationaryLimits{.min_density = -1e-4, .power = 1e-3};
 
-/// A density over time that violates these limits has the status `inadmissible`. With losses the
+/// Limits of a density over time; a violation gives the status `inadmissible`. With losses the
 /// initial density does not satisfy the impact condition, and a discontinuity travels from the wall
 /// into the plane. No grid resolves the discontinuity, which the noise smooths. The limits allow
 /// for the discontinuity and still detect grids that are too coarse.
 inline constexpr ResolutionLimits kTransientLimits{.min_density = -1e-3, .power = 1e-2};
 
-/// Largest accepted density on an edge of the box, relative to the peak. A box with a larger
-/// density is rejected, because probability that has left the box is missing.
+/// Largest accepted density on an edge of the box, relative to the peak. A box with a density above
+/// this limit is rejected, because probability that has left the box is missing.
 inline constexpr double kMaxBoxEdgeDensity = 1e-3;
 
 /// Returns the reason why a box with the given densities on its edges is too small; empty for a box

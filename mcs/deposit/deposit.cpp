@@ -57,7 +57,7 @@ void require_bins(const std::string& name, const SmoothBins& bins) {
                       name, bins.spacing));
 }
 
-using Coefficients = std::vector<double>;  // coefficients of 1, t, t^2, ..
+using Coefficients = std::vector<double>;  // polynomial coefficients of 1, t, t^2, ..
 
 /// Returns the polynomial a p + (b + c t) q.
 Coefficients combine_polynomials(double a, const Coefficients& p, double b, double c,
@@ -73,7 +73,8 @@ Coefficients combine_polynomials(double a, const Coefficients& p, double b, doub
 
 /// Returns the six nonzero splines of a knot span as polynomials of t = (x - begin)/width, shape
 /// (6, 6), by the recursion of Cox and de Boor.
-/// @param last_knot index of the last knot at the beginning of the span
+/// @param last_knot index of the last knot among the knots that coincide at the beginning of the
+/// span
 std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::size_t last_knot) {
   const double begin = knots[last_knot], width = knots[last_knot + 1] - begin;
   std::vector<Coefficients> functions{{1.0}};
@@ -92,8 +93,8 @@ std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::si
   return functions;
 }
 
-/// Appends coefficients to a table, from the highest power to the constant term, each for all
-/// polynomials.
+/// Appends coefficients to a table, from the highest power to the constant term. For each power the
+/// table has the coefficients of all polynomials.
 void append(std::vector<double>& table, const std::vector<Coefficients>& functions, int highest) {
   for (int n = highest; n >= 0; --n) {
     for (int l = 0; l < kEight; ++l) {

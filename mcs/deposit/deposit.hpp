@@ -28,9 +28,10 @@ struct DepositGrid {
   /// velocity outside the lattice counts at the nearest end of the lattice.
   double lattice_begin = 0, lattice_spacing = 1;
   int lattice_points = 0;
-  /// Atoms of an amplitude law without a continuous part; empty for other laws. With atoms, the sum
-  /// K B_j of shifted splines B_j is added to the flow exactly. Without atoms, the lattice
-  /// approximates K B_j by interpolation.
+  /// Atoms of an amplitude law without a continuous part; empty for other laws. For a law of atoms,
+  /// the mean K B_j of a spline B_j after an impulse is a sum of shifted splines, which is added to
+  /// DepositedSums::flow exactly. For other laws, interpolation on the velocity lattice
+  /// approximates K B_j.
   std::vector<VelocityShift> shifts{};
   SmoothBins y_bins{}, v_bins{};
 
@@ -41,8 +42,8 @@ struct DepositGrid {
 /// @throws InputError if the grid violates the conditions of DepositGrid
 void require_valid_deposit_grid(const DepositGrid& grid);
 
-/// B-splines of degree 5 as polynomials on each knot span. Each row of eight coefficients belongs
-/// to the six nonzero splines of a span and two zeros.
+/// B-splines of degree 5 as polynomials on each knot span. Each row of eight coefficients contains
+/// the coefficients of the six nonzero splines of a span, and two zeros.
 class SplinePolynomials {
  public:
   static constexpr int kWidth = 8;
@@ -61,12 +62,11 @@ class SplinePolynomials {
   const double* breaks() const { return breaks_.data(); }
   const double* reciprocal_lengths() const { return per_length_.data(); }
   const int* first_spline_indices() const { return first_.data(); }
-  /// Offset of the polynomials of each knot span in coefficients()
+  /// Offset in coefficients() at which the polynomials of each knot span begin
   const int* coefficient_offsets() const { return place_.data(); }
   /// Polynomial coefficients of the splines, shape (11, kWidth) for each span. The first six rows
-  /// are coefficients of t^5, .., 1 with t = (x - begin of the span)/length. The other five rows
-  /// are coefficients of t^4, .., 1 for the slopes in x. Spans with equal coefficients share one
-  /// table.
+  /// are coefficients of t^5, .., 1 with t = (x - begin of the span)/length. The last five rows are
+  /// coefficients of t^4, .., 1 for the slopes in x. Spans with equal coefficients share one table.
   const double* coefficients() const { return coefficients_.data(); }
 
  private:
@@ -103,9 +103,9 @@ struct DepositedSums {
   int flow_pitch = 0, lattice_pitch = 0;
   std::vector<double> flow;     ///< shape (number of splines in y, flow_pitch); rows are padded
   std::vector<double> lattice;  ///< shape (number of splines in y, lattice_pitch); rows are padded
-  /// Sums over samples; smooth bin b of y has the index b + kBinOffset
+  /// Sums over samples for the smooth bins of y; bin b has the index b + kBinOffset
   std::vector<double> y_bins;
-  /// Sums over samples; smooth bin b of y' has the index b + kBinOffset
+  /// Sums over samples for the smooth bins of y'; bin b has the index b + kBinOffset
   std::vector<double> v_bins;
   /// Sums over samples of y'', y'' y and y'' y', with y'' from the flight polynomials
   std::array<double, 3> acceleration{};
@@ -126,7 +126,7 @@ struct DepositedSums {
         v_bins(static_cast<std::size_t>(grid.v_bins.count + 2 * kBinOffset + kPadding)) {}
 
  private:
-  // padding, since sums are updated eight at a time
+  // length of the padding, since eight sums are updated at a time
   static constexpr int kPadding = SplinePolynomials::kWidth;
 };
 

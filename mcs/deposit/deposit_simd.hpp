@@ -5,15 +5,15 @@
 #include "mcs/deposit/deposit.hpp"
 #include "numerics/simd/simd.hpp"
 
-// This file is compiled for several instruction sets. Each SIMD lane holds one of the splines that
-// are nonzero at one sample, whereas in the rest of mcs/ each lane holds one stream.
+// The file deposit_simd.hpp is compiled for several instruction sets. Each SIMD lane holds one of
+// the splines that are nonzero at one sample, whereas in the rest of mcs/ each lane holds one
+// stream.
 
 namespace fpkcheck::mcs {
 namespace {
 
 using Real8 = simd::VectorTypes<8>::Real;
 
-/// Returns the values at t of eight polynomials, by Horner's rule.
 template <int kDegree>
 FPKCHECK_INLINE Real8 evaluate_polynomials(const double* coefficients, double t) {
   Real8 sum = simd::load<Real8>(coefficients);
@@ -37,8 +37,8 @@ FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePolynomials& pieces, d
   const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
   const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
   const int last = pieces.cells() - 1;
-  // A cell contains at most one break. At a break the polynomials of both spans agree up to
-  // rounding.
+  // A cell of the span search contains at most one knot. At a knot the polynomials of both
+  // neighbouring spans agree up to rounding.
   int span = pieces.span_of_cell()[place > last ? last : place];
   span += span + 1 < pieces.spans() && inside >= pieces.breaks()[span + 1] ? 1 : 0;
   const double* const c = pieces.coefficients() + pieces.coefficient_offsets()[span];
@@ -127,7 +127,7 @@ FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, DepositedSums& depo
   double* row = deposit.flow.data();
   add_in_place(row + after.first, per_sample * after.value);
 #pragma GCC unroll 2
-  // only the first two splines have a nonzero value or slope at the wall
+  // only the first two splines of y have a nonzero value or slope at the wall
   for (int i = 0; i < 2; ++i) {
     const double at = simd::lane_value(wall.value, i) + y_before * simd::lane_value(wall.slope, i);
     add_in_place(row + before.first, (-per_sample * at) * before.value);

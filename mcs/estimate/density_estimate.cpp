@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::vector<double>> bin_sums(const Simulation& simulation,
                                           transform::StateVariable variable) {
-  std::vector<std::vector<double>> sums;  // shape (streams, n + 2) with two outer bins
+  std::vector<std::vector<double>> sums;  // shape (streams, n + 2) including the two outer bins
   for (const Stream& stream : simulation.streams()) {
     const Histogram& histogram = stream.record.histogram;
     sums.push_back(variable == transform::StateVariable::y ? histogram.row_sums()
@@ -100,7 +100,7 @@ class DistributionFunction {
   std::vector<double> below_;
 };
 
-/// Maps quantiles to physical coordinates. A mirrored axis exchanges lower and upper tail.
+/// A mirrored axis exchanges lower and upper tail.
 std::vector<Quantile> to_physical_coordinates(const problem::WallFrame& frame,
                                               transform::StateVariable variable,
                                               std::vector<Quantile> quantiles) {
@@ -168,7 +168,7 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
     std::ranges::transform(sums, densities.begin(),
                            [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
     const auto [mean, error] = weights.estimate(densities);
-    // negative means as in estimate_joint_density()
+    // a mean may be negative, as explained in estimate_joint_density()
     const double density = std::max(mean, 0.0);
     // If no sample of n independent samples is in the bin, the probability of the bin is below 3/n
     // at 95 % confidence ("rule of three").

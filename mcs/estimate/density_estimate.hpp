@@ -12,13 +12,14 @@ namespace fpkcheck::mcs {
 /// (StreamWeights::error_contributions), shape (bins, streams).
 using BinErrors = std::vector<std::vector<double>>;
 
-/// Returns the expected L1 sampling error of a marginal, the sum over bins of sqrt(2/pi) * standard
-/// error.
+/// Returns the expected L1 sampling error of a marginal density, the sum over bins of sqrt(2/pi) *
+/// standard error.
 double expected_l1_error(const BinErrors& errors);
 
 struct L1SamplingError {
-  double expected = 0;     ///< expected value, from expected_l1_error()
-  double quantile_99 = 0;  ///< 99 % quantile, which includes the correlation of neighbouring bins
+  double expected = 0;  ///< expected L1 sampling error, from expected_l1_error()
+  /// 99 % quantile of the L1 sampling error, including the correlation of neighbouring bins
+  double quantile_99 = 0;
 };
 
 L1SamplingError l1_sampling_error(const BinErrors& errors);
@@ -30,7 +31,8 @@ struct MarginalEstimate {
 
 /// Returns the marginal density in bins, from all samples of the variable, with pointwise 95 %
 /// intervals.
-/// @param effective_samples determines the upper confidence limit in a bin without samples
+/// @param effective_samples effective number of samples, which determines the upper confidence
+/// limit in a bin without samples
 MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
                                    transform::StateVariable variable, double effective_samples);
 

@@ -50,7 +50,7 @@ StreamWeights::StreamWeights(std::span<const double> excess_impulse_powers)
 }
 
 int StreamWeights::degrees_of_freedom() const {
-  return static_cast<int>(size()) - 3;  // 3 estimated parameters: a mean and two slopes
+  return static_cast<int>(size()) - 3;  // 3 estimated parameters: one mean and two slopes
 }
 
 Estimate StreamWeights::estimate(std::span<const double> values) const {

@@ -30,18 +30,19 @@ struct LevelEventRate {
 /// above the stationary average. The impulse law alone determines the expected work, for any
 /// oscillator. Let x_s be the average of stream s and b_s the excess power of stream s, which has
 /// mean zero. The streams form two halves A and B with means x_A, b_A, x_B, b_B and least-squares
-/// slopes beta_A, beta_B of x on b. The slope of one half corrects the mean of the other half. The
-/// halves are independent, so the following estimate is unbiased:
+/// slopes beta_A, beta_B of x on b. The slope beta_A of half A corrects the mean of half B, and
+/// beta_B corrects the mean of half A. The halves are independent, so the following estimate is
+/// unbiased:
 ///
 ///     estimate = (n_A/n) (x_A - beta_B b_A) + (n_B/n) (x_B - beta_A b_B) = sum w_s x_s,
 ///     w_s = 1/n - (n_B/n) b_B (b_s - b_A) / S_A   for s in A,   S_A = sum_A (b_s - b_A)^2,
 ///
-/// and with A and B exchanged for s in B; sum w_s = 1, sum w_s b_s = 0. Moments, histogram and
-/// fluxes have the same weights and are therefore consistent. The weights are near 1/n; a weight is
-/// negative only in short runs with few streams.
+/// For s in B, the halves A and B are exchanged in the formula of w_s. The weights satisfy sum w_s
+/// = 1 and sum w_s b_s = 0. Moments, histogram and fluxes all use the weights w_s and are therefore
+/// consistent. The weights are near 1/n; a weight is negative only in short runs with few streams.
 class StreamWeights {
  public:
-  /// @param excess_impulse_powers excess power of each stream, for eight or more streams
+  /// @param excess_impulse_powers excess power of each stream, for at least eight streams
   explicit StreamWeights(std::span<const double> excess_impulse_powers);
 
   double operator[](std::size_t stream) const { return weights_[stream]; }

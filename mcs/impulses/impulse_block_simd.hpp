@@ -5,7 +5,6 @@
 #include "mcs/impulses/impulse_source.hpp"
 #include "mcs/impulses/standard_amplitude.hpp"
 
-// This file is compiled for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 

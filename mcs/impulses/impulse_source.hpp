@@ -47,7 +47,7 @@ class ImpulseSource {
 
   /// Returns the number of impulses drawn so far.
   std::uint64_t number() const { return number_; }
-  /// Sets the generator to its state after `number` impulses.
+  /// Sets the generator to the state after `number` impulses.
   void seek_to(std::uint64_t number);
 
   /// Returns two independent standard normal numbers for the initial state of the stream; all calls

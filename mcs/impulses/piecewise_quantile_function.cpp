@@ -12,7 +12,7 @@ namespace {
 using Piece = PiecewiseQuantileFunction::Piece;
 
 constexpr int kOctaves = 43;  // octaves of u below 1/2, down to 2^-44
-constexpr int kParts = 4;     // pieces per octave
+constexpr int kParts = 4;     // pieces of the quantile function per octave of u
 
 // Returns the coefficients of the polynomial that interpolates `of_t` at the Chebyshev points of
 // [0, 1], by Newton's divided differences.
@@ -42,8 +42,8 @@ double PiecewiseQuantileFunction::operator()(double u) const {
                                       [](double x, const Piece& p) { return x < p.upper_end; });
   const double from = piece == pieces_.begin() ? 0 : (piece - 1)->upper_end;
   const double t = (u - from) / (piece->upper_end - from);
-  // With the densities f and g at the ends of the piece, s solves t (f + g) = 2 f s + (g - f) s^2.
-  // The formula below computes the root s without cancellation.
+  // With the densities f and g at the two ends of the piece, s solves t (f + g) = 2 f s + (g - f)
+  // s^2. The formula below computes the root s without cancellation.
   const double f = piece->first_density, g = piece->last_density;
   const double s = f == g ? t : t * (f + g) / (f + std::sqrt(f * f + t * (g - f) * (g + f)));
   double sum = 0;
@@ -90,7 +90,7 @@ PiecewiseQuantileFunction interpolate_quantile_function(
   }
   ends.push_back(0.5);
   // A constant is sufficient below the first end and above the last end of the pieces, since no
-  // random number u is there.
+  // random number u lies outside the pieces.
   std::vector<Piece> pieces{{ends.front(), {quantile(ends.front(), 1 - ends.front())}}};
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double from = ends[k], length = ends[k + 1] - from;

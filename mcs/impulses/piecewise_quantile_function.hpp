@@ -9,12 +9,12 @@
 namespace fpkcheck::mcs {
 
 /// Piecewise quantile function of an amplitude law: maps a uniform number u of (0, 1) to an
-/// amplitude. Amplitude laws without a formula for SIMD lanes use this class.
+/// amplitude. Amplitude laws without a formula for SIMD lanes use PiecewiseQuantileFunction.
 class PiecewiseQuantileFunction {
  public:
   /// Piece of the quantile function: a polynomial of s(u). The function s(u) grows from 0 to 1 and
   /// is the quantile function of a density on (0, 1) that is linear from first_density to
-  /// last_density. With equal densities s is linear in u.
+  /// last_density. If first_density equals last_density, s is linear in u.
   struct Piece {
     double upper_end;  ///< value of u at the end of the piece
     std::array<double, 8> powers;
@@ -44,8 +44,8 @@ PiecewiseQuantileFunction quantile_function_of_intervals(
     const std::vector<AmplitudeInterval>& ranges);
 
 /// Interpolates a quantile function that is smooth inside (0, 1). Each piece extends over a quarter
-/// of an octave of u or 1 - u; its polynomial interpolates at the Chebyshev points. The pieces
-/// extend from 2^-44, the smallest value of UniformNumbers::second, to 1 - 2^-44.
+/// of an octave of u or 1 - u. The polynomial of a piece interpolates at the Chebyshev points. The
+/// pieces extend from 2^-44, the smallest value of UniformNumbers::second, to 1 - 2^-44.
 /// @param quantile function of p and q = 1 - p; the smaller of p and q has full precision
 PiecewiseQuantileFunction interpolate_quantile_function(
     const std::function<double(double p, double q)>& quantile);

@@ -15,14 +15,15 @@ struct UniformLaw;
 namespace fpkcheck::mcs {
 
 /// Draws an amplitude of the law with mean 0 and width() 1 from two independent uniform numbers u
-/// and w of (0, 1); u has more digits than w. Each law of problem::ImpulseLaw has one
-/// specialisation: a formula, or DrawnFromQuantileFunction. The types of the laws are only declared
-/// here, since their headers must not be compiled for several instruction sets.
+/// and w of (0, 1); u has more random digits than w. The specialisation for each law of
+/// problem::ImpulseLaw contains a formula or derives from DrawnFromQuantileFunction. The types of
+/// the laws are only declared here, since their headers must not be compiled for several
+/// instruction sets.
 template <class Law>
 struct StandardAmplitude;
 
 /// Box-Muller transform with the sine of an angle between -90 and 90 degrees, instead of the cosine
-/// of an angle on the full turn. The sine and the cosine have the same law.
+/// of an angle on the full turn. The sine and the cosine of a uniform angle have equal laws.
 template <>
 struct StandardAmplitude<problem::GaussianLaw> {
   template <class Real>

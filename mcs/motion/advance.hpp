@@ -12,15 +12,16 @@ namespace fpkcheck::mcs {
 /// Parameters of motion, sampling and statistics that all streams have in common.
 struct MotionParameters {
   Oscillator oscillator;
-  NoiseKicks kicks{};  ///< must be absent with Oscillator::Kind::duffing_at_wall
+  NoiseKicks kicks{};  ///< noise kicks; absent with Oscillator::Kind::duffing_at_wall
   double step;         ///< limit of the Taylor step in radians, see DuffingFlight::max_step
   double sampling_interval;
   const BinFinder* y_bins;
   const BinFinder* v_bins;
   bool records = true;  ///< whether statistics are recorded; false during the burn-in
-  const ImportanceSplitting* splitting = nullptr;  ///< null without splitting
+  const ImportanceSplitting* splitting = nullptr;  ///< importance splitting; null if disabled
   double shift = 0;  ///< shift of the velocity impulses, Excitation::shift
-  /// Null without deposition; allowed only with Oscillator::Kind::duffing_at_wall
+  /// Plan of the deposition of samples, null if samples are not deposited. Samples can be deposited
+  /// only with Oscillator::Kind::duffing_at_wall.
   const DepositPlan* deposit = nullptr;
 };
 
@@ -30,7 +31,7 @@ struct MotionParameters {
 /// Wall::rest_speed the geometric series of the bounces is summed, and the mass then rests until
 /// the next impulse.
 ///
-/// The result of a stream is independent of the other streams, of the number of streams and of the
+/// The result of a stream does not depend on other streams, on the number of streams or on the
 /// instruction set.
 /// @param streams any number of streams; each SIMD lane advances one stream at a time
 /// @pre without `records` there is neither `splitting` nor `deposit`
@@ -43,8 +44,8 @@ void advance(const MotionParameters& motion, std::span<Stream* const> streams, d
 /// oscillator from coming close to rest.
 double time_to_next_kick(const MotionParameters& motion, double y, double v);
 
-// The three functions advance_streams() advance `width` streams by their remaining time. One source
-// is compiled for three instruction sets.
+// The three functions advance_streams() advance `width` streams, each by its remaining time. One
+// source is compiled for three instruction sets.
 namespace baseline {
 void advance_streams(const MotionParameters& motion, Stream* const* streams, int width);
 }

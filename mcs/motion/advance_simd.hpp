@@ -8,9 +8,9 @@
 #include "mcs/motion/scalar_events.hpp"
 #include "numerics/simd/simd.hpp"
 
-// Files that include this file are compiled for different instruction sets. All functions of this
-// file are inlined or have internal linkage, since the linker could otherwise keep a copy with
-// instructions that the processor lacks.
+// Files that include advance_simd.hpp are compiled for different instruction sets. All functions of
+// advance_simd.hpp are inlined or have internal linkage, since the linker could otherwise keep a
+// copy with instructions that the processor lacks.
 
 namespace fpkcheck::mcs {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 struct DuffingMotion {
   template <class Real>
   using Flight = DuffingFlight<Real>;
-  /// Whether there may be two walls, no wall, or walls at other positions than y = 0
+  /// Whether the oscillator may have two walls, no wall, or walls at positions other than y = 0
   static constexpr bool kHasAnyWalls = false;
   static constexpr bool kHasRest = false;  ///< whether the mass may rest on a wall
   static constexpr bool kHasKicks = false;
@@ -159,8 +159,8 @@ struct LaneState {
     v = simd::select(impact, after, v);
   }
 
-  /// Replaces the bounces after an impact slower than Wall::rest_speed by the sum of their
-  /// geometric series, and keeps the mass at the wall.
+  /// Replaces the bounces after an impact slower than Wall::rest_speed by the sum of a geometric
+  /// series, and keeps the mass at the wall.
   FPKCHECK_INLINE void sum_bounces(const Wall& wall, const Real& speed, const Mask& impact,
                                    Real& after, Real& speed_sum, Real& energy_sum) {
     const double r = wall.restitution;
@@ -333,8 +333,8 @@ struct LaneState {
       const Mask after_turn = turned & (first == none);
       const Real low = simd::select(after_turn, turning, Real{});
       const Real high = simd::select(first, turning, span);
-      // The initial guess comes from the parabola about the extreme, or from the chord if there is
-      // no extreme.
+      // The initial guess comes from the parabola about the extreme of y, or from the chord if y
+      // has no extreme in the flight.
       const Real from_extreme = extreme - wall;
       const Real of_first =
           1.0 - simd::square_root(simd::lanewise_max(from_extreme / (extreme - y), Real{}));
@@ -462,7 +462,7 @@ struct LaneState {
   }
 };
 
-/// Orders of the Taylor polynomials; flights between noise kicks are short, so that a lower order
+/// Orders of the Taylor polynomials; flights between noise kicks are short, so that order 8
 /// suffices.
 inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
 

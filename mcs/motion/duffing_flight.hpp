@@ -40,7 +40,7 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   }
 
   /// Returns the zero of y(s) in [0, end], to rounding, in the lanes of `wanted`, where y(0) > 0 >
-  /// y(end). Other lanes return a finite number.
+  /// y(end). Lanes outside `wanted` return a finite number.
   template <class Mask>
   FPKCHECK_INLINE Real impact_time(const Real& end, const PhaseState<Real>& at_end,
                                    const Mask& wanted) const {

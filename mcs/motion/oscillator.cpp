@@ -10,8 +10,8 @@ namespace fpkcheck::mcs {
 namespace {
 
 // Impact speed, as a fraction of the velocity scale, below which the series of bounces is summed
-// with a constant force at the wall. The neglected change of the force has an effect of second
-// order, 1e-6 of E[y'^2] and of the time.
+// with a constant force at the wall. The neglected change of the force changes E[y'^2] and the
+// duration of the bounces by the relative amount 1e-6, the square of kRestSpeedFraction.
 constexpr double kRestSpeedFraction = 1e-3;
 
 double largest_damping(const problem::System& system, const problem::MotionScales& scales) {
@@ -45,7 +45,7 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
   for (std::size_t n = 0; n < o.force.size(); ++n)
     o.force[n] = system.restoring_force().coefficient(n);
   o.force[0] -= mean_force;
-  // Constant damping c y' is part of the noise kicks.
+  // If noise kicks act, the kicks include constant damping c y'.
   if (!(has_noise_kicks && system.has_constant_damping())) {
     for (std::size_t n = 0; n < o.damping.size(); ++n) {
       o.damping[n] = system.damping_polynomial().coefficient(n);

@@ -32,7 +32,8 @@ struct Oscillator {
     /// Force g = k y + mu y^3 and damping force c y' with c, k, mu >= 0, one wall at y = 0, only
     /// impulses; flights are DuffingFlights
     duffing_at_wall,
-    // Flights are PolynomialFlights; `cubic` includes the terms of `linear`, and `full` all terms
+    // Flights of the kinds `linear`, `cubic` and `full` are PolynomialFlights. The kind `cubic`
+    // includes the terms of `linear`, and `full` includes all terms.
     linear,
     cubic,
     full
@@ -47,8 +48,8 @@ struct Oscillator {
 
   bool is_duffing_at_wall() const { return kind == Kind::duffing_at_wall; }
   double length = 1;  ///< length scale of the motion, for relative errors of the flights
-  /// Frequency scale of the motion; the frequency that limits a flight is at least 1/100 of this
-  /// scale
+  /// Frequency scale of the motion; the frequency that limits the time step of a flight is at least
+  /// 1/100 of the frequency scale
   double frequency = 1;
 };
 
@@ -58,7 +59,7 @@ struct Oscillator {
 /// Without impact losses and impulses a finite h therefore causes no error; otherwise the error is
 /// of second order in h. Damping other than c y' is part of the flights.
 struct NoiseKicks {
-  double diffusion = 0;         ///< diffusion coefficient D; 0 without kicks
+  double diffusion = 0;         ///< diffusion coefficient D of the noise; 0 without kicks
   double damping = 0;           ///< coefficient c of the damping force c y'
   double longest_interval = 0;  ///< largest interval h between kicks
   /// Lower limit of h next to a wall with losses, see time_to_next_kick()
@@ -68,12 +69,12 @@ struct NoiseKicks {
   bool is_present() const { return diffusion > 0; }
 };
 
-/// Returns whether the oscillator of a problem has the kind duffing_at_wall, which alone selects
-/// the flights, the model of white noise (evenly spaced impulses, or NoiseKicks) and the initial
-/// states. With one wall at the equilibrium, c > 0 and g = k y + mu y^3, k, mu >= 0, the energy
-/// does not grow between impulses and bounds the frequency. A flight then has at most one impact,
-/// which the sign of y at the end reveals, and the mass never rests on the wall. Noise is excluded,
-/// since noise would increase the energy during a flight.
+/// Returns whether the oscillator of a problem has the kind duffing_at_wall. The kind alone
+/// determines the flights, the model of white noise (evenly spaced impulses, or NoiseKicks) and the
+/// initial states. With one wall at the equilibrium, c > 0 and g = k y + mu y^3, k, mu >= 0, the
+/// energy does not grow between impulses and bounds the frequency. A flight then has at most one
+/// impact, which the sign of y at the end reveals, and the mass never rests on the wall. Noise is
+/// excluded, since noise would increase the energy during a flight.
 bool is_duffing_at_wall(const problem::Problem& problem);
 
 /// @param mean_force mean force of the impulses if kicks replace the impulses, otherwise 0

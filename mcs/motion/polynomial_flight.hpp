@@ -5,7 +5,7 @@
 #include "mcs/motion/taylor_flight.hpp"
 #include "numerics/simd/elementary_functions.hpp"
 
-// This file is compiled for several instruction sets.
+// The file polynomial_flight.hpp is compiled for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
@@ -61,7 +61,8 @@ FPKCHECK_INLINE void compute_taylor_coefficients_inline(const Oscillator& o,
   }
 }
 
-// This function is not inlined: the compiler would otherwise generate a copy for each call.
+// The computation of the Taylor coefficients is not inlined, since the compiler would otherwise
+// generate a copy for each call.
 template <Oscillator::Kind kKind, int kOrder, class Real>
 __attribute__((noinline)) void compute_taylor_coefficients_of_kind(
     const Oscillator& o, std::array<Real, kOrder + 1>& a) {
@@ -175,8 +176,8 @@ class PolynomialFlight : public TaylorFlight<Real, kOrder> {
   }
 
  private:
-  // Six orders are necessary: for y'' = -y^5 and y(0) = 0 only every sixth coefficient differs from
-  // 0.
+  // The bound of the frequency must test six orders of coefficients: for y'' = -y^5 and y(0) = 0
+  // only every sixth coefficient differs from 0.
   static constexpr int kTestedOrders = 6;
 };
 

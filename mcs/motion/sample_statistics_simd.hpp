@@ -14,8 +14,9 @@ struct alignas(64) LaneArray {
   Number at[W];
 };
 
-/// Returns the position of x among evenly spaced edges; the integer part is the index of the bin.
-/// If x is an edge up to rounding, either neighbouring bin may result.
+/// Returns the position of x among evenly spaced edges, in bin widths; the integer part of the
+/// position is the index of the bin. If x is an edge up to rounding, either neighbouring bin may
+/// result.
 template <class Real>
 FPKCHECK_INLINE Real bin_position(const BinFinder& bins, const Real& x) {
   return simd::lanewise_min(

@@ -64,8 +64,8 @@ class TaylorFlight {
 // instruction sets call bracketed_zero().
 
 /// Returns the zero of a function in the bracket [low, high], in the lanes of `open`. An iteration
-/// of higher order is replaced by bisection if the iteration leaves the bracket. Other lanes return
-/// a finite number.
+/// of higher order is replaced by bisection if the iteration leaves the bracket. Lanes outside
+/// `open` return a finite number.
 /// @param s first approximation, within the bracket
 /// @param iterate maps s to the mask of the lanes whose zero is after s, and to the next
 /// approximation

@@ -42,7 +42,7 @@ class CheckpointWriter {
   std::string failure_{};  ///< error message of the last write; empty after success
 };
 
-/// Sets a simulation to the state in a checkpoint with the same fingerprint.
+/// Sets a simulation to the state in a checkpoint with the given fingerprint.
 /// @throws InputError if the file cannot be read, is damaged or belongs to another simulation
 void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation);

@@ -44,7 +44,7 @@ State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) 
   for (int n = 0; n < kGridPoints; ++n) {
     longest = std::max(longest, time(angle_of((n + 0.5) / kGridPoints)));
   }
-  // factor for maxima of the residence time between the grid points
+  // safety factor for maxima of the residence time between the grid points
   constexpr double kMargin = 1.2;
   double angle = 0;
   for (std::size_t k = 1; k < kBlockSize; ++k) {

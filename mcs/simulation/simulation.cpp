@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kGroup = 8;  // number of streams that a thread advances together
 
 MotionParameters make_motion(const SimulationPlan& plan, const ImportanceSplitting* splitting) {
-  // Flights between kicks use a Taylor polynomial of lower order and therefore a smaller step
-  // limit.
+  // Ratio of the step limits of flights between kicks and of other flights, whose Taylor
+  // polynomials have a higher order.
   constexpr double kShorter = 0.35;
   return {.oscillator = plan.oscillator,
           .kicks = plan.kicks,

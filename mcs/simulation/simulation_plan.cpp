@@ -23,23 +23,24 @@ constexpr double kBurnIn = 20;      // 20 decay times leave exp(-20) of the init
 constexpr double kLeastBurnIn = 5;  // shortest burn-in of a converged solution
 // 99 % quantile of the L1 sampling error of p(y) or p(y'), times the square root of the simulated
 // time in decay times. The product is 0.6 to 2.3 in the shipped cases with a single well and
-// without strong losses, and up to 4.3 in the other cases (`fpkcheck mcs CASE --json`, keys
-// sampling_l1 and time).
+// without strong losses. In all other cases the product is at most 4.3 (`fpkcheck mcs CASE --json`,
+// keys sampling_l1 and time).
 constexpr double kErrorOfOneDecayTime = 2.5;
 
-// fraction of the default time with splitting, which multiplies the work
+// factor of the default time with splitting, since splitting multiplies the work
 constexpr double kTailsShare = 1.0 / 32;
-// fraction of the default time with control variates; the L1 error over smooth bins is about 2e-6
+// factor of the default time with control variates, with L1 errors over smooth bins of about 2e-6
 constexpr double kControlledShare = 1.0 / 8;
 
 // Limits of the number of impulses and flights in all streams. One processor simulates 2e7 to 3e7
-// impulses and flights per second.
-// a few seconds of computing with flights other than DuffingFlights
+// impulses and flights per second. The limit for a default run corresponds to a few seconds of
+// computing with flights other than DuffingFlights.
 constexpr double kDefaultEvents = 4e7;
-constexpr double kMostRunEvents = 2e9;  // about one minute of computing
+constexpr double kMostRunEvents = 2e9;  // limit for any run: about one minute of computing
 // Limit of the number of impulses and flights of the main branches with splitting, simulated in
 // half a minute (`fpkcheck_random --tails --family --count 40`). Other branches are up to 17 times
-// as many as main branches, have more flights per unit time and leave half of the SIMD lanes idle.
+// as numerous as main branches, have more flights per unit time, and leave half of the SIMD lanes
+// idle.
 constexpr double kMostTrunkEvents = 2.5e6;
 
 // longest default time with Options::samples or Options::target_error, as a multiple of the
@@ -84,7 +85,7 @@ double burn_in_time(const Options& options, const EventRates& rates, double auto
 
 struct Durations {
   double automatic;  ///< default simulated time, summed over all streams
-  double time;       ///< upper limit of the simulated time
+  double time;       ///< upper limit of the simulated time, summed over all streams
   double burn_in;
   ShortBurnInCause short_burn_in_cause;
 };
@@ -93,8 +94,8 @@ struct Durations {
 /// reduced as in Options::time, with L1 sampling errors of p(y) and p(y') of about 6e-4. The
 /// default is the full time if the simulation takes at most a minute with DuffingFlights, or a few
 /// seconds with other flights. Otherwise the simulation takes a few seconds, or up to a minute if
-/// Options::accuracy requires more. With several wells and rare transitions even a minute would not
-/// determine the masses of the wells, and the simulation takes only a few seconds.
+/// Options::accuracy requires a longer simulation. With several wells and rare transitions even a
+/// minute would not determine the masses of the wells, and the simulation takes only a few seconds.
 Durations choose_durations(const Options& options, const EventRates& rates) {
   const double automatic = automatic_time(options, rates);
   const bool open_ended = options.samples || options.target_error;
@@ -121,13 +122,14 @@ constexpr double kMostSamples = 1e15;  // largest number of samples per stream
 constexpr int kAutomaticBins = 140;
 // interval between the kicks of white noise in radians
 constexpr double kAutomaticWhiteStep = 0.05;
-// 50 samples per period would reduce the sampling noise of the bins by 1/7, at a higher cost.
+// Compared with 25 samples per period, 50 samples would reduce the sampling noise of the bins by
+// 1/7, at a higher cost.
 constexpr double kSamplesPerPeriod = 25;
 // Progress reports and interruptions occur between rounds. A round takes the least of 1/40 of the
 // default time, 1/8 of the requested time, and about 0.1 s of computing time.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
-// largest number of impulses and flights per round in all streams
+// largest number of impulses and flights of all streams in a round
 constexpr double kMostEvents = 2e7;
 
 std::vector<double> evenly_spaced(double from, double to) {
@@ -179,8 +181,7 @@ double automatic_kick_step(const problem::System& system) {
              : kAutomaticKickStep;
 }
 
-/// Checks the options for a problem. The bin edges of y must begin at 0 only if
-/// is_duffing_at_wall().
+/// The bin edges of y must begin at 0 only if is_duffing_at_wall().
 void validate_for_problem(const problem::Problem& problem, const Options& options) {
   if (is_duffing_at_wall(problem)) return validate(options);
   if (!options.y_edges.empty()) require_increasing_edges("mcs.y_edges", options.y_edges);

@@ -16,7 +16,6 @@ namespace fpkcheck::mcs {
 /// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
 inline constexpr double kAutomaticStep = 0.9;
 
-/// Cause of a burn-in shorter than 5 decay times.
 enum class ShortBurnInCause {
   none,      ///< the burn-in takes at least 5 decay times
   impulses,  ///< short burn-in because of frequent impulses
@@ -24,7 +23,6 @@ enum class ShortBurnInCause {
   decay      ///< short burn-in because of weak damping
 };
 
-/// All parameters of a simulation, default values included.
 struct SimulationPlan {
   int streams;
   int threads;

@@ -14,7 +14,8 @@ namespace fpkcheck::mcs {
 
 namespace {
 
-/// Writes a number in the binary form of this machine, for files that the same machine reads.
+/// Writes a number in the native binary form, for files that are read on a machine of the same
+/// type.
 template <class Number>
 requires std::is_trivially_copyable_v<Number>
 void write_binary(std::ostream& out, const Number& number) {
@@ -26,14 +27,15 @@ void read_binary(std::istream& in, Number& number) {
   in.read(reinterpret_cast<char*>(&number), sizeof number);
 }
 
-constexpr std::uint64_t kLargestFreeSize = 100000;  // size limit of a list without expected size
+// size limit of a list that has no expected size
+constexpr std::uint64_t kLargestFreeSize = 100000;
 
 void require_entries(bool holds) {
   if (!holds) throw InputError("wrong number of entries");
 }
 
-/// Writes a list of numbers in binary form. Each run of zeros is stored as its length, since most
-/// lists consist mainly of zeros.
+/// Writes a list of numbers in binary form. A sequence of zeros is stored as the number of zeros,
+/// since most lists consist mainly of zeros.
 void write_binary(std::ostream& out, const std::vector<double>& numbers) {
   write_binary(out, std::uint64_t{numbers.size()});
   for (std::size_t k = 0; k < numbers.size();) {
@@ -86,9 +88,8 @@ bool is_between_walls(double y, double farthest, const SimulationPlan& plan) {
          y <= (o.right.exists ? o.right.position : plan.centre + farthest);
 }
 
-/// Returns whether the times until the next kick and until rest are possible.
 bool has_valid_times(const Branch& branch, const NoiseKicks& kicks) {
-  // limit with an allowance for rounding
+  // limit of the interval between kicks, with an allowance for rounding
   const double longest_interval = 1.01 * kicks.longest_interval;
   const bool waits = kicks.is_present()
                          ? branch.until_kick >= 0 && branch.until_kick <= longest_interval &&
@@ -100,10 +101,10 @@ bool has_valid_times(const Branch& branch, const NoiseKicks& kicks) {
 /// Returns whether the state of a branch is within the range of the motion and of the random
 /// numbers.
 bool is_valid_state(const Branch& branch, const SimulationPlan& plan) {
-  // largest speed, in units of the velocity deviation plus the largest impulse
+  // largest valid speed, in units of the velocity deviation plus the largest impulse
   constexpr double kFarthest = 1e4;
-  // Largest draw in mean waiting times or in widths of the law; larger draws have the probability
-  // exp(-1000)
+  // Largest valid waiting time, in mean waiting times, and largest valid amplitude, in widths of
+  // the law. Larger random values have the probability exp(-1000).
   constexpr double kRarestDraws = 1e3;
   const Excitation& impulses = plan.excitation;
   const double strongest = std::abs(impulses.mean) + kRarestDraws * impulses.width;
@@ -152,7 +153,8 @@ void Simulation::save(std::ostream& out) const {
 
 void Simulation::load(std::istream& in) {
   read_binary(in, rounds_);
-  // No simulation reaches this number of rounds; a file with more rounds is manipulated.
+  // Number of rounds that no simulation reaches; a file with more rounds than kMostRounds is
+  // manipulated.
   constexpr std::uint64_t kMostRounds = std::uint64_t{1} << 50;
   require_valid_state(rounds_ <= kMostRounds);
   for (Stream& stream : streams_) load_stream(in, stream);

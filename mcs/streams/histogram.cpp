@@ -24,7 +24,7 @@ void require_increasing_edges(const std::string& name, const std::vector<double>
 
 BinFinder::BinFinder(std::vector<double> edges)
     : edges_(std::move(edges)), first_edge_(edges_.front()) {
-  // The NaN stop the search in operator(), since comparisons with NaN are false.
+  // The NaN at both ends stop the search in operator(), since comparisons with NaN are false.
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
   guarded_edges_.insert(guarded_edges_.end(), edges_.begin(), edges_.end());
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());

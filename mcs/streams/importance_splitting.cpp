@@ -18,7 +18,7 @@ std::vector<double> energy_edges(double largest) {
   return edges;
 }
 
-/// Returns a value of Branch::split with the bits of the thresholds first + 1 .. last.
+/// Returns a value of Branch::split in which the bits of the thresholds first + 1 .. last are set.
 std::uint64_t bits(int first, int last) {
   return (std::uint64_t{1} << last) - (std::uint64_t{1} << first);
 }
@@ -96,8 +96,8 @@ void resume_next_branch(Stream& stream) {
   stream.branch = next.branch;
   if (next.copies > 0) {
     const Impulse impulse = stream.source.next_impulse();
-    // Copies from a split between impulses share the time of the next impulse, but not its
-    // amplitude.
+    // Copies from a split between impulses share the time of the next impulse but draw different
+    // amplitudes.
     if (next.at_impulse) stream.branch.until_impulse = impulse.waiting;
     stream.branch.amplitude = impulse.amplitude;
     --next.copies;

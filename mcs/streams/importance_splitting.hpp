@@ -16,15 +16,15 @@ namespace fpkcheck::mcs {
 ///
 /// The branches of a stream are the main trajectory and the copies that splits make. A branch whose
 /// energy rises above a threshold is split into `kCopies` branches with independent random numbers.
-/// kCopies - 1 of the split branches end when their energy falls below the threshold. A branch that
-/// was split at n thresholds during its rise has the weight kCopies^-n. With a split at every
-/// threshold, the tails of the density are visited as often as the centre.
+/// Of the split branches, kCopies - 1 branches end when the energy falls below the threshold. A
+/// branch that was split at n thresholds during the rise of the energy has the weight kCopies^-n.
+/// With a split at every threshold, the tails of the density are visited as often as the centre.
 ///
 /// Some splits are omitted, which leaves the estimate unbiased: the decision to split depends only
 /// on the past, and copies use new random numbers. Three rules limit memory and time:
 /// - An impulse across many thresholds splits only at the highest kMostSplits thresholds, into 4^3
-///   = 64 branches. Otherwise one exponential amplitude across 12 thresholds would make 4^12
-///   branches.
+///   = 64 branches. Without this rule, one exponential amplitude across 12 thresholds would make
+///   4^12 branches.
 /// - Pending branches with the same state share one entry. A stream with L thresholds has at most L
 ///   (L + 3)/2 entries, since the entries have increasing values of floor_level.
 /// - A stream does not split while its other branches have received more than kImpulseAllowance +

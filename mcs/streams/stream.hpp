@@ -43,12 +43,12 @@ struct StreamStatistics {
   double rest_left = 0;  ///< weight of samples at rest on the left wall, which the histogram omits
   /// Weight of samples at rest on the right wall, which the histogram omits
   double rest_right = 0;
-  double impacts = 0;          ///< number of impacts on both walls
+  double impacts = 0;          ///< number of impacts, summed over the left and the right wall
   double left_speed = 0;       ///< sum of |v| over impacts on the left wall
   double left_energy = 0;      ///< sum of v^2 over impacts on the left wall
   double right_speed = 0;      ///< sum of |v| over impacts on the right wall
   double right_energy = 0;     ///< sum of v^2 over impacts on the right wall
-  double work = 0;             ///< work of the impulses, as Excitation::work
+  double work = 0;             ///< work of the impulses, defined as in Excitation::work
   std::uint64_t impulses = 0;  ///< number of impulses of the main branch
   std::uint64_t branch_impulses = 0;
   std::uint64_t flights = 0;
@@ -88,7 +88,7 @@ struct Branch {
   double until_impulse;
   double amplitude;  ///< amplitude of the next impulse
   double until_sample;
-  double remaining;  ///< remaining time to simulate
+  double remaining;  ///< remaining time that the branch must simulate
   /// Time until the next kick of the Gaussian noise; infinite without noise
   double until_kick = std::numeric_limits<double>::infinity();
   double kick_interval = 0;  ///< kick interval that ends with the next kick
@@ -96,7 +96,8 @@ struct Branch {
   double time_to_rest = -1;
   int energy_level = 0;  ///< number of splitting thresholds below the energy of the branch
   int floor_level = 0;   ///< level of the energy below which the branch ends
-  /// Bit i is set if threshold i + 1 has split the branch during its rise (ImportanceSplitting).
+  /// Bit i is set if threshold i + 1 has split the branch during the rise of its energy
+  /// (ImportanceSplitting).
   std::uint64_t split = 0;
 };
 
@@ -109,7 +110,6 @@ struct PendingBranch {
   bool at_impulse = false;  ///< whether each copy also draws the time of its next impulse
 };
 
-/// One realisation of the stochastic process, with its random number generators and statistics.
 struct Stream {
   Branch branch;
   ImpulseSource source;
