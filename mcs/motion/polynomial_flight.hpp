@@ -64,8 +64,8 @@ FPKCHECK_INLINE void compute_taylor_coefficients_inline(const Oscillator& o,
 // The computation of the Taylor coefficients is not inlined, since the compiler would otherwise
 // generate a copy for each call.
 template <Oscillator::Kind kKind, int kOrder, class Real>
-__attribute__((noinline)) void compute_taylor_coefficients_of_kind(
-    const Oscillator& o, std::array<Real, kOrder + 1>& a) {
+[[gnu::noinline]] void compute_taylor_coefficients_of_kind(const Oscillator& o,
+                                                           std::array<Real, kOrder + 1>& a) {
   compute_taylor_coefficients_inline<kKind, kOrder>(o, a);
 }
 
