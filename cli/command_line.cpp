@@ -29,7 +29,8 @@ po::options_description add_output_options(const po::options_description& comman
                                            CommonArguments& common, const char* out_help) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
-  // Boost would print a nested group of options after the other options, and in another width.
+  // The options are added one by one, since Boost would print a nested group after all other
+  // options and in another width.
   for (const auto& option : command_options.options()) all.add(option);
   all.add_options()  //
       ("out", make_optional_option(common.out, "DIR"), out_help)(
@@ -78,7 +79,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     }
   }
   for (const auto& name : names) {
-    // Suffixes in the names of figures and netCDF variables of a case.
+    // Suffixes that follow the case name in the names of figures and netCDF variables.
     for (const char* suffix : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
       if (!names.contains(name + suffix)) continue;
       throw InputError(

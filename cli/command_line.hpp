@@ -29,14 +29,15 @@ boost::program_options::typed_value<T>* make_optional_option(std::optional<T>& d
       ->notifier([&destination](const T& value) { destination = value; });
 }
 
-/// Adds --set, --out, --quiet, --json and --help to the options of a command.
+/// Adds the common options --set, --out, --quiet, --json and --help to the options of a command.
 boost::program_options::options_description add_common_options(
     const boost::program_options::options_description& command_options, CommonArguments& common,
     const char* out_help =
         "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
         "(default: fpkcheck-out for run, else no files)");
 
-/// Adds --out, --quiet, --json and --help to the options of a command with fixed cases.
+/// Adds the output options --out, --quiet, --json and --help to the options of a command with fixed
+/// cases.
 boost::program_options::options_description add_output_options(
     const boost::program_options::options_description& command_options, CommonArguments& common,
     const char* out_help);
@@ -44,7 +45,7 @@ boost::program_options::options_description add_output_options(
 /// Stores the option values in the variables of `options`, and the positional arguments in
 /// `positional`. Abbreviated option names are refused.
 /// @param usage first lines of the help text
-/// @return false if parse_arguments() has printed the help
+/// @return false if the help was printed because of --help
 /// @throws InputError with a message of one line
 bool parse_arguments(const std::vector<std::string>& arguments, const std::string& usage,
                      const boost::program_options::options_description& options,

@@ -39,8 +39,8 @@ Words case_keys() {
   return keys;
 }
 
-// Returns the allowed values of an option for the solver that the command names, otherwise for all
-// solvers.
+// Returns the allowed values of an option. If the command is no solver, the values for all solvers
+// are returned.
 Words option_choices(const std::string& flag, const std::string& command,
                      const methods::SolverRegistry& registry) {
   Words choices;
@@ -75,7 +75,8 @@ Words option_values(const OptionHelp& option, const std::string& word, const Com
   return option_choices(option.name, command.name, registry);
 }
 
-// The first line of a command's help states its positional arguments.
+// Returns completion candidates for the positional arguments, which the first line of the help of a
+// command states.
 Words positional_candidates(const CommandHelp& command) {
   const auto first_line = command.help.usage.substr(0, command.help.usage.find('\n'));
   const auto takes = [&](const char* what) { return first_line.find(what) != std::string::npos; };

@@ -23,14 +23,14 @@ std::size_t indentation(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
-// Returns the column in which the text of a line " name text" begins; 0 if the line has no gap of
-// two blanks.
+// Returns the column in which the text of a line " name text" begins. The result is 0 if the line
+// has no gap of two blanks.
 std::size_t text_column(const std::string& line) {
   const auto gap = line.find("  ", indentation(line));
   return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
 }
 
-// Usage texts are wrapped at about 96 columns. If a line has room for the first word of the next
+// Usage texts are wrapped at about 96 columns. If the first word of the next line would fit into a
 // line, the line break is intended.
 bool keeps_line_break(const std::string& line, const std::string& next) {
   constexpr std::size_t kFilledWidth = 84;
@@ -70,7 +70,7 @@ std::string wrap_block(const std::vector<std::string>& lines, std::size_t width)
     for (++i; i < lines.size() && !keeps_line_break(lines[i - 1], lines[i]); ++i) {
       text += ' ' + lines[i];
     }
-    std::string head;  // start of the line with its gap, which wrap_text() would remove
+    std::string head;  // first part of the line, whose trailing blanks wrap_text() would remove
     if (column > 0) {
       head = text.substr(0, column);
       text.replace(0, column, column, ' ');

@@ -36,7 +36,7 @@ void refuse_control_variates(const base::Values& values) {
   throw InputError("--controlled with mpirun: control variates need a single process; omit one");
 }
 
-// All MPI ranks except the first call simulate_streams_of_rank().
+// Simulates the streams of an MPI rank other than the first rank.
 int simulate_streams_of_rank(const CommonArguments& common, const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
     methods::solve_with_method(simulation, problem, {compare::comparison_axes(problem), {}});
@@ -84,7 +84,7 @@ int mcs_command(const CommandCall& call, const methods::Solver& solver) {
   try {
     return solve();
   } catch (const std::exception& error) {
-    // Without MPI_Abort the other ranks would wait for the rank that failed.
+    // MPI_Abort is called, since the other ranks would wait for the failed rank.
     print_message(error.what());
     ranks->abort(kFailure);
     return kFailure;

@@ -22,18 +22,19 @@ std::vector<int> parse_integers(const std::string& option, const std::string& li
 
 /// Makes an option for each parameter in `description` that has a flag. Parsing replaces values in
 /// `values` by the values on the command line.
-/// @param values values of all parameters, in any order; stored by reference
+/// @param values values of all parameters, in any order; the options keep a reference to `values`
 /// @throws InputError during parsing, with the flag, the refused text and the allowed values
 boost::program_options::options_description make_command_line_options(
     const base::DescriptionBase& description, base::Values& values);
 
-/// Makes options without default values for the parameters in `names`. Parsing adds the options on
-/// the command line to `given`.
+/// Makes options without default values for the parameters in `names`. Parsing stores the options
+/// that occur on the command line in `given`.
 boost::program_options::options_description make_command_line_options(
     const base::DescriptionBase& description, const std::vector<std::string>& names,
     base::Values& given);
 
-/// Makes the solver options of commands with many methods (methods::Solver::run_options).
+/// Makes the options of solvers (methods::Solver::run_options) for commands that use several
+/// methods.
 boost::program_options::options_description make_solver_run_options(
     const methods::SolverRegistry& registry, base::Values& given);
 
@@ -42,7 +43,7 @@ boost::program_options::options_description make_solver_run_options(
 int requested_thread_count(const base::Values& given);
 
 /// Makes the options --figures and --figure-width.
-/// @param figures receives the parsed values; stored by reference
+/// @param figures receives the parsed values; the options keep a reference to `figures`
 /// @throws InputError during parsing, with the option, the refused text and the allowed values
 boost::program_options::options_description make_figure_options(report::FigureOptions& figures);
 

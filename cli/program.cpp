@@ -123,7 +123,7 @@ accuracy, or a check failed; 2 bad input; 130 after Ctrl-C; 143 after SIGTERM.
              report::wrap_text(fmt::format("Unsupported: {}.", fmt::join(subjects, "; ")), 80));
 }
 
-// Each subject of `study` counts as a command.
+// Returns the help of all commands, where each subject of `study` counts as a command.
 std::vector<CommandHelp> collect_help(const std::vector<Command>& all,
                                       const methods::SolverRegistry& registry) {
   std::vector<CommandHelp> result;

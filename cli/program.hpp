@@ -9,8 +9,8 @@ namespace fpkcheck::cli {
 
 enum ExitCode {
   kSuccess = 0,
-  kFailure = 1,        ///< a solver failed or missed the requested accuracy, or a check failed
-  kBadInput = 2,       ///< invalid input or usage; no problem was solved
+  kFailure = 1,        ///< failure of a solver or of a check, or insufficient accuracy
+  kBadInput = 2,       ///< invalid input or usage, detected before any problem was solved
   kInterrupted = 130,  ///< SIGINT (Ctrl-C) stopped the program
   kTerminated = 143    ///< SIGTERM stopped the program
 };
@@ -18,8 +18,8 @@ enum ExitCode {
 /// Returns the exit code of the program after a signal, by the convention of shells.
 constexpr int signal_exit_code(int signal) { return 128 + signal; }
 
-/// Runs the command that the arguments name. Results go to standard output; messages and progress
-/// go to standard error.
+/// Runs the command that the arguments name. Results are written to standard output, and messages
+/// and progress to standard error.
 /// @param arguments command-line arguments without the name of the program
 /// @return an ExitCode
 int run_program(const std::vector<std::string>& arguments);
@@ -28,7 +28,7 @@ int run_program(const std::vector<std::string>& arguments, const methods::Solver
 
 struct CommandCall {
   std::vector<std::string> arguments;  ///< arguments after the name of the command
-  std::string command_line;            ///< whole command line, stored in summary.json
+  std::string command_line;            ///< complete command line, stored in summary.json
   const methods::SolverRegistry& registry;
 };
 
@@ -46,7 +46,7 @@ int check_command(const CommandCall& call);
 int report_command(const CommandCall& call);
 int evaluate_command(const CommandCall& call);
 
-/// Solves the cases by one solver alone, with the options of the solver.
+/// Runs the command of one solver, which solves the cases by this solver alone.
 int solver_command(const CommandCall& call, const methods::Solver& solver);
 int fd_command(const CommandCall& call, const methods::Solver& solver);
 int mcs_command(const CommandCall& call, const methods::Solver& solver);

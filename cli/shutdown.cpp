@@ -75,9 +75,9 @@ namespace {
 using namespace std::chrono_literals;
 
 // Times between the signal and the shutdown by the watchdog. After kAbortDelay, 700 ms of one
-// second remain for the shutdown hooks, even on busy processors. With kFinishDelay a simulation
-// completes its current round, so that its result is kept. On a few processors a round of 2e7
-// events takes longer than a second.
+// second remain for the shutdown hooks, even on busy processors. The longer kFinishDelay allows a
+// simulation to complete its current round and to return its result. On a few processors a round of
+// 2e7 events takes longer than a second.
 constexpr auto kAbortDelay = 300ms;
 constexpr auto kFinishDelay = 4000ms;
 

@@ -11,15 +11,15 @@
 
 #include "results/output_directory.hpp"
 
-/// Shutdown of the program within a second after SIGINT or SIGTERM, or within five seconds during a
-/// simulation that keeps its partial result.
+/// Shutdown of the program after SIGINT or SIGTERM within a second, or within five seconds if a
+/// simulation returns its partial result.
 ///
-/// The longest computations cannot be interrupted: a matrix factorisation, a time step of CVODE, a
-/// least-squares fit. The solvers contain no code for the shutdown. After a signal, a command
+/// Long operations such as a matrix factorisation, a time step of CVODE or a least-squares fit
+/// cannot be interrupted. The solvers contain no code for the shutdown. After a signal, a command
 /// usually ends by itself, between two solutions or after a round of the simulation. If the command
 /// does not end soon enough, the thread of the ShutdownWatchdog ends the process. The watchdog
 /// thread waits for file writes in progress (base/process/stop_request.hpp). Then the watchdog
-/// thread runs the registered actions (ShutdownHook) and exits without stack unwinding.
+/// thread runs the registered actions (ShutdownHook) and ends the process without stack unwinding.
 /// ExitBlocker, ShutdownHook and OutputDirectory leave the files on disk in a consistent state.
 namespace fpkcheck::cli {
 
@@ -29,13 +29,13 @@ struct Interrupted : std::exception {
 };
 
 enum class InterruptionPolicy {
-  abort,        ///< throw_if_interrupted() throws Interrupted
+  abort,        ///< the function throw_if_interrupted() throws Interrupted
   finish_early  ///< the solver polls base::stop_requested() and returns its partial result
 };
 
-/// Guard that installs signal handlers during its lifetime. The first SIGINT or SIGTERM sets the
-/// stop request (base/process/stop_request.hpp); a second signal ends the program at once. Signals
-/// that the process ignores (nohup) stay ignored.
+/// Guard that installs signal handlers for the lifetime of the guard. The first SIGINT or SIGTERM
+/// sets the stop request (base/process/stop_request.hpp), and a second signal ends the program at
+/// once. Signals that the process already ignores (nohup) remain ignored.
 class SignalHandlerGuard {
  public:
   SignalHandlerGuard();
@@ -55,12 +55,13 @@ class SignalHandlerGuard {
 void set_interruption_policy(InterruptionPolicy policy);
 InterruptionPolicy interruption_policy();
 
-/// The progress functions of long computations call throw_if_interrupted().
+/// Throws an exception after a stop signal. Progress functions of long computations call this
+/// function.
 /// @throws Interrupted after SIGINT or SIGTERM, unless the policy is finish_early
 void throw_if_interrupted();
 
-/// Registers an action during the lifetime of the ShutdownHook. Before the ShutdownWatchdog ends
-/// the process, the watchdog runs the registered actions in reverse order.
+/// Registers an action for the lifetime of the ShutdownHook. Before the ShutdownWatchdog ends the
+/// process, the watchdog runs the registered actions in reverse order.
 class ShutdownHook {
  public:
   explicit ShutdownHook(std::function<void()> action);
@@ -104,7 +105,7 @@ class ShutdownWatchdog {
   std::thread thread_;
 };
 
-/// Notifies an existing ShutdownWatchdog of a signal. notify_watchdog() is async-signal-safe.
+/// Notifies an existing ShutdownWatchdog of a signal. The function is async-signal-safe.
 void notify_watchdog();
 
 /// Claims the shutdown for the calling thread. A command that ended by itself after a signal calls

@@ -89,7 +89,7 @@ std::string join_names(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// The text states the cause of the stop and the missing results.
+// Returns a text on the cause of the stop and the missing results.
 std::string stop_summary(const std::vector<results::CaseResult>& cases,
                          const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
@@ -153,7 +153,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
          .with_backward = options.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
-               // At the fraction 0 the running method has no partial result.
+               // At the completed fraction 0 the running method has no partial result to keep.
                set_interruption_policy(at.fraction > 0 ? options.interruption_policy
                                                        : InterruptionPolicy::abort);
                progress.rewrite(at);

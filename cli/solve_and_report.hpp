@@ -16,32 +16,32 @@ namespace fpkcheck::cli {
 /// Solutions whose status must be `ok` for the exit code 0.
 enum class RequiredSolutions {
   all,
-  references  ///< solutions by finite volumes with the exact impact condition, and simulations
+  references  ///< finite-volume solutions with the exact impact condition, and simulations
 };
 
 /// Additional output of a command in the report of a complete run.
 struct Supplement {
   report::Supplement report;
   std::string json;  ///< JSON text that the command prints instead of the summary
-  /// Reasons for a nonzero exit code, one line each.
+  /// Reasons for a nonzero exit code, each in one line.
   std::vector<std::string> failures;
 };
 
 struct SolveAndReportOptions {
   RequiredSolutions required = RequiredSolutions::all;
-  /// Ids of the solutions that the user requested by id. Other solutions of a requested family or
-  /// solver may have the status not_offered without a failure. The list `requested_ids` is empty if
-  /// all solutions were requested by id.
+  /// Ids of the solutions that the user requested by id. Only solutions that were requested by
+  /// family or solver may have the status `not_offered` without a failure of the command. The list
+  /// `requested_ids` is empty if all solutions were requested by id.
   std::vector<std::string> requested_ids = {};
   int threads = 0;  ///< number of threads for methods in parallel; 0 for one thread per processor
   InterruptionPolicy interruption_policy = InterruptionPolicy::abort;
-  bool with_backward = false;  ///< compute guaranteed bounds and residual-based error estimates
-  /// Returns the additional output; may be empty.
+  bool with_backward = false;  ///< whether to compute guaranteed bounds and moment error estimates
+  /// Optional function that returns the additional output of the command.
   std::function<Supplement(const results::Run&)> supplement = {};
 };
 
-/// Solves the cases by the methods and prints the table or the JSON. With --out the report is
-/// written to a directory that is prepared before the first solution.
+/// Solves the cases by the methods and prints the table or the JSON. With --out, the report is
+/// written to a directory, which is prepared before the first solve.
 /// @return an ExitCode
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
                      const SolveAndReportOptions& options, const std::string& command_line);

@@ -53,9 +53,9 @@ class StudyCall {
                            common.cases);
   }
 
-  /// Runs the study of one case, prints the table or the JSON, and with --out writes the files of
-  /// the study.
-  /// @param run function of a problem and a progress listener that returns the result of the study
+  /// Runs the study of one case and prints the table or the JSON. With --out the files of the study
+  /// are written.
+  /// @param run function that returns the result of the study for a problem and a progress listener
   /// @throws InputError unless there is exactly one case
   template <class RunStudy>
   int run_and_write(const RunStudy& run) const {

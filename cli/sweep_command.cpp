@@ -66,7 +66,7 @@ struct SweepArguments {
   std::optional<std::size_t> points;
   std::vector<int> ranks;
   bool marginals = false, dry_run = false, merge = false;
-  base::Values given;  // options of the methods on the command line
+  base::Values given;  // method options that the command line sets
 };
 
 boost::program_options::options_description sweep_options(SweepArguments& arguments,
@@ -102,7 +102,8 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
            [&](const std::string& list) { arguments.ranks = parse_integers("--ranks", list); }),
        "for --dry-run: also estimate the time for these numbers of processes with one thread each, "
        "e.g. 2,64,1024");
-  // A sweep uses the threads for points; each method has one thread.
+  // The option --threads is the number of points that are solved in parallel, since each method has
+  // one thread.
   own.add(make_figure_options(arguments.common.figures));
   own.add(make_solver_run_options(registry, arguments.given));
   return own;
@@ -248,8 +249,8 @@ int print_forecast(const SweepArguments& arguments, const sweep::Plan& plan, int
   return kSuccess;
 }
 
-// Only the process that writes the journal (under MPI the first rank) shows progress and writes
-// results.
+// Runs a sweep. Only the process that writes the journal (under MPI the first rank) shows progress
+// and writes results.
 int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
               int threads, base::Communicator* ranks, const CommandCall& call,
               std::chrono::steady_clock::time_point begin) {

@@ -11,14 +11,14 @@
 
 namespace fpkcheck::cli {
 
-/// Connects closed standard streams to /dev/null, since the next opened file would otherwise
-/// receive the output of the stream. SIGPIPE is ignored, so that a closed pipe (`fpkcheck run |
-/// head -1`) does not end the program before its files are written. The function must be called
+/// Connects closed standard streams to /dev/null, since otherwise the next opened file would
+/// receive the output of a closed stream. SIGPIPE is ignored, so that a closed pipe (`fpkcheck run
+/// | head -1`) does not end the program before all files are written. The function must be called
 /// before any file is opened.
 void prepare_standard_streams();
 
-/// Writes to standard output. A write error does not stop the program; run_program() reports the
-/// error at the end.
+/// Writes to standard output. A write error does not stop the program; run_program() finally
+/// reports the error.
 void print_output(std::string_view text);
 
 /// Writes the program's name and the message in one line to standard error, and ignores write
@@ -26,12 +26,13 @@ void print_output(std::string_view text);
 void print_message(std::string_view message);
 
 /// Returns the text format of standard output. The text width is the width of the terminal, limited
-/// to 80 .. 100 columns, or 100 columns without a terminal. A terminal has colours, unless NO_COLOR
-/// is set and not empty, or TERM is "dumb".
+/// to 80 .. 100 columns, or 100 columns without a terminal. Colours are used on a terminal, unless
+/// NO_COLOR is set and not empty, or TERM is "dumb".
 report::TextFormat terminal_format();
 
-/// Returns completed solutions, elapsed time, and the running method with its completed fraction as
-/// text. If the completed fraction exceeds 2 %, the text also has the estimated remaining time.
+/// Returns the progress of a run as text: completed solutions, elapsed time, and the running method
+/// with its completed fraction. Above a completed fraction of 2 %, the text has the estimated
+/// remaining time.
 /// @param seconds time since the start of the run
 /// @param method_seconds time since the start of the running method on its case
 std::string progress_text(const methods::RunProgress& progress, double seconds,
@@ -50,7 +51,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// @throws Interrupted after a stop signal (throw_if_interrupted()), also without output
+  /// @throws Interrupted after a stop signal (throw_if_interrupted()), even if nothing is printed
   void rewrite(const methods::RunProgress& progress);
   /// Erases the progress line; must be called before results are printed.
   void erase();

@@ -6,16 +6,15 @@
 #include "compare/pair_distances.hpp"
 #include "transform/solution.hpp"
 
-/// The statistical test of whether two solutions of the same problem agree. All tables and
-/// sentences of the output use this statistical test.
+/// Statistical test of whether two solutions of the same problem agree within their errors.
 namespace fpkcheck::compare {
 
-/// Significance level of the test over both marginal densities: the probability that sampling
+/// Significance level of the agreement test over p(y) and p(y'): the probability that sampling
 /// errors alone make two solutions disagree.
 inline constexpr double kAgreementSignificance = 1e-3;
 
 /// Returns an upper bound, 1.351 q, of the critical L1 distance of two marginal densities that
-/// differ only by sampling errors. Each of the two marginal densities is tested at half of
+/// differ only by sampling errors. The densities p(y) and p(y') are each tested at half of
 /// kAgreementSignificance (Bonferroni). The sampling errors are Gaussian vectors and the L1
 /// distance is a norm. The S-inequality (Latala and Oleszkiewicz, Annals of Probability 27 (1999)
 /// 1922) therefore gives P(L1 <= t q) >= P(|N| <= 2.576 t) for t >= 1 and a standard normal N. With
@@ -24,8 +23,8 @@ inline constexpr double kAgreementSignificance = 1e-3;
 double critical_sampling_l1_distance(double quantile_99);
 
 /// Returns the 99 % quantile of the L1 sampling error of a marginal density. If only the expected
-/// L1 error is known, the result is twice the expected error, which L1 errors of single runs nearly
-/// reach. The result is empty if both the quantile and the expected error are unknown.
+/// L1 error is known, the result is twice the expected error, since single runs nearly reach such
+/// errors. The result is empty if both the quantile and the expected error are unknown.
 std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sampling,
                                               transform::StateVariable variable);
 
@@ -33,16 +32,16 @@ std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sa
 /// explain. The critical distance is the sum of two terms: the critical distance for independent
 /// sampling errors, and kErrorSafetyFactor times the error estimates of both solutions. The result
 /// is empty if neither solution has a sampling error or an error estimate. For distances over
-/// smooth bins, with their far smaller sampling errors, the result is empty unless both solutions
+/// smooth bins, whose sampling errors are far smaller, the result is empty unless both solutions
 /// have a sampling error or an error estimate.
-/// @param over_smooth_bins whether the distance is over smooth bins (B-spline weights)
+/// @param over_smooth_bins whether the L1 distance is over smooth bins (B-spline weights)
 std::optional<double> critical_l1_distance(const transform::Solution& first,
                                            const transform::Solution& second,
                                            transform::StateVariable variable,
                                            bool over_smooth_bins);
 
-/// Returns whether the errors of two solutions explain their L1 distances in p(y) and in p(y'). A
-/// missing distance or error estimate counts as agreement.
+/// Returns whether the errors of two solutions explain their L1 distances in p(y) and in p(y'). The
+/// result is `true` if a distance or an error estimate is missing.
 bool has_agreement(const transform::Solution& first, const transform::Solution& second,
                    std::span<const PairDistances> pairs);
 

@@ -38,7 +38,8 @@ std::optional<ReferenceConfirmation> confirmation_of(const Solution& reference,
   return ReferenceConfirmation{second->id(), has_agreement(reference, *second, pairs)};
 }
 
-// Returns whether both distances are at most the error estimate of the reference.
+// Returns whether the L1 distances of p(y) and p(y') from the reference are at most its error
+// estimates.
 bool is_within_reference_error(const Assessment& assessment, const SolutionAssessment& solution) {
   const auto within = [](const std::optional<double>& l1, double error) {
     return !l1 || (std::isfinite(error) && *l1 <= error);

@@ -13,16 +13,16 @@
 #include "transform/solution.hpp"
 
 /// The assessment of the solutions of a case: the reference, the agreement of each solution with
-/// the reference, and the ranks of the closures. Tables, plots and sentences show this assessment
-/// and apply no other criteria.
+/// the reference, and the ranks of the closures. Tables, plots and sentences apply no criteria
+/// other than this assessment.
 namespace fpkcheck::compare {
 
 /// Largest L1 distance from the reference of a `close` solution, in each marginal density. The
 /// limit kCloseL1 equals the default accuracy required of closures.
 inline constexpr double kCloseL1 = 0.02;
 
-/// Returns the L1 error estimate of a marginal density. The estimate comes from the method, else
-/// from the expected sampling error; without both the result is infinity.
+/// Returns the L1 error estimate of a marginal density. The estimate comes from the method, or else
+/// from the expected sampling error. Without these two the result is infinity.
 double l1_error_estimate(const transform::Solution& solution, transform::StateVariable variable);
 double l1_error_estimate(const transform::Solution& solution);
 
@@ -33,12 +33,12 @@ bool is_solution_of_full_problem(const transform::Solution& solution);
 
 enum class Agreement {
   absent,
-  no_density,    ///< no density, or an inadmissible density
-  no_reference,  ///< a density, but no distance from a reference
+  no_density,    ///< solution without a density, or with an inadmissible density
+  no_reference,  ///< solution with a density but without a distance from a reference
   reference,
-  indistinguishable,  ///< distances within the error estimate of the reference
-  close,              ///< both distances at most kCloseL1
-  distant             ///< at least one distance above kCloseL1
+  indistinguishable,  ///< L1 distances of p(y) and p(y') within the error estimate of the reference
+  close,              ///< L1 distances of p(y) and p(y') at most kCloseL1
+  distant             ///< L1 distance of p(y) or of p(y') above kCloseL1
 };
 inline constexpr base::EnumEntry<Agreement> kAgreementNames[] = {
     {Agreement::absent, "absent"},
@@ -53,17 +53,17 @@ constexpr std::span<const base::EnumEntry<Agreement>> enumerator_names(Agreement
 }
 constexpr std::string_view name(Agreement agreement) { return base::name_of(agreement); }
 
-/// The agreement of one solution with the reference of its case. An external density with only one
+/// The agreement of one solution with the reference of its case. An external solution with only one
 /// marginal density is assessed by this marginal density.
 struct SolutionAssessment {
   std::string id = {};
   Agreement agreement = Agreement::absent;
   std::optional<double> y = {}, ydot = {};  ///< L1 distances from the reference, if known
-  /// Rank of a closure by the sum of both distances; the closest closure has rank 1. Only `ok`
-  /// closures with both distances have a rank.
+  /// Rank of a closure by the sum of the L1 distances of p(y) and p(y'); the closest closure has
+  /// rank 1. Only `ok` closures with known distances have a rank.
   std::optional<int> rank = {};
 
-  /// Returns the larger of the known distances `y` and `ydot`.
+  /// Returns the larger of the known L1 distances `y` and `ydot`.
   std::optional<double> largest_l1() const;
   /// Returns whether the solution is the reference, is indistinguishable from the reference, or has
   /// distances of at most kCloseL1.
@@ -72,10 +72,12 @@ struct SolutionAssessment {
   bool operator==(const SolutionAssessment&) const = default;
 };
 
-/// The most trusted solution of the full problem besides the reference.
+/// The most trusted solution of the full problem other than the reference, which confirms or
+/// contradicts the reference.
 struct ReferenceConfirmation {
   std::string id;
-  bool has_agreement;  ///< whether the errors explain the distances (has_agreement())
+  /// Whether the errors explain the distances from the reference (has_agreement()).
+  bool has_agreement;
 
   bool operator==(const ReferenceConfirmation&) const = default;
 };
@@ -89,13 +91,13 @@ struct Assessment {
   /// L1 error estimates of p(y) and p(y') of the reference; infinite if unknown.
   double reference_y_l1 = std::numeric_limits<double>::infinity();
   double reference_ydot_l1 = std::numeric_limits<double>::infinity();
-  std::optional<ReferenceConfirmation> confirmation = {};  ///< empty without such a solution
-  std::vector<SolutionAssessment> solutions = {};  ///< in the order of the solutions of the case
+  std::optional<ReferenceConfirmation> confirmation = {};  ///< empty if no solution can confirm
+  std::vector<SolutionAssessment> solutions = {};  ///< assessments in the order of the solutions
   LimitingErrors limiting_errors = {};
 
   /// Returns whether the reference was selected by its error estimate, instead of by trust.
   bool is_reference_selected_by_error() const;
-  /// Returns the larger of the two L1 error estimates of the reference.
+  /// Returns the larger of the L1 error estimates of p(y) and p(y') of the reference.
   double largest_reference_l1_error() const;
   const SolutionAssessment* find(std::string_view id) const;
   /// Returns the closures with a rank, in the order of their ranks.
@@ -108,9 +110,9 @@ struct Assessment {
   bool operator==(const Assessment&) const = default;
 };
 
-/// Assesses the solutions of a case. Without `pairs` the result has the reference, but no agreement
-/// and no ranks.
-/// @param solutions by increasing trust
+/// Assesses the solutions of a case. Without distances in `pairs`, the assessment has the
+/// reference, but no agreement and no ranks.
+/// @param solutions of the case by increasing trust
 Assessment assess_solutions(std::span<const transform::Solution> solutions,
                             std::span<const PairDistances> pairs = {},
                             std::span<const ErrorBudgetRow> budget = {});

@@ -26,7 +26,7 @@ bool has_marginal_over_bins(const Solution& solution, StateVariable variable,
 
 /// @param sharp, smooth marginal densities over uniform bins and over smooth bins; `smooth` may be
 ///        empty
-/// @param a, b indices of the two marginal densities
+/// @param a, b indices in `sharp` and `smooth` of the two compared marginal densities
 /// @param with_sampling_error ids of the solutions with sampling errors over uniform bins
 PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
                            const std::vector<SolutionMarginal>& smooth, std::size_t a,
@@ -45,8 +45,8 @@ PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
                             *transform::find_smooth_bin_estimate(*smooth_reference, variable))};
 }
 
-// Replaces negative densities by 0 in `ok` solutions of discretised equations. The negative
-// densities are as large as the discretisation error, and `min_density` reports them.
+// Replaces negative densities by 0 in `ok` solutions of discretised equations. Such negative
+// densities are of the order of the discretisation error, and `min_density` states their size.
 void clip_negative_densities(std::span<const Solution> solutions,
                              std::vector<SolutionMarginal>& marginals) {
   for (auto& [id, variable, marginal] : marginals) {

@@ -11,11 +11,11 @@
 
 namespace fpkcheck::compare {
 
-/// The distances of the solutions of a case from each other, and their error budgets.
+/// The pairwise distances of the solutions of a case, and the error budgets of the closures.
 struct Comparison {
   /// Marginal densities over the comparison bins: first p(y) of all solutions, then p(y').
   std::vector<SolutionMarginal> marginals;
-  /// The same marginal densities over smooth bins, if a solution has smooth estimates; else empty.
+  /// Marginal densities over smooth bins; empty unless a solution has smooth estimates.
   std::vector<SolutionMarginal> smooth;
   std::vector<PairDistances> pairs;  ///< distances of all pairs of solutions in p(y) and p(y')
   std::vector<ErrorBudgetRow> budget;
@@ -23,8 +23,9 @@ struct Comparison {
 
 /// Computes the marginal densities of all solutions with a density, the distances of all pairs, and
 /// the error budgets of the closures. If a smooth reference exists, the budgets and most distances
-/// from the smooth reference are over smooth bins (PairDistances).
-/// @param solutions by increasing trust; the second solution of a pair is the more trusted solution
+/// from the smooth reference are computed over smooth bins (PairDistances).
+/// @param solutions by increasing trust. The second solution of a pair is more trusted than the
+/// first.
 Comparison compare_solutions(const ComparisonAxes& axes,
                              std::span<const transform::Solution> solutions);
 

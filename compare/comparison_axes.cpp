@@ -11,8 +11,8 @@
 namespace fpkcheck::compare {
 namespace {
 
-// Bins of y' are a tenth of a standard deviation wide, and bins of y a twentieth. A marginal
-// density is nearly linear over a bin of this width.
+// Number of bins: bins of y' are a tenth of a standard deviation wide, and bins of y a twentieth. A
+// marginal density is nearly linear over a bin of such a width.
 constexpr int kBins = 140;
 constexpr int kDivisions = 3;
 constexpr double kDivisionRatio = 4;

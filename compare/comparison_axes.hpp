@@ -8,13 +8,13 @@
 namespace fpkcheck::compare {
 
 /// The bins in which the marginal densities of a problem are compared. All bins have the same
-/// width, except the bins at 0, which may be divided. Distances use the undivided bins, since no
-/// error estimate holds for features of a density that are narrower than an undivided bin.
+/// width, except the bins at 0, which may be divided. Distances are computed over undivided bins,
+/// since no error estimate holds for features of a density narrower than a bin.
 struct ComparisonAxes {
-  /// Increasing edges of the bins of y, from the wall y = 0 in the paper's problems.
+  /// Increasing edges of the bins of y, for the paper's problems from the wall y = 0.
   std::vector<double> y_edges;
   std::vector<double> v_edges;  ///< increasing edges of the bins of y', symmetric about the edge 0
-  /// Number of inner edges that divide the first bin of y and each of the two bins of y' at 0.
+  /// Number of edges within the first bin of y and within each of the two bins of y' at 0.
   int divisions = 0;
 };
 
@@ -22,10 +22,9 @@ struct ComparisonAxes {
 /// <= 7 sigma_2. The standard deviations sigma_1 and sigma_2 come from equivalent linearisation,
 /// and y_s is the static deflection under the mean of the impulses. If the marginal densities are
 /// unbounded at rest (problem::impulses_per_decay_time below 1), the bins at 0 are divided at 1/4,
-/// 1/16 and 1/64 of their width. Each part of a divided bin then contains some of the probability
-/// mass. For oscillators other than the paper's, the outermost edges are the limits of
-/// problem::scales, and no bin is divided. The bins depend only on the problem. The histogram of a
-/// simulation can therefore use the comparison bins without interpolation.
+/// 1/16 and 1/64 of their width, to resolve the peak at rest. For oscillators other than the
+/// paper's, the outermost edges are the limits of problem::scales, and no bin is divided. Since the
+/// bins depend only on the problem, a simulation can use them for its histogram.
 ComparisonAxes comparison_axes(const problem::Problem& problem);
 
 const std::vector<double>& comparison_bin_edges(const ComparisonAxes& axes,

@@ -21,8 +21,9 @@ using transform::SolutionRole;
 using transform::StateVariable;
 using transform::Status;
 
-// The tail is two decades of density, below the densities that contribute to the L1 distance. There
-// the 95 % intervals of a simulation of the default length are within +-40 % of the density.
+// The tail consists of the two decades of density below the densities that contribute to the L1
+// distance. In the tail, the 95 % intervals of a simulation of the default length are within +-40 %
+// of the density.
 constexpr double kTailFrom = 1e-5, kTailTo = 1e-3;
 constexpr std::string_view kApproximationSeparator = " + ";
 
@@ -84,8 +85,8 @@ ErrorBudgetRow make_error_budget_row(const Solution& closure, StateVariable vari
   return row;
 }
 
-// Returns whether the budget splits the total distance. A single part from the closure to a
-// simulation equals the total distance.
+// Returns false if the only part of the budget is the distance from the closure to a simulation,
+// which equals the total distance.
 bool splits_total(const ErrorBudgetRow& row, std::span<const Solution> solutions) {
   if (row.parts.size() > 1) return true;
   const Solution* end = transform::find_solution(solutions, row.reference);
@@ -174,7 +175,8 @@ std::vector<std::string> budget_part_names(std::span<const ClosureErrorBudget> b
   std::vector<std::string> names;
   for (const auto& budget : budgets) {
     for (const ErrorBudgetRow* row : budget.rows()) {
-      // A new name is inserted before the next name of the same row, in the order of the chain.
+      // A new part name is inserted before the name that follows in its budget row, to keep the
+      // order of the model chain.
       auto at = names.end();
       for (auto part = row->parts.rbegin(); part != row->parts.rend(); ++part) {
         const auto place = std::ranges::find(names, part->name());

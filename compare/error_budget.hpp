@@ -34,31 +34,32 @@ std::string name(const std::vector<Approximation>& approximations);
 /// @throws InputError if the name contains an unknown approximation
 std::vector<Approximation> parse_approximations(std::string_view name);
 
-/// One part of an error budget: the distance between two consecutive models of the chain.
+/// One part of an error budget: the L1 distance between two consecutive models of the chain.
 struct ErrorBudgetPart {
-  /// Approximations in which the two models differ; several if intermediate models are missing.
+  /// Approximations that `from` makes and `to` avoids; several if intermediate models are missing.
   std::vector<Approximation> approximations;
   std::string from;  ///< id of the model with the approximations
   std::string to;    ///< id of the model without the approximations
   double l1;
-  /// Tail distance of the two models over the tail bins (ErrorBudgetRow::tail_bins); NaN without a
-  /// tail bin.
+  /// Tail distance between the models `from` and `to` over the tail bins
+  /// (ErrorBudgetRow::tail_bins); NaN without a tail bin.
   double tail;
-  std::optional<double> uncertainty{};  ///< sum of the discretisation errors of both models
+  std::optional<double> uncertainty{};  ///< sum of the discretisation errors of `from` and `to`
   /// Expected L1 sampling error of the model `to`, if this model is a simulation.
   std::optional<double> expected{};
   /// 99 % quantile of the L1 sampling error of the model `to`.
   std::optional<double> quantile_99{};
-  /// Standard error of `l1`, if `to` is the smooth reference (compare/smooth_reference.hpp).
+  /// Standard error of the L1 distance `l1`, if `to` is the smooth reference
+  /// (compare/smooth_reference.hpp).
   std::optional<double> standard_error{};
 
   std::string name() const { return compare::name(approximations); }
-  /// Returns whether the part consists only of discretisation and sampling errors of the reference.
+  /// Returns whether this part contains only discretisation and sampling errors of the reference.
   bool is_reference_error() const;
 };
 
-/// The error budget of one closure in one variable. By the triangle inequality the total distance
-/// is at most the sum of the distances of the parts, for L1 distances and for tail distances.
+/// The error budget of one closure in one variable. By the triangle inequality, the total L1 or
+/// tail distance is at most the sum over the parts.
 struct ErrorBudgetRow {
   std::string solution;  ///< id of the closure
   transform::StateVariable variable;
@@ -70,17 +71,17 @@ struct ErrorBudgetRow {
   /// Range of the reference density in tail bins, tail_from <= p_reference < tail_to.
   double tail_from, tail_to;
   /// Number of tail bins. In a tail bin the density of every model of the chain is positive and has
-  /// a narrow confidence interval. All parts use the same tail bins, since otherwise the triangle
-  /// inequality would not hold.
+  /// a narrow confidence interval. All parts of the budget use the same tail bins, as the triangle
+  /// inequality requires.
   int tail_bins;
-  std::vector<ErrorBudgetPart> parts;  ///< in the order of the chain
+  std::vector<ErrorBudgetPart> parts;  ///< parts in the order of the model chain
 
   const ErrorBudgetPart* find(std::string_view part) const;
 };
 
 /// Returns the error budgets of all closures with a density, in the order of the solutions. The
-/// list is empty if no chain of models reaches the full problem, or if every budget has only one
-/// part, from the closure to a simulation.
+/// list is empty if no chain of models reaches the full problem. The list is also empty if every
+/// budget has only one part, from the closure to a simulation.
 /// @param marginals marginal densities of the solutions, all over uniform bins or all over smooth
 ///        bins
 std::vector<ErrorBudgetRow> error_budget(const ComparisonAxes& axes,
@@ -96,15 +97,16 @@ struct ClosureErrorBudget {
   const ErrorBudgetRow* row(transform::StateVariable variable) const {
     return variable == transform::StateVariable::y ? y : ydot;
   }
-  /// Returns the existing budgets, y before y'.
+  /// Returns the existing error budgets, that of y before that of y'.
   std::vector<const ErrorBudgetRow*> rows() const;
 };
 
-/// Groups the rows of an error budget by closure. The pointers in the result point into `budget`.
+/// Groups the rows of an error budget by closure. Pointers in the result refer to elements of
+/// `budget`.
 std::vector<ClosureErrorBudget> closure_error_budgets(
     std::span<const ErrorBudgetRow> budget, std::span<const transform::Solution> solutions);
 
-/// Returns the names of all parts, without repetitions and in the order of the chain of models.
+/// Returns the distinct names of all parts of error budgets, in the order of the model chain.
 std::vector<std::string> budget_part_names(std::span<const ClosureErrorBudget> budgets);
 
 }  // namespace fpkcheck::compare

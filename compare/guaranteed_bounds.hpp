@@ -6,11 +6,11 @@
 
 #include "transform/solution.hpp"
 
-/// Guaranteed bounds of stationary expectations of a problem (docs/bounds.md), and the solutions
-/// that violate them.
+/// Guaranteed bounds of stationary expectations of a problem (docs/bounds.md), and solutions that
+/// violate these bounds.
 namespace fpkcheck::compare {
 
-/// Guaranteed bounds of the stationary expectation of one functional: lower <= E[..] <= upper.
+/// Guaranteed bounds lower <= E[g] <= upper of the stationary expectation of one functional g.
 struct GuaranteedBound {
   /// Name of the functional: a symbol of transform::kMoments such as "E[y^2]", or another name such
   /// as "w1" (momentum flux of impacts).
@@ -22,7 +22,7 @@ struct GuaranteedBound {
 };
 
 struct GuaranteedBounds {
-  /// Reason why bounds are missing or wider than requested; else empty.
+  /// Reason why bounds are missing or wider than requested; empty if the bounds are as requested.
   std::string reason = {};
   double seconds = 0;
   std::vector<GuaranteedBound> each = {};
@@ -36,7 +36,7 @@ struct BoundViolation {
   const transform::Solution* solution;
   const GuaranteedBound* bound;
   double value;
-  double excess;  ///< distance of `value` from the nearer bound, > 0
+  double excess;  ///< distance > 0 of the moment from the violated bound
   /// Error estimate of the moment. For a simulation the estimate is at least
   /// kContradictionStandardErrors times the standard error of the moment.
   double error_estimate;
@@ -45,15 +45,15 @@ struct BoundViolation {
   bool exceeds_error_estimate() const { return excess > error_estimate; }
 };
 
-/// Largest difference, in standard errors, that is attributed to sampling errors.
+/// Largest difference, in standard errors, that is attributed to sampling errors of a simulation.
 inline constexpr double kContradictionStandardErrors = 4;
 
 /// Returns all moments outside their guaranteed bounds, for every solution with a density.
 std::vector<BoundViolation> bound_violations(const GuaranteedBounds& bounds,
                                              std::span<const transform::Solution> solutions);
 
-/// Returns the violations beyond the error estimate by solutions of the full problem
-/// (is_solution_of_full_problem). Such solutions are wrong: guaranteed bounds hold for the full
+/// Returns the bound violations by solutions of the full problem that exceed the error estimate.
+/// Such violations prove that the solution is wrong, since guaranteed bounds hold for the full
 /// problem.
 std::vector<BoundViolation> violations_beyond_error_estimate(
     const GuaranteedBounds& bounds, std::span<const transform::Solution> solutions);

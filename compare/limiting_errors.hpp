@@ -9,22 +9,23 @@
 
 namespace fpkcheck::compare {
 
-/// Closures of a case with the same limiting error.
+/// Closures of a case whose largest error (limiting error) has the same source.
 struct LimitingErrorGroup {
-  /// Name of the limiting error: the largest part of the error budget of each closure, summed over
-  /// y and y'. The name is empty if the distances of the closures from the reference are within the
-  /// error of the reference.
+  /// Name of the limiting error, the largest part of the error budget of each closure after
+  /// summation over y and y'. The name is empty if the distances of the closures from the reference
+  /// are within the error of the reference.
   std::string part;
   std::vector<std::string> closures;
-  /// Smallest and largest fraction of the limiting error in the sum of all parts, over the
-  /// closures.
+  /// Smallest and largest fraction of the limiting error in the sum of all budget parts, over the
+  /// closures of the group.
   double least_fraction = 1, greatest_fraction = 0;
 
   bool operator==(const LimitingErrorGroup&) const = default;
 };
 
 struct LimitingErrors {
-  std::vector<LimitingErrorGroup> groups = {};  ///< empty without an error budget
+  /// Groups of closures; empty without an error budget.
+  std::vector<LimitingErrorGroup> groups = {};
   /// Whether the finite-volume solution and the simulation disagree (has_agreement).
   bool has_reference_disagreement = false;
 

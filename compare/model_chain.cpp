@@ -116,7 +116,8 @@ class ModelChainBuilder {
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginal> marginals_;
   StateVariable variable_;
-  /// Smooth reference, or null. Its smooth bins are the bins of all marginal densities.
+  /// Smooth reference, whose smooth bins are the bins of all marginal densities; null for uniform
+  /// bins.
   const Solution* smooth_reference_;
   std::vector<ChainModel> nodes_;
   std::vector<Approximation> pending_approximations_;

@@ -13,7 +13,7 @@
 
 namespace fpkcheck::compare {
 
-/// Suffix of the id of the Richardson limit of the grids of a solution: "fd-kf limit".
+/// Suffix that marks the id of the Richardson limit of the grids of a solution: "fd-kf limit".
 inline constexpr std::string_view kGridLimitSuffix = " limit";
 
 /// One model in the chain of models from a closure to the reference, in one variable.
@@ -22,11 +22,11 @@ struct ChainModel {
   /// Approximations of the previous model that this model avoids; empty for the closure.
   std::vector<Approximation> approximations;
   transform::Marginal marginal;
-  /// L1 distance of the model from the Richardson limit of its grids; 0 for a model without a grid,
-  /// empty if unknown.
+  /// L1 distance of the model from the Richardson limit of its grids. The error is 0 for a model
+  /// without a grid, and empty if unknown.
   std::optional<double> discretisation_error;
   std::optional<transform::SamplingError> sampling = {};  ///< sampling error of a simulation
-  /// Smooth estimates of the smooth reference; null for other models.
+  /// Estimates over smooth bins, if the model is the smooth reference; null for other models.
   const transform::SmoothBinEstimate* smooth = nullptr;
 };
 
@@ -40,14 +40,14 @@ struct ChainModel {
 ///             -> simulation                                            sampling
 ///
 /// If a simulation has smooth estimates (compare/smooth_reference.hpp), all marginal densities of
-/// the chain are over smooth bins. The distance between the full jump integral and the simulation
-/// is then the measured discretisation error. The chain omits a model that is missing, not `ok` or
-/// equal to the previous model. The approximations of an omitted model are added to those of the
-/// next model. The last model is the simulation, else the Richardson limit, else the finite-volume
-/// solution for the full jump integral.
+/// the chain are over smooth bins. The distance from the finite-volume solution of the full jump
+/// integral to the simulation is then the measured discretisation error. The chain omits a model
+/// that is missing, not `ok` or equal to the previous model. If a model is omitted, the next model
+/// of the chain takes over its approximations. The last model of the chain is the simulation, or
+/// else the Richardson limit, or else the finite-volume solution for the full jump integral.
 /// @param closure one of the solutions
-/// @return at least two models. The list is empty if the closure has no marginal density, or
-///         without a solution of the full jump integral
+/// @return at least two models; an empty list if the closure has no marginal density, or if no
+/// solution of the full jump integral exists
 std::vector<ChainModel> model_chain(const ComparisonAxes& axes,
                                     std::span<const transform::Solution> solutions,
                                     std::span<const SolutionMarginal> marginals,

@@ -23,14 +23,14 @@ struct SolutionMarginal {
 /// atoms (compare/rest_atoms.hpp).
 struct PairDistances {
   std::string a;
-  std::string b;  ///< the more trusted solution
+  std::string b;  ///< id of the more trusted of the two solutions
   transform::StateVariable variable;
   Distances distances;
-  /// Standard error of the L1 distance over smooth bins; empty for distances over uniform bins.
+  /// Standard error of the L1 distance over smooth bins; empty for a distance over uniform bins.
   std::optional<double> l1_standard_error = {};
 };
 
-/// Returns the distances between two solutions in either order, or null.
+/// Returns the distances between two solutions, whose order is irrelevant; null if missing.
 const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
                                          std::string_view first, std::string_view second,
                                          transform::StateVariable variable);

@@ -5,7 +5,8 @@
 
 namespace fpkcheck::methods {
 
-/// Registry entries of the solvers, defined in methods/epc.cpp, methods/fd.cpp and methods/mcs.cpp.
+/// Registry entries of the built-in solvers, defined in methods/epc.cpp, methods/fd.cpp and
+/// methods/mcs.cpp.
 Solver epc_solver();
 Solver fd_solver();
 Solver mcs_solver();

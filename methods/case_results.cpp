@@ -20,7 +20,7 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
   const auto poll = [&] {
     if (settings.poll) settings.poll();
   };
-  // The shared estimators solve each backward equation only once.
+  // All methods share the error estimators, so that each backward equation is solved only once.
   const auto estimators = make_error_estimators(problems);
   auto cases = run_cases(problems, methods, settings.threads, settings.progress, estimators,
                          settings.case_listener);
@@ -79,7 +79,7 @@ results::ErrorSource error_source(const backward::DensityResiduals& residuals,
   if (frame.mirrored) values = values.reverse().eval();
   results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
-    // The files have single precision.
+    // Error sources are rounded to single precision, the precision of the files.
     for (const double value : row) {
       result.density.averages.push_back(static_cast<float>(value));
     }
@@ -105,7 +105,7 @@ std::optional<MomentErrorsAndSources> estimate_moment_errors(
   }
   return found;
 } catch (const InputError&) {
-  return std::nullopt;  // the density has no mean
+  return std::nullopt;  // no error estimate for a density without a mean
 }
 
 }  // namespace

@@ -16,16 +16,17 @@ struct CaseResultSettings {
   /// Whether to solve backward equations, for guaranteed bounds and moment error estimates.
   bool with_backward = true;
   ProgressListener progress = {};
-  /// Receives a case after its solutions are computed, and again after its bounds and moment error
-  /// estimates. If the listener is set, a stop request prevents further solves, as in run_cases().
+  /// Function that receives a case after its solutions are computed, and again after its bounds and
+  /// moment error estimates. With a listener, a stop request prevents further solves, as in
+  /// run_cases().
   CaseListener case_listener = {};
-  /// Called after the solutions are computed and after each further long operation; may throw.
+  /// Function that is called after the solutions and after each further long operation; may throw.
   std::function<void()> poll = {};
 };
 
 /// Solves all problems with all methods, and computes comparisons, guaranteed bounds and moment
 /// error estimates.
-/// @throws exceptions of solvers, of `progress` and of `poll`
+/// @throws all exceptions of the solvers and of the functions `progress` and `poll`
 std::vector<results::CaseResult> compute_case_results(const std::vector<problem::Problem>& problems,
                                                       const std::vector<Method>& methods,
                                                       const CaseResultSettings& settings);
@@ -35,15 +36,16 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
 compare::GuaranteedBounds guaranteed_bounds(const problem::Problem& problem,
                                             const backward::Options& options);
 
-/// Stores guaranteed bounds in the result of the case, after about one second of refinement.
+/// Computes guaranteed bounds with about one second of refinement, and stores them in the result of
+/// the case.
 /// @param thread_count number of threads; 0 for one per processor
 void add_guaranteed_bounds(results::CaseResult& case_result, int thread_count);
 
 /// Computes moment error estimates and error sources of solutions by the dual-weighted residual
-/// method (backward/residual/density_residuals.hpp), in physical coordinates. Only solutions with a
-/// density on cells or as a function get estimates. A histogram of a simulation gets no estimate,
-/// since sampling noise is not a residual of an equation. The case gets no estimates if the
-/// backward equation cannot be solved or memory does not suffice.
+/// method (backward/residual/density_residuals.hpp). Only solutions whose density is a function or
+/// finite-volume averages get estimates. A histogram of a simulation gets no estimate, since
+/// sampling noise is not a residual of an equation. If the backward equation cannot be solved or
+/// memory does not suffice, no solution gets an estimate.
 /// @param thread_count number of threads; 0 for one per processor
 void add_moment_error_estimates(results::CaseResult& case_result,
                                 const ResidualErrorEstimator& estimator, int thread_count);

@@ -10,15 +10,15 @@ namespace fpkcheck::methods {
 
 /// Settings of a simulation that are not stored in files: checkpoints, interruption and processes.
 struct SimulationRuntimeSettings {
-  std::string checkpoint = {};  ///< checkpoint file to write; empty for no checkpoints
+  std::string checkpoint = {};  ///< checkpoint file to write; if empty, none is written
   std::string resume = {};      ///< checkpoint file to resume from; empty for a new simulation
-  /// Returns whether the simulation must stop and return its result so far.
+  /// Function that returns whether the simulation must stop early and return its partial result.
   std::function<bool()> stop = {};
-  std::function<void(const std::string&)> warn = {};  ///< receives warnings about failed writes
+  std::function<void(const std::string&)> warn = {};  ///< function that receives warnings
   mcs::ProcessGroup process_group = {};               ///< processes that share the simulation
 };
 
-/// @param simulation a method of mcs_solver()
+/// @param simulation method that the registry entry mcs_solver() made
 Method with_runtime_settings(Method simulation, const SimulationRuntimeSettings& settings);
 
 }  // namespace fpkcheck::methods

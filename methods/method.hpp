@@ -16,32 +16,33 @@
 
 namespace fpkcheck::methods {
 
-/// Function that receives the completed fraction of the work of a method, 0 .. 1, and a note on the
-/// state of the method. The note may be empty.
+/// Function that receives the completed fraction (0 .. 1) of the work of a method, and a note on
+/// the state of the method, which may be empty.
 using ProgressCallback = std::function<void(double, const std::string& note)>;
 
-/// The input of a method besides the problem.
+/// The input that a method receives in addition to the problem.
 struct SolveContext {
   const compare::ComparisonAxes& axes;  ///< comparison bins, used for the histogram of a simulation
   const ProgressCallback& progress;
-  /// Residual-based error estimator, for methods without another error estimate
-  /// (set_residual_error_estimate). The estimator may be null.
+  /// Residual-based error estimator (set_residual_error_estimate), for methods without an error
+  /// estimate of their own. The pointer may be null.
   const ResidualErrorEstimator* error_estimator = nullptr;
   /// Whether the method must estimate the error of its solution. The flag is false if the caller
   /// estimates the error of the solution, for example from the distance to the reference.
   bool estimate_error = true;
 };
 
-/// A solver with values of its options.
+/// A method: a solver together with values of its options.
 struct Method {
   transform::SolutionIdentity identity;  ///< identity of the solutions
   base::Values options = {};             ///< values of the options, as stored in files
   /// Whether the method uses all processors, so that no other method should run at the same time.
   bool uses_all_processors = false;
-  /// Solves a problem. The caller sets the identity and options of the solution (solve_with_method).
+  /// Function that solves a problem. Its caller solve_with_method() sets the identity and options
+  /// of the solution.
   std::function<transform::Solution(const problem::Problem&, const SolveContext&)> solve;
-  /// Checks that the options and a problem are compatible, before the first problem is solved; may
-  /// be empty.
+  /// Optional function that checks, before the first solve, that the options and a problem are
+  /// compatible.
   /// @throws InputError if the options and the problem are incompatible
   std::function<void(const problem::Problem&)> check = {};
 
@@ -51,16 +52,16 @@ struct Method {
 /// Solves a problem in wall coordinates (problem/walls.hpp), where the wall is at 0, and returns
 /// the solution in physical coordinates. If the solver does not support the problem, the status of
 /// the solution is `not_offered`.
-/// @param unsupported_reason returns why the solver does not support the transformed problem; the
-///        text is empty for a supported problem, and otherwise the reason of the solution
-/// @param solve solves the transformed problem on the transformed axes
+/// @param unsupported_reason function that returns why the solver does not support the transformed
+/// problem; an empty text for a supported problem. The text becomes the reason of the solution.
+/// @param solve function that solves the transformed problem on the transformed comparison axes
 transform::Solution solve_in_wall_coordinates(
     const problem::Problem& problem, const SolveContext& context,
     const std::function<std::string(const problem::Problem&)>& unsupported_reason,
     const std::function<transform::Solution(const problem::Problem&, const SolveContext&)>& solve);
 
-/// A family of methods: methods of one solver with a common name, meaning and plot style. Lists of
-/// methods, glossaries and legends have one entry for each family.
+/// A family of methods of one solver, with a common name, meaning and plot style. Lists of methods,
+/// glossaries and legends have one entry for each family.
 struct MethodFamily {
   /// Name of the family: "epc-gaussian", "fd" or "mcs". The ids of the members are NAME or begin
   /// with NAME-.
@@ -74,12 +75,12 @@ struct MethodFamily {
 
 /// An entry of the registry. All commands use solvers only through registry entries.
 struct Solver {
-  std::string name;                    ///< name of the command, and "method" in files: "epc"
-  std::string summary;                 ///< a line of `fpkcheck --help`
-  std::string usage;                   ///< first part of `fpkcheck NAME --help`
+  std::string name;     ///< name of the solver's command, and value of "method" in files: "epc"
+  std::string summary;  ///< description in one line for `fpkcheck --help`
+  std::string usage;    ///< first part of `fpkcheck NAME --help`
   std::vector<MethodFamily> families;  ///< families of methods, by increasing trust
   bool uses_all_processors = false;
-  /// Names of those options of the solver that the command `run` also accepts.
+  /// Names of the options of the solver that the command `run` accepts.
   std::vector<std::string> run_options = {};
 
   const base::DescriptionBase* option_descriptions = nullptr;
@@ -99,13 +100,15 @@ struct SolverTraits {
   transform::SolutionIdentity (*identity)(const Options&);
   /// Returns the options of the method with an id; empty if the solver has no method with this id.
   std::optional<Options> (*options_of)(std::string_view id);
-  /// Solves a problem in wall coordinates (problem/walls.hpp), on axes in the same coordinates.
+  /// Function that solves a problem in wall coordinates (problem/walls.hpp), with comparison axes
+  /// in wall coordinates.
   std::function<transform::Solution(const problem::Problem&, const Options&, const SolveContext&)>
       solve;
-  /// Checks that a problem and the options are compatible, as Method::check; may be null.
+  /// Function for Method::check, which checks that a problem and the options are compatible; may be
+  /// null.
   void (*check)(const problem::Problem&, const Options&) = nullptr;
-  /// Returns the reason why the solver does not support a problem, or an empty text. A null
-  /// function means that the solver supports every problem.
+  /// Function that returns the reason why the solver does not support a problem, or an empty text.
+  /// If the pointer is null, the solver supports every problem.
   std::string (*unsupported_reason)(const problem::Problem&, const Options&) = nullptr;
 };
 

@@ -7,13 +7,12 @@
 
 /// The plot styles of all methods, for figures and for the page of the report. Families of methods
 /// differ by hue and marker shape. The hues are the palette of Okabe and Ito, which colour-blind
-/// readers can distinguish. Members of a family differ by shade and dash pattern. Both plotly.js
-/// and gnuplot provide the marker shapes filled and open. The test
-/// tests/methods/plot_style_test.cpp requires that all pairs of styles are distinguishable in grey
-/// and in simulated deuteranopia.
+/// readers can distinguish. Members of a family differ by shade and dash pattern. All marker shapes
+/// exist, filled and open, in plotly.js and in gnuplot. The test tests/methods/plot_style_test.cpp
+/// requires that all pairs of styles are distinguishable in grey and in simulated deuteranopia.
 namespace fpkcheck::methods {
 
-/// Six shades of one hue, from light to dark, for closures of the orders 2, 4, .. 12.
+/// Six shades of one hue, from light to dark, for the closure orders 2, 4, .. 12.
 using ColourRamp = std::array<const char*, 6>;
 inline constexpr ColourRamp kOrange{"#E69F00", "#D55E00", "#A63603",
                                     "#7F2704", "#5C1A02", "#3D1000"};
@@ -30,20 +29,20 @@ transform::PlotStyle closure_style(const ColourRamp& ramp,
                                    const transform::SolutionIdentity& identity,
                                    const std::string& symbol);
 
-/// Returns the plot style of a density equation: a line. The equation with the full jump integral
-/// has a broad solid line on the lowest layer.
+/// Returns the plot style of a discretised density equation, a line. The equation with the full
+/// jump integral has a broad solid line on the lowest layer.
 transform::PlotStyle density_equation_style(const transform::SolutionIdentity& identity);
 
 /// @param rank index of the finite-volume scheme by increasing order of accuracy, from 0
 transform::PlotStyle finite_volume_scheme_style(std::size_t rank);
 
-/// Returns the plot style of a simulation: points on a layer above the lines.
+/// Returns the plot style of a simulation: points, drawn above all lines.
 transform::PlotStyle simulation_style(const transform::SolutionIdentity& identity);
 
-/// Returns the plot style of an external density: a dashed line on the top layer.
+/// Returns the plot style of an external density: a dashed line, drawn above all other curves.
 /// @param rank index of the density among all external densities, from 0
 transform::PlotStyle external_density_style(std::size_t rank);
-/// @param rank index of the family among all external densities, from 0
+/// @param rank index of the first member of the family among all external densities, from 0
 /// @param order order of the closure
 transform::PlotStyle external_family_style(std::size_t rank, int order);
 

@@ -10,8 +10,9 @@
 
 namespace fpkcheck::methods {
 
-/// The solvers that the commands of the program can use. builtin_registry() has the solvers of this
-/// project; programs that link the library may add other solvers (docs/extending.md).
+/// The registry of solvers that the commands of the program can use. The registry
+/// builtin_registry() has the solvers of this project. Programs that link the library may add
+/// further solvers (docs/extending.md).
 class SolverRegistry {
  public:
   /// Adds a solver.
@@ -24,9 +25,9 @@ class SolverRegistry {
   /// Returns the families of methods of all solvers, by increasing trust.
   std::vector<const MethodFamily*> families() const;
 
-  /// Returns the method with this id; empty if no solver has such an id.
-  /// @param overrides values of options in place of the defaults; names of other solvers' options
-  ///        are ignored
+  /// Returns the method with a given id; empty if no solver has a method with this id.
+  /// @param overrides values of options that replace the default values; options of other solvers
+  /// are ignored
   /// @throws InputError if the options are invalid
   std::optional<Method> method_by_id(std::string_view id, const base::Values& overrides = {}) const;
 
@@ -59,12 +60,12 @@ class SolverRegistry {
   std::vector<Solver> solvers_;
 };
 
-/// Returns whether the solutions of `first` are less trusted than the solutions of `second`.
+/// Returns whether solutions with the identity `first` are less trusted than those with `second`.
 bool is_less_trusted(const transform::SolutionIdentity& first,
                      const transform::SolutionIdentity& second);
 
-/// Returns the admissible items of a list of methods, for messages: "epc, fd, mcs, or ids such as
-/// ..".
+/// Returns the items that a list of methods may contain, for messages: "epc, fd, mcs, or ids such
+/// as ..".
 std::string selectable_methods_text(const SolverRegistry& registry);
 
 }  // namespace fpkcheck::methods

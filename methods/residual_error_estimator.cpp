@@ -65,7 +65,7 @@ std::optional<backward::DensityErrors> weighted_residuals(
   return known->estimate_errors(
       transform::to_wall_coordinates(estimator.wall_coordinates(), density));
 } catch (const InputError&) {
-  return std::nullopt;  // the density has no mean
+  return std::nullopt;  // no error estimate for a density without a mean
 }
 
 std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,

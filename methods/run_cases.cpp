@@ -105,7 +105,8 @@ class SolutionTable {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// A distance is empty if the solution or the reference lacks the marginal density.
+// L1 distances of a solution from the reference. A distance is empty if the solution or the
+// reference lacks the marginal density.
 struct ReferenceDistances {
   std::optional<double> y, ydot;
 
@@ -213,7 +214,8 @@ void complete_error_estimates(const std::vector<Method>& methods,
     const auto accuracy = solution.error ? std::nullopt : required_accuracy(methods[m]);
     if (accuracy && solution.density) {
       if (const ReferenceDistances found = distance(solution); found.y && found.ydot) {
-        if (solution.status == transform::Status::inaccurate) {  // due to the missing estimate
+        // The status `inaccurate` is due only to the missing error estimate.
+        if (solution.status == transform::Status::inaccurate) {
           solution.status = transform::Status::ok;
           solution.reason.clear();
         }

@@ -20,18 +20,18 @@ struct RunProgress {
   std::size_t total;      ///< number of solutions to compute
   std::string case_name;  ///< name of the current case
   std::string method;
-  double fraction;        ///< completed fraction of the work of this method, 0 .. 1
-  std::string note = {};  ///< note on the state of this method; may be empty
+  double fraction;        ///< completed fraction of the work of the current method, 0 .. 1
+  std::string note = {};  ///< note on the state of the current method; may be empty
 };
 
-/// Function that receives the progress of a run. Several threads call the function, but never two
-/// threads at the same time.
+/// Function that receives the progress of a run. Several threads call the listener, but never at
+/// the same time.
 using ProgressListener = std::function<void(const RunProgress&)>;
 
 /// Solves a problem with a method, and sets the identity and options of the solution. If memory
-/// does not suffice, the status is `failed`. A solution of a density equation or a simulation
-/// without an error estimate gets a status other than `ok`. For closures and external densities
-/// complete_error_estimates() sets this status later.
+/// does not suffice, the status is `failed`. A discretised density equation or a simulation without
+/// an error estimate gets a status other than `ok`. For closures and external densities
+/// complete_error_estimates() later sets the final status.
 transform::Solution solve_with_method(const Method& method, const problem::Problem& problem,
                                       const SolveContext& context);
 
@@ -39,7 +39,7 @@ transform::Solution solve_with_method(const Method& method, const problem::Probl
 void require_compatible_options(const std::vector<problem::Problem>& problems,
                                 const std::vector<Method>& methods);
 
-/// Solves every problem with every method, after require_compatible_options(), and compares the
+/// Calls require_compatible_options(), solves every problem with every method, and compares the
 /// solutions of each problem. Methods that use one processor run in parallel. A method that uses
 /// all processors runs alone.
 /// @param methods by increasing trust
@@ -50,14 +50,15 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
                                            const ProgressListener& listener);
 
 /// Function that receives the result of a case as soon as all its solutions are computed. Several
-/// threads may call the function.
+/// threads may call the listener.
 using CaseListener = std::function<void(const results::CaseResult&)>;
 
-/// Solves and compares like the overload without estimators.
+/// Solves every problem with every method and compares the solutions, with given residual-based
+/// error estimators.
 /// @param estimators residual-based error estimators, one for each problem; the caller owns them
-/// @param case_listener receives the completed cases; may be empty. If the listener is set, a stop
-///        request (base/process/stop_request.hpp) prevents further solves, and the returned list
-///        omits incomplete cases
+/// @param case_listener function that receives the completed cases; may be empty. With a listener,
+/// a stop request (base/process/stop_request.hpp) prevents further solves, and the returned list
+/// omits incomplete cases.
 std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& problems,
                                            const std::vector<Method>& methods, int thread_count,
                                            const ProgressListener& listener,
@@ -69,8 +70,8 @@ inline constexpr const char* kOutOfMemory =
     "out of memory: the machine or the limit of this process has too little; use coarser grids or "
     "fewer threads";
 
-/// Calls a task of a run and catches exceptions due to a lack of memory. The other tasks can
-/// continue, since stack unwinding frees the memory of this task. A failure to start a thread also
+/// Calls a task of a run and catches exceptions due to a lack of memory. Stack unwinding frees the
+/// memory of the task, so that all other tasks can continue. A failure to start a thread also
 /// counts as a lack of memory, since the stack of the thread cannot be allocated.
 /// @return whether the function returned without a lack of memory
 /// @throws any other exception of the function
@@ -91,7 +92,7 @@ bool run_unless_out_of_memory(const Function& function) {
 }
 
 /// Returns the largest L1 error with which a closure has the status `ok`. The result is empty if
-/// the options set no such limit, and for methods other than closures.
+/// the options set no limit of the error, or if the method is not a closure.
 std::optional<double> required_accuracy(const Method& method);
 
 /// Completes the error estimates of all solutions of one problem. Afterwards every `ok` solution
@@ -102,10 +103,10 @@ std::optional<double> required_accuracy(const Method& method);
 ///   from the reference exceeds the required accuracy. A status `inaccurate` due only to the
 ///   missing estimate becomes `ok` if the estimate suffices. Without a reference, an `ok` closure
 ///   gets its residual-based error estimate.
-/// - Any other `ok` solution without an error estimate (an external density, a closure without a
-///   required accuracy) gets the estimate from the reference. Without a reference, a closure gets
-///   its residual-based error estimate, and any other solution becomes `inaccurate`.
-/// @param methods methods that computed the solutions, in the same order
+/// - An external density, or a closure without a required accuracy, gets the estimate from the
+/// reference if the status is `ok` and no error estimate exists. Without a reference, a closure
+/// gets its residual-based error estimate, and an external density becomes `inaccurate`.
+/// @param methods methods that computed the solutions, in the order of the solutions
 /// @param comparison comparison of the solutions, or null if not yet computed
 void complete_error_estimates(const std::vector<Method>& methods,
                               const compare::ComparisonAxes& axes,

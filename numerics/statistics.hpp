@@ -7,11 +7,11 @@
 
 namespace fpkcheck::numerics {
 
-/// Half-width of the two-sided 95 % interval of a normal variable, in standard deviations: the
-/// 0.975 quantile of the standard normal law, rounded to seven digits.
+/// The 0.975 quantile of the standard normal law, rounded to seven digits: half-width of a 95 %
+/// confidence interval in standard errors.
 inline constexpr double kNormal95 = 1.959964;
 
-/// Returns the median of a sample; for an even number of values, the larger of the two middle
+/// Returns the median of a sample, for an even number of values the larger of the two middle
 /// values.
 /// @pre the sample is not empty
 inline double median(std::vector<double> sample) {

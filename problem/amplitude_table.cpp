@@ -19,8 +19,8 @@ using WeightType = AmplitudeTable::WeightType;
 using base::in_quotes;
 
 constexpr std::string_view kProbability = "probability", kDensity = "density";
-// Largest magnitude of the numbers of a table, equal to kLargestMagnitude for case files, so that
-// powers of the numbers are finite.
+// Largest accepted magnitude of the numbers of a table, equal to kLargestMagnitude for case files.
+// Powers of such numbers are finite.
 constexpr double kLargest = 1e30;
 
 std::string_view name_of(WeightType kind) {
@@ -101,8 +101,8 @@ class TableBuilder {
            fmt::format("the table's amplitudes, {} .. {}, have a negligible variance: Y must vary",
                        first, last));
     }
-    // A table whose sum deviates from 1 by at most kRounding is not divided by the sum, so that
-    // writing and reading a table does not change the table.
+    // A table whose sum deviates from 1 by at most kRounding is not normalised, so that a table
+    // that is written and read again is unchanged.
     constexpr double kRounding = 1e-12;
     if (std::abs(sum - 1) > kRounding) {
       for (double& weight : table_.weight) weight /= sum;
@@ -139,7 +139,7 @@ double moment_about(const AmplitudeTable& table, double about, int power) {
 }  // namespace
 
 double AmplitudeTable::mean() const {
-  // A mean below the fraction kRounding of the width of the table is set to 0.
+  // A mean amplitude below kRounding times the width of the table is set to 0.
   constexpr double kRounding = 1e-15;
   const double first = amplitude.front(), last = amplitude.back(), middle = (first + last) / 2;
   const double mean = middle + moment_about(*this, middle, 1);

@@ -19,13 +19,13 @@ struct AmplitudeTable {
 
   double mean() const;
   double variance() const;
-  /// Returns the table of the law of -Y.
+  /// Returns the amplitude table of the law of -Y, where Y has the law of this table.
   AmplitudeTable with_negated_amplitudes() const;
 };
 
 inline constexpr std::size_t kMaxTableRows = 1000;
 /// Largest accepted deviation from 1 of the sum of the probabilities, or of the integral of the
-/// density. A table within the tolerance is divided by its sum or integral.
+/// density. A table with an accepted deviation is normalised to the sum or integral 1.
 inline constexpr double kTableSumTolerance = 1e-3;
 
 /// Parses a table of amplitudes from CSV text with the columns amplitude,probability or
@@ -34,8 +34,8 @@ inline constexpr double kTableSumTolerance = 1e-3;
 /// @throws InputError "WHERE:LINE: .." that states the error and the allowed contents
 AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& where);
 
-/// Returns the table literal, the whole table as one word of a case file, such as
-/// "probability(-1:0.25,3:0.75)".
+/// Returns the table literal of an amplitude table, the text of the table as one word of a case
+/// file: "probability(-1:0.25,3:0.75)".
 std::string amplitude_table_literal(const AmplitudeTable& table);
 /// Returns whether a text begins like a table literal, with "probability(" or "density(".
 bool is_amplitude_table_literal(std::string_view text);
@@ -48,9 +48,9 @@ AmplitudeTable parse_amplitude_table_literal(std::string_view text);
 std::string amplitude_table_summary(std::string_view table_text);
 
 /// Converts the value of `impulse.table` in a case file, a table literal or the name of a CSV file,
-/// to a table literal. The literal contains the whole table, so that the problem depends on no
-/// further file.
-/// @param folder directory to which relative file names refer; if empty, the working directory
+/// to a table literal. With the table literal, the problem does not depend on the CSV file.
+/// @param folder directory to which relative file names refer; an empty path is the working
+/// directory
 /// @throws InputError with a one-line message if the file cannot be read, is too large or has an
 /// invalid line
 std::string table_literal_from_setting(const std::string& setting,

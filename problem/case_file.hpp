@@ -14,30 +14,29 @@ namespace fpkcheck::problem {
 
 /// Rule that composes the name of a case with overrides.
 enum class CaseNaming {
-  /// The case has the name of its file, for callers (sweeps) that state or vary the overrides
-  /// themselves.
+  /// The name of the case is the name of its file. Sweeps, which display the overrides themselves,
+  /// use this rule.
   from_file,
-  with_overrides,  ///< name of the file and changed parameters: "case1, r = 0.9"
+  with_overrides,  ///< name of the case file and changed parameters: "case1, r = 0.9"
 };
 
 /// Loads a case by its name ("case1" .. "case4") or by the path of an ini file.
 /// @param overrides "key=value" pairs that replace settings of the file, e.g. "system.cubic=1.0"
 /// @throws InputError with a one-line message that states the key, the value, the file and the
-/// allowed values; also if the name of the file, which becomes the name of the case, cannot be
-/// printed
+/// allowed values. A file name that cannot be printed is an error, since it becomes the name of the
+/// case.
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {},
                   CaseNaming naming = CaseNaming::from_file);
 
-/// Reads a case from a stream, by the same rules as load_case().
+/// Reads a case from a stream by the rules of load_case().
 /// @param source name of the stream in messages; relative file names in the case refer to its
 /// folder
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides = {},
                   CaseNaming naming = CaseNaming::from_file);
 
-/// Builds the problem of a case from settings that were already read, by the same rules as
-/// load_case().
-/// @param where beginning of messages that refer to no line, such as "case mine.ini"
+/// Builds the problem of a case from the settings of an ini file by the rules of load_case().
+/// @param where beginning of error messages without a line number, such as "case mine.ini"
 /// @param folder directory to which file names in settings refer; file names in overrides refer to
 /// the working directory
 Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const std::string& name,

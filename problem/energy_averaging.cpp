@@ -61,8 +61,8 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
     levels.push_back({above, phi});
     least = std::min(least, phi);
     if (phi > least + 2 * kDepth) {
-      // The search continues at larger energies, since a damping term that supplies energy may
-      // dominate at large energies.
+      // The slope dPhi/dh is also checked at much larger energies, where a damping term that
+      // supplies energy may dominate.
       for (double farther = 1e4 * above; farther < kLargest; farther *= 1e4) {
         if (slope_at(farther).value_or(0) >= 0) continue;
         unconfined_reason_ = kNoDissipation;
@@ -88,8 +88,8 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
 
 void EnergyAveraging::compute_bands(double low, double high) {
   step_ = (high - low) / kBandCount;
-  // The bands are computed from the largest energy downwards, so that the band above each band in
-  // the tree is already known.
+  // The energy bands are computed from the largest energy downwards, so that the parent of each
+  // band in the tree is already known.
   std::vector<EnergyBand> from_top;
   std::size_t upper_begin = 0, upper_end = 0;
   for (int n = kBandCount - 1; n >= 0; --n) {
@@ -147,8 +147,8 @@ double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> u)
   double gamma = 0;
   for (int iteration = 0; iteration < 60; ++iteration) {
     // The upward flux from a node equals the sum of the sources below the node, and also minus the
-    // sum of all other sources. The code uses the sum over the side of smaller probability, since
-    // its rounding errors are smaller.
+    // sum of all other sources. Of these two sums the code uses the sum over the side of smaller
+    // probability, which has smaller rounding errors.
     std::vector<double> below(n), mass_below(n), elsewhere(n), next(n);
     for (std::size_t b = 0; b < n; ++b) {
       below[b] += mass[b] * u[b];
@@ -160,7 +160,8 @@ double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> u)
     for (std::size_t b = n; b-- > 0;) {
       const std::size_t parent = above[b];
       if (parent == b) continue;
-      double beside = 0;  // sum over the other branches of the tree that merge at the same node
+      // Sum over the branches of the tree that merge with this branch at the parent node.
+      double beside = 0;
       for (std::size_t other = b; other-- > 0 && b - other < kMaxBranches;) {
         if (above[other] == parent) beside += below[other];
       }
@@ -183,7 +184,7 @@ double EnergyAveraging::relaxation_rate() const {
   assert(!unconfined_reason_);
   const std::size_t n = bands_.size();
   DiffusionTree tree;
-  // Conductances are divided by the same normalisation constant as the probabilities.
+  // The normalisation constant of the probabilities also divides the conductances.
   double unit = 0;
   for (const EnergyBand& band : bands_) unit += band.orbit.period * std::exp(-band.potential);
   std::vector<double> start(n);

@@ -11,8 +11,8 @@
 
 namespace fpkcheck::problem {
 
-/// Energy averaging: damping and excitation are averaged over the undamped orbits (Stratonovich;
-/// for several wells Freidlin and Wentzell, on the tree of orbits). With h = v^2/2 + V(y) and V = U
+/// Energy averaging of damping and excitation over the undamped orbits (Stratonovich; for several
+/// wells on the tree of orbits by Freidlin and Wentzell). With h = v^2/2 + V(y) and V = U
 /// - lambda E[Y] y, the stationary density is approximately exp(-Phi(h)), where
 ///
 ///     dPhi/dh = (closed integral of f dy + sum over walls hit of (1 - r^2) u^2 / 2)
@@ -28,16 +28,18 @@ class EnergyAveraging {
   const UndampedOrbits& orbits() const { return orbits_; }
 
   /// Returns the reason, in one phrase, why the motion is not confined. The result is empty for
-  /// confined motion, that is, if Phi increases at the largest energies.
+  /// confined motion, for which Phi(h) increases at the largest energies h.
   const std::optional<std::string>& unconfined_reason() const { return unconfined_reason_; }
 
   /// The undamped orbits of one well in an interval of energies, with their stationary probability.
   struct EnergyBand {
     double energy;  ///< energy at the middle of the band
     OrbitIntegrals orbit;
-    double potential;   ///< function Phi of the energy, shifted such that its minimum is 0
-    double mass = 0;    ///< probability of the band; the probabilities of all bands have the sum 1
-    std::size_t above;  ///< index of the band above in the tree; for the top band its own index
+    /// Value of Phi at the energy, shifted such that the minimum over all bands is 0.
+    double potential;
+    double mass = 0;  ///< probability of the band; the probabilities of all bands have the sum 1
+    /// Index of the next higher band in the tree of orbits; for the top band its own index.
+    std::size_t above;
   };
   /// Returns all bands, sorted by energy.
   /// @pre the motion is confined
@@ -47,14 +49,14 @@ class EnergyAveraging {
   }
 
   /// Returns the smallest positive eigenvalue of the averaged diffusion of the energy, per unit
-  /// time. The eigenvalue is the decay rate of the slowest deviation from the stationary law,
-  /// either of the energy or of the probabilities of the wells.
+  /// time. This eigenvalue is the decay rate of the slowest deviation from the stationary law of
+  /// the energies and wells.
   /// @pre the motion is confined
   double relaxation_rate() const;
 
  private:
   double slope(const OrbitIntegrals& orbit) const;
-  /// Finds the interval of energies in which Phi exceeds its minimum by at most kDepth.
+  /// Finds the interval of energies h in which Phi(h) exceeds the minimum of Phi by at most kDepth.
   /// @return false if the motion is not confined
   bool find_energy_range(double& low, double& high);
   void compute_bands(double low, double high);
@@ -66,18 +68,18 @@ class EnergyAveraging {
   double step_ = 0;
 };
 
-/// A diffusion process on the nodes of a tree: each node exchanges probability with the node above.
-/// The index of every node is smaller than the index of the node above.
+/// A diffusion process on the nodes of a tree. Each node exchanges probability with its parent
+/// node, which has a larger index.
 struct DiffusionTree {
   std::vector<double> mass;         ///< stationary probabilities of the nodes, with the sum 1
-  std::vector<double> conductance;  ///< conductance between each node and the node above
-  std::vector<std::size_t> above;   ///< index of the node above; for the top node its own index
+  std::vector<double> conductance;  ///< conductance between each node and its parent node
+  std::vector<std::size_t> above;  ///< index of the parent of each node; for the root its own index
 };
 
 /// Returns the smallest positive eigenvalue gamma of K u = gamma M u, the decay rate of the slowest
-/// deviation from the stationary probabilities. The diagonal matrix M contains the probabilities,
-/// and the matrix K contains the conductances. There is no flux at the ends of the tree, so that
-/// the kernel of K consists of the constant vectors, which the iteration projects out.
+/// deviation from the stationary probabilities. The diagonal matrix M has the probabilities of the
+/// nodes, and the matrix K is the weighted graph Laplacian of the conductances. The kernel of K
+/// consists of the constant vectors, which the iteration projects out.
 double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> start);
 
 }  // namespace fpkcheck::problem

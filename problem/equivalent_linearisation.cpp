@@ -25,7 +25,7 @@ double mean_tangent_stiffness(const System& system, double s) {
   double mean = 0;
   for (std::size_t m = 0; m <= slope.degree(); ++m) {
     if (slope.coefficient(m) == 0) continue;
-    // The absolute moment is (m-1)!! for even m.
+    // The absolute moment E|u|^m of a standard normal u is (m-1)!! for even m.
     const double absolute_moment = m == 0
                                        ? 1
                                        : std::pow(2, static_cast<double>(m) / 2) *
@@ -69,7 +69,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
 double slowest_decay_rate(const EquivalentLinearisation& linear) {
   const double discriminant = linear.damping * linear.damping - 4 * linear.stiffness;
   if (discriminant <= 0) return linear.damping / 2;
-  // The quotient avoids the cancellation in c - sqrt(c^2 - 4k).
+  // The quotient form of the decay rate avoids the cancellation in c - sqrt(c^2 - 4k).
   return 2 * linear.stiffness / (linear.damping + std::sqrt(discriminant));
 }
 

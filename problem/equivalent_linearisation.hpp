@@ -9,17 +9,19 @@ namespace fpkcheck::problem {
 struct EquivalentLinearisation {
   double damping;
   double stiffness;
-  double displacement_deviation = 0;  ///< standard deviation sigma_1 of z, paper (25)
-  double velocity_deviation = 0;      ///< standard deviation sigma_2 of z', paper (26)
+  /// Standard deviation sigma_1 of the displacement z, paper (25).
+  double displacement_deviation = 0;
+  double velocity_deviation = 0;  ///< standard deviation sigma_2 of the velocity z', paper (26)
 };
 
 /// Returns whether the problem is the paper's oscillator, for which the formulas of
-/// equivalent_linearisation() hold. The conditions, in wall coordinates, are one wall, at y = 0 on
-/// the left; a restoring force k y + mu y^3 with k, mu >= 0; a damping force c y' with c > 0; and
-/// impulses without white noise.
+/// equivalent_linearisation() hold. In wall coordinates, the paper's oscillator has one wall, at y
+/// = 0 on the left, and the restoring force k y + mu y^3 with k, mu >= 0. The damping force is c y'
+/// with c > 0, and impulses act without white noise.
 bool has_equivalent_linearisation(const Problem& problem);
 
-/// Solves the equations of equivalent linearisation, with D2 = lambda E[Y^2] / 2:
+/// Solves the equations of equivalent linearisation, where D2 = lambda E[Y^2] / 2 is the diffusion
+/// coefficient:
 ///
 ///     c_eq = c + (1-r) (2/pi) sigma_2 / sigma_1       (the impulsive damping term of paper (13))
 ///     k_eq = E[g'(|z|)] = k + 3 mu sigma_1^2
@@ -30,19 +32,20 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem);
 ///
 ///     kappa = Re (c_eq - sqrt(c_eq^2 - 4 k_eq)) / 2.
 ///
-/// The decay rate is c_eq/2 below critical damping, and about k_eq/c_eq far above critical damping.
+/// The decay rate kappa is c_eq/2 below critical damping, and about k_eq/c_eq far above critical
+/// damping.
 double slowest_decay_rate(const EquivalentLinearisation& linear);
 
 /// Returns the mean number lambda/kappa of impulses in the decay time 1/kappa of the slowest mode
 /// of equivalent linearisation. Between impulses the amplitude of the motion decays like exp(-kappa
-/// t), so that the probability of an amplitude below a behaves like a^(lambda/kappa) for small a.
+/// t). The probability of an amplitude below a therefore behaves like a^(lambda/kappa) for small a.
 /// The joint density is unbounded at the state of rest if lambda/kappa < 2; the marginal densities
 /// are unbounded if lambda/kappa < 1.
 double impulses_per_decay_time(const Problem& problem);
 
-/// Returns the equilibrium displacement y under the mean force of the impulses: the root of g(y) =
-/// lambda E[Y] if the impulses push away from the wall; otherwise 0. The Gaussian density of
-/// EquivalentLinearisation does not include the static deflection.
+/// Returns the equilibrium displacement y under the mean force of the impulses. The result is the
+/// root of g(y) = lambda E[Y] if the mean impulse points away from the wall, otherwise 0. The
+/// Gaussian density of EquivalentLinearisation does not include the static deflection.
 double static_deflection(const Problem& problem);
 
 }  // namespace fpkcheck::problem

@@ -10,7 +10,7 @@ namespace fpkcheck::problem {
 
 /// Gaussian white noise sqrt(2 D) W(t) as excitation, alone or in addition to the impulses.
 struct WhiteNoise {
-  double intensity = 0;  ///< 2 D >= 0, in the same unit as lambda E[Y^2]
+  double intensity = 0;  ///< 2 D >= 0, an intensity like lambda E[Y^2] of impulses
 
   /// Returns the diffusion coefficient D, the coefficient of p'' in the density equation.
   double diffusion() const { return intensity / 2; }
@@ -24,9 +24,9 @@ struct ImpulseParameters {
   std::string law;      ///< name of the law of Y, one of ImpulseLaw::law_names()
   double intensity;     ///< intensity lambda E[Y^2] > 0
   double mean;          ///< mean amplitude E[Y], with E[Y]^2 < intensity / arrival_rate
-  /// Skewness of Y for laws that are not symmetric; if absent, the law uses its default skewness.
+  /// Skewness of the amplitude Y, for asymmetric laws; if absent, the law has its default skewness.
   std::optional<double> skewness = {};
-  /// The table of a tabulated law, as a table literal (problem/amplitude_table.hpp).
+  /// Amplitudes of a tabulated law, as a table literal (problem/amplitude_table.hpp).
   std::optional<std::string> table = {};
 };
 
@@ -38,8 +38,8 @@ class ImpulseTrain {
  public:
   /// Constructs an impulse train with arrival rate 0, that is, an excitation without impulses.
   ImpulseTrain();
-  /// Constructs the impulse train of the parameters, with a law whose second moment E[Y^2] is
-  /// intensity / arrival_rate.
+  /// Constructs an impulse train whose amplitude law has the second moment E[Y^2] = intensity /
+  /// arrival_rate.
   /// @throws InputError that states the invalid parameter, its value and the allowed range
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
@@ -54,7 +54,7 @@ class ImpulseTrain {
   /// impulses.
   double intensity() const { return rate_times_moment(2); }
 
-  /// Returns the impulse train with the amplitudes -Y.
+  /// Returns the mirrored impulse train, with amplitudes -Y instead of Y.
   ImpulseTrain with_negated_amplitudes() const;
 
  private:

@@ -26,11 +26,11 @@ class ImpulseLaw {
   explicit ImpulseLaw(const LawVariant& kind);
 
   static std::vector<std::string> law_names();
-  /// @throws InputError if the name is unknown (the message lists all names), if the law has no
-  /// such shape parameter, if the mean is not finite, or if the width is not a positive number
+  /// @throws InputError if the name is unknown (the message lists all names), if the law does not
+  /// have a given shape parameter, if the mean is not finite, or if the width is not positive
   static ImpulseLaw from_name(std::string_view name, double mean, double deviation,
                               const LawShapeParameters& shape = {});
-  /// Returns the law of -Y.
+  /// Returns the law of the negative amplitude -Y.
   ImpulseLaw with_negated_amplitudes() const;
 
   std::string_view name() const;
@@ -48,14 +48,15 @@ class ImpulseLaw {
   /// Returns whether Y - E[Y] and E[Y] - Y have the same law.
   bool is_symmetric() const;
 
-  /// Returns the density of the continuous part of the law; 0 for a law that consists of atoms.
+  /// Returns the probability density of Y at an amplitude; 0 for a law that consists of atoms.
   double density(double amplitude) const;
   double cumulative_probability(double amplitude) const;
-  /// Returns the amplitudes of positive probability, by increasing amplitude; empty for a law that
-  /// has a density.
+  /// Returns the amplitudes with positive probability, in increasing order. The list is empty for a
+  /// law with a density.
   std::vector<AmplitudeAtom> atoms() const;
-  /// Returns increasing break points between which the density is smooth; empty for a law without a
-  /// density. The probability outside the break points is below 1e-18.
+  /// Returns increasing break points between which the density of Y is smooth. The list is empty
+  /// for a law without a density. The probability outside the range of the break points is below
+  /// 1e-18.
   std::vector<double> density_breakpoints() const;
 
  private:

@@ -11,8 +11,9 @@ namespace fpkcheck::problem {
 /// The density equations, which differ in their excitation term.
 enum class DensityEquation {
   white,  ///< term -lambda E[Y] p' + D2 p'' with D2 = lambda E[Y^2]/2
-  km4,    ///< Kramers-Moyal series, truncated after the fourth derivative: paper (16), (20)
-  /// Well-posed Pade approximant of the Kramers-Moyal series, with the four coefficients of km4.
+  km4,    ///< Kramers-Moyal series truncated after the fourth derivative: paper (16), (20)
+  /// Well-posed Pade approximant of the Kramers-Moyal series, from the four coefficients of the
+  /// truncated series `km4`.
   km4_pade,
   kf  ///< the full jump integral lambda (E[p(x2 - Y)] - p)
 };
@@ -25,9 +26,10 @@ constexpr const auto& enumerator_names(DensityEquation) { return kEquationNames;
 constexpr std::string_view name(DensityEquation equation) { return base::name_of(equation); }
 
 enum class ImpactCondition {
-  map,    ///< exact: p(0+, w) = p(0-, w/r) / r^2 for w > 0
-  delta,  ///< to first order in 1-r, paper (12), with the term (1-r) x2 |x2| delta(x1)
-  exact   ///< a simulation reflects each trajectory at the impact, paper (2)
+  map,  ///< exact: p(0+, w) = p(0-, w/r) / r^2 for w > 0
+  /// Impact condition to first order in 1-r, paper (12), with the term (1-r) x2 |x2| delta(x1).
+  delta,
+  exact  ///< a simulation reflects each trajectory at the impact, paper (2)
 };
 inline constexpr base::EnumEntry<ImpactCondition> kImpactNames[] = {
     {ImpactCondition::map, "map", "exact"},

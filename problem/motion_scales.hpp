@@ -7,15 +7,16 @@ namespace fpkcheck::problem {
 /// Characteristic scales of the stationary motion, in the coordinates of the problem. Methods
 /// choose grids, axes, initial conditions and burn-in times by the characteristic scales.
 struct MotionScales {
-  /// Approximation of E[y]; for the paper's oscillator, the static deflection.
+  /// Approximate mean E[y]; for the paper's oscillator the static deflection.
   double centre = 0;
-  /// Standard deviation of y; for the paper's oscillator that of z, paper (25).
+  /// Approximate standard deviation of y; for the paper's oscillator the standard deviation of z,
+  /// paper (25).
   double displacement_deviation = 0;
   double velocity_deviation = 0;
-  /// Ends of the interval of y, which are walls or points beyond which the density is below
-  /// exp(-7^2/2) of its peak.
+  /// Ends of the interval of y: walls, or points beyond which the density is below exp(-7^2/2)
+  /// times its peak.
   double y_low = 0, y_high = 0;
-  double v_high = 0;     ///< speed above which the density is below exp(-7^2/2) of its peak
+  double v_high = 0;     ///< speed beyond which the density is below exp(-7^2/2) times its peak
   double frequency = 0;  ///< mean angular frequency of the undamped motion
   /// Decay rate of the slowest deviation from the stationary density, per unit time.
   double slowest_decay_rate = 0;

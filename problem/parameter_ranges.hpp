@@ -7,9 +7,9 @@
 
 namespace fpkcheck::problem {
 
-/// Limits of the magnitude of a nonzero parameter, within which twelfth and higher powers of
-/// standard deviations do not exceed the range of double precision. A change of the units of time
-/// and length brings the parameters of any problem within the limits.
+/// Limits of the magnitude of a nonzero parameter. Within these limits, the twelfth powers of
+/// standard deviations neither overflow nor underflow in double precision. A change of the units of
+/// time and length brings the parameters of any problem within the limits.
 inline constexpr double kSmallestMagnitude = 1e-30;
 inline constexpr double kLargestMagnitude = 1e30;
 

@@ -137,8 +137,8 @@ void require_stationary_density(const Problem& problem) {
         "change the sign of its highest power, or add wall.{0}",
         side));
   }
-  // A hardening spring with constant damping needs no calculation, since only the impulses supply
-  // energy and the damping dissipates energy.
+  // The paper's oscillator always has a stationary density, since only the impulses supply energy
+  // and the damping dissipates energy.
   if (has_equivalent_linearisation(problem)) return;
   const EnergyAveraging averaging(problem);
   if (const auto& why = averaging.unconfined_reason()) {

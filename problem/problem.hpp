@@ -31,22 +31,22 @@ struct CaseFileSection {
 
 const std::vector<const base::DescriptionBase*>& case_section_descriptions();
 
-/// Returns the sections of a case file that defines the problem: [system] and, if required, [wall],
+/// Returns the sections of a case file for the problem: [system] and, if required, [wall],
 /// [impulse] and [noise].
 std::vector<CaseFileSection> sections(const Problem& problem);
 
-/// @throws InputError that names a key if the key is missing, unknown, of the wrong type or out of
-/// range; or the message of require_stationary_density()
+/// @throws InputError that names a key if the key is missing or unknown, or its value has the wrong
+/// type or is out of range; also the exceptions of require_stationary_density()
 Problem problem_from_sections(const std::string& name,
                               const std::vector<CaseFileSection>& sections);
 
 struct DisplayedParameter {
-  std::string section, name;  ///< section and name: "system", "damping"
-  std::string symbol,
-      typeset;          ///< plain and typeset symbol, such as "mu" and "μ"; empty for a word
-  std::string meaning;  ///< meaning in words: "cubic stiffness"
+  std::string section, name;  ///< section and name of the parameter: "system", "damping"
+  /// Plain and typeset symbol, such as "mu" and "μ"; empty for a parameter without a symbol.
+  std::string symbol, typeset;
+  std::string meaning;  ///< meaning of the parameter in words: "cubic stiffness"
   base::Value value;
-  bool is_default;  ///< whether the value is the default value; defaults are not displayed
+  bool is_default;  ///< whether the value equals the default value, which is not displayed
 };
 
 std::vector<DisplayedParameter> displayed_parameters(const Problem& problem);

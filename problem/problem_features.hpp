@@ -12,9 +12,9 @@ namespace fpkcheck::problem {
 /// Properties of a problem that decide which solvers are applicable.
 struct ProblemFeatures {
   bool no_wall = false, two_walls = false;
-  /// Whether the force presses the mass against a wall with r < 1, and no noise acts. After a
-  /// sequence of impacts the mass is at rest in contact until the next impulse, and the stationary
-  /// law has an atom at the wall.
+  /// Whether the restoring force presses the mass against a wall with r < 1, and no noise acts.
+  /// After a sequence of impacts the mass is at rest in contact until the next impulse, and the
+  /// stationary law has an atom at the wall.
   bool rests_in_contact = false;
   /// Whether inelastic collapse occurs, that is, noise acts and r <= kCollapseRestitution at a
   /// wall.
@@ -34,16 +34,16 @@ ProblemFeatures features(const Problem& problem);
 /// leaves the wall again.
 inline constexpr double kCollapseRestitution = 0.16303353482158048;
 
-/// Explains why inelastic collapse leaves the stationary density undetermined, and which change of
-/// the problem helps; empty if the density is determined. Inelastic collapse needs white noise,
-/// either in the problem or in the equation `white`, since discrete impulses separate the particle
-/// from the wall.
+/// Returns a text on why inelastic collapse leaves the stationary density undetermined, and which
+/// change of the problem helps. The text is empty if the density is determined. Inelastic collapse
+/// needs white noise, either in the problem or in the equation `white`, since discrete impulses
+/// separate the particle from the wall.
 std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation);
 
 struct UnsupportedFeature {
   std::string_view subject;
-  /// Words in lower case, which are compared with the parts into which '.', '_' and '-' split a
-  /// key.
+  /// Words in lower case that identify the feature in a key. A key is split into words at '.', '_'
+  /// and '-'.
   std::vector<std::string_view> words;
 };
 

@@ -18,8 +18,8 @@ struct SearchInterval {
   double low, high;
 };
 
-// Returns the interval in which the roots of a polynomial are searched. The ends of the interval
-// are the walls; on a side without a wall, the end is a bound of all roots.
+// Returns the interval in which the roots of a polynomial are searched. The ends of the search
+// interval are the walls. On a side without a wall, the end is a bound of all roots.
 SearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
   const double bound = 2 * numerics::root_modulus_bound(polynomial) + 1;
   return {.low = system.left_wall() ? system.left_wall()->position : -bound,
@@ -75,8 +75,9 @@ double UndampedOrbits::deepest_minimum() const {
   return *std::ranges::min_element(minima_, {}, [&](double y) { return potential_(y); });
 }
 
-// Returns the turning point, where V = energy, outside a knot with V < energy. The parameter
-// `outwards` (+1 or -1) is the direction from the knot in which V increases without bound.
+// Returns the turning point, where the potential V equals the energy, on the outer side of a knot
+// with V < energy. The parameter `outwards` (+1 or -1) is the direction from the knot in which V
+// increases without bound.
 double UndampedOrbits::half_cycle_end(double knot, double outwards, double energy) const {
   double step = std::max(std::abs(knot) * 1e-8, 1e-30);
   while (potential_(knot + outwards * step) < energy) step *= 2;

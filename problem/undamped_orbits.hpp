@@ -6,28 +6,30 @@
 
 namespace fpkcheck::problem {
 
-/// A half-cycle of the undamped motion at one energy, given by the two ends of its interval of y.
+/// A half-cycle of the undamped motion at one energy, from one end of an interval of y to the other
+/// end.
 struct HalfCycle {
-  double left, right;      ///< ends of the interval: turning points or walls
-  bool at_left, at_right;  ///< whether the left or right end is a wall
+  double left, right;      ///< ends of the interval of y: turning points or walls
+  bool at_left, at_right;  ///< whether the left end and the right end of the half-cycle are walls
 };
 
 /// Integrals over one period of an undamped orbit with energy h = v^2/2 + V(y).
 struct OrbitIntegrals {
   HalfCycle half_cycle;
-  double period = 0;            ///< period T = closed integral of dy / v
-  double action = 0;            ///< closed integral of v dy
-  double loss = 0;              ///< closed integral of f dy, plus (1 - r^2) u^2 / 2 at each wall
-  double time_integral_y = 0;   ///< period T times the mean of y
-  double time_integral_y2 = 0;  ///< period T times the mean of y^2
-  double time_integral_damping = 0;  ///< period T times the mean of c(y) + c_vv v^2
+  double period = 0;  ///< period T = closed integral of dy / v
+  double action = 0;  ///< closed integral of v dy
+  /// Energy loss: closed integral of f dy, plus (1 - r^2) u^2 / 2 at each wall hit at speed u.
+  double loss = 0;
+  double time_integral_y = 0;        ///< period T times the orbit mean of y
+  double time_integral_y2 = 0;       ///< period T times the orbit mean of y^2
+  double time_integral_damping = 0;  ///< period T times the orbit mean of c(y) + c_vv v^2
 };
 
 /// Returns the effective potential V = U - lambda E[Y] y of the spring and of the mean force of the
 /// impulses.
 numerics::Polynomial effective_potential(const Problem& problem);
 
-/// Returns the points between the walls where a polynomial changes its sign, increasing.
+/// Returns the points between the walls where a polynomial changes its sign, in increasing order.
 std::vector<double> sign_change_points_between_walls(const numerics::Polynomial& polynomial,
                                                      const System& system);
 
@@ -38,10 +40,10 @@ class UndampedOrbits {
   explicit UndampedOrbits(const Problem& problem);
 
   const numerics::Polynomial& potential() const { return potential_; }
-  /// Returns the positions of the minima of V, increasing; a wall against which the effective force
-  /// presses the mass is a minimum too.
+  /// Returns the positions of the minima of the effective potential V, in increasing order. A wall
+  /// against which the effective force presses the mass is also a minimum.
   const std::vector<double>& minima() const { return minima_; }
-  /// Returns the position of the minimum with the lowest V.
+  /// Returns the position of the lowest minimum of the effective potential V.
   /// @pre is_confining()
   double deepest_minimum() const;
   double lowest_potential() const { return potential_(deepest_minimum()); }
@@ -52,7 +54,7 @@ class UndampedOrbits {
   bool is_confining_on_right() const;
   bool is_confining() const { return is_confining_on_left() && is_confining_on_right(); }
 
-  /// Returns all half-cycles with this energy, from left to right.
+  /// Returns all half-cycles of the undamped motion with this energy, from left to right.
   /// @pre is_confining()
   std::vector<HalfCycle> half_cycles(double energy) const;
   OrbitIntegrals orbit_integrals(const HalfCycle& half_cycle, double energy) const;
@@ -62,7 +64,7 @@ class UndampedOrbits {
 
   const System system_;
   numerics::Polynomial potential_;
-  std::vector<double> extrema_;  // extrema of V, increasing
+  std::vector<double> extrema_;  // extrema of the effective potential V, increasing
   std::vector<double> minima_;
 };
 

@@ -9,7 +9,7 @@ namespace fpkcheck::problem {
 /// A rigid wall, at which an impact multiplies the velocity y' by -restitution.
 struct Wall {
   double position;
-  double restitution;  ///< coefficient of restitution r, 0 < r <= 1
+  double restitution;  ///< restitution coefficient r, 0 < r <= 1
   bool operator==(const Wall&) const = default;
 };
 
@@ -34,9 +34,9 @@ struct Walls {
 };
 
 /// Returns the walls of the section [wall] of a case file. Without a section [wall], the only wall
-/// is at y = 0 on the left, with `restitution` of the section [system].
-/// @throws InputError if both [wall] and `restitution` are given, or neither; if a wall has a
-/// position without a restitution or a restitution without a position; or if left >= right
+/// is at y = 0 on the left and has the `restitution` of the section [system].
+/// @throws InputError if both a section [wall] and `restitution` are given, or neither; if a wall
+/// lacks its position or its restitution; or if left >= right
 Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution);
 
 class System;
@@ -65,9 +65,9 @@ struct WallFrame {
 /// if there is no left wall.
 WallFrame wall_frame(const System& system);
 
-/// Transforms a problem to the wall coordinates of `frame` and sets Problem::frame; if `frame` is
-/// the identity, the problem is returned unchanged. The name of the problem and its parameters of
-/// the case file are kept.
+/// Transforms a problem to the wall coordinates of `frame` and sets Problem::frame. If `frame` is
+/// the identity, the problem is returned unchanged. The name and the case-file parameters of the
+/// problem are kept.
 Problem to_wall_coordinates(const WallFrame& frame, const Problem& problem);
 
 }  // namespace fpkcheck::problem

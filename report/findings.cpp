@@ -45,7 +45,8 @@ std::optional<double> l1_standard_error(const CaseResult& one, const Solution& a
   return pair == nullptr ? std::nullopt : pair->l1_standard_error;
 }
 
-/// Only distances over smooth bins have standard errors.
+/// Returns whether two solutions have a distance over smooth bins: only such distances have
+/// standard errors.
 bool has_smooth_distances(const CaseResult& one, const Solution& a, const Solution& b) {
   return l1_standard_error(one, a, b, StateVariable::y) &&
          l1_standard_error(one, a, b, StateVariable::ydot);
@@ -210,13 +211,13 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
           : ""));
 }
 
-/// @param smooth whether the distance is over smooth bins
+/// @param smooth whether the L1 distance is computed over smooth bins
 MarginalDistances sampling_errors(const Solution& solution, bool smooth = false) {
   const auto& stated = smooth ? best_sampling_error(solution) : solution.sampling;
   return stated ? MarginalDistances{stated->y, stated->ydot} : MarginalDistances{};
 }
 
-// The variances of independent estimates add.
+// Returns the sampling error of the difference of two independent estimates, whose variances add.
 MarginalDistances combined_errors(const MarginalDistances& one, const MarginalDistances& other) {
   const auto sum = [](const auto& a, const auto& b) {
     return a || b ? std::optional(std::hypot(a.value_or(0), b.value_or(0))) : std::nullopt;
@@ -250,7 +251,8 @@ struct MeasuredL1Error {
   double l1, error, chance, stated;
   bool explained;  ///< whether the errors of both solutions explain l1 (compare/agreement.hpp)
 
-  /// A smaller distance is mostly the sampling error of the simulation.
+  /// Returns whether the L1 error is significant: a smaller L1 error is mostly sampling error of
+  /// the simulation.
   bool is_significant() const { return l1 > 3 * chance; }
   bool exceeds_stated_error() const { return std::isfinite(stated) && !explained; }
 };
@@ -356,7 +358,7 @@ void add_distances_of_external_densities(const CaseResult& one, Sentences& sente
 void add_solver_notes(const CaseResult& one, Sentences& sentences) {
   constexpr std::string_view kNotes = "notes[";
   for (const auto& solution : one.solutions) {
-    std::map<std::string, Sentences> notes;  // by the prefix of the path of the metric
+    std::map<std::string, Sentences> notes;  // notes, by the prefix of the path of the metric
     for (const auto& observation : solution.metrics) {
       const auto mark = observation.path.rfind(kNotes);
       const auto* note = std::get_if<std::string>(&observation.value);

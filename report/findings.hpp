@@ -7,8 +7,8 @@
 
 namespace fpkcheck::report {
 
-/// Returns sentences that quantify the error of each approximation in a case. The errors are
-/// distances between `ok` solutions:
+/// Returns sentences on the error of each approximation in a case, computed from distances between
+/// `ok` solutions:
 ///
 /// - findings on the guaranteed bounds (report/guaranteed_bounds.hpp);
 /// - the reference (compare/assessment.hpp), if the case has several solutions;

@@ -49,9 +49,8 @@ std::vector<std::string> guaranteed_bounds_findings(const results::CaseResult& c
     sentences.push_back(contradiction_text(violation));
   }
   for (const BoundViolation& violation : compare::bound_violations(bounds, case_result.solutions)) {
-    // The loop above reports contradictions by solutions of the full problem. Other violations by
-    // solutions of the full problem are below the error estimate, and are thus consistent with the
-    // bounds.
+    // Violations by solutions of the full problem are skipped. Violations above the error estimate
+    // are already reported, and violations below the error estimate do not contradict the bounds.
     if (compare::is_solution_of_full_problem(*violation.solution)) continue;
     if (ids.empty() || ids.back() != violation.solution->id())
       ids.push_back(violation.solution->id());

@@ -112,7 +112,8 @@ std::string budget_legend(const std::vector<TextColumn>& budgets) {
   }
   for (const auto& [approximation, name, meaning] : compare::kApproximationNames) {
     const std::string header = budget_part_header(std::string(name));
-    // Approximations without an intermediate solution share a column: closure + impact.
+    // If the solution between two approximations is missing, the approximations share a column:
+    // closure + impact.
     if (!any_header(budgets, header) && !any_header(budgets, name)) continue;
     text += fmt::format("; {}: {}", header, meaning);
     if (approximation == Approximation::closure) text += ", against its own equation discretised";

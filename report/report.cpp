@@ -55,7 +55,8 @@ std::string terminal_text(const results::Run& run, const Supplement& supplement,
 RebuiltReport rebuild_report(const fs::path& directory, const results::Run& run,
                              const TextFormat& format, const FigureOptions& figures,
                              const Supplement& supplement) {
-  // The text is made before any file is written: an exception then leaves all files unchanged.
+  // The terminal text is made before any file is written, so that an exception leaves all files
+  // unchanged.
   RebuiltReport again{terminal_text(run, supplement, format), {}};
   base::FileTransaction files;
   files.add(directory / kPageFile, page(run, supplement));

@@ -12,10 +12,11 @@
 namespace fpkcheck::report {
 
 /// Writes marginals.csv, joint.nc, summary.json, report.html and figures/ into a directory that
-/// results::prepare_output_directory() prepared. Either all files of an earlier run are replaced,
-/// or none. Pictures and joint densities of the earlier run are removed. After a stop request
-/// (base/process/stop_request.hpp) pictures are omitted without a warning.
-/// @param supplement additional files, replaced together with the files of the run
+/// results::prepare_output_directory() prepared. Either all files of an earlier run in the
+/// directory are replaced, or none. Pictures and joint densities of the earlier run are removed.
+/// After a stop request (base/process/stop_request.hpp) no pictures are drawn and no warning is
+/// returned.
+/// @param supplement texts and files of a command, written together with the files of the run
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory,
@@ -28,12 +29,12 @@ std::string terminal_text(const results::Run& run, const Supplement& supplement,
 
 struct RebuiltReport {
   std::string text;
-  std::vector<std::string> warnings;  ///< about pictures, one line each
+  std::vector<std::string> warnings;  ///< warnings about pictures, one line each
 };
 
-/// Rebuilds the terminal text of a saved run, and writes the page, the pictures and the files of
-/// the supplement again. The problems are not solved again.
-/// @param run run from results::load_run() for the directory
+/// Rebuilds the terminal text of a saved run without solving the problems again. The page, the
+/// pictures and the files of the supplement are written again.
+/// @param run run that results::load_run() read from the directory
 /// @throws std::runtime_error if a file cannot be written
 RebuiltReport rebuild_report(const std::filesystem::path& directory, const results::Run& run,
                              const TextFormat& format = {}, const FigureOptions& figures = {},

@@ -13,7 +13,8 @@ struct SolutionFamily {
   std::vector<const transform::Solution*> solutions;
 };
 
-/// Groups solutions by family. The families have the order of their first members in the input.
+/// Groups solutions by family. The order of the families is the order of their first members in
+/// `solutions`.
 std::vector<SolutionFamily> group_by_family(
     const std::vector<const transform::Solution*>& solutions);
 std::vector<SolutionFamily> group_by_family(std::span<const transform::Solution> solutions);

@@ -9,8 +9,8 @@
 namespace fpkcheck::report {
 
 /// Returns the solutions of the full problem, with which tables and sentences compare all other
-/// solutions. The first element is the reference of the case; the other solutions have the order of
-/// the case. The list is empty if the case has no reference.
+/// solutions. The reference of the case is the first element. All further solutions have their
+/// order in the case. The list is empty if the case has no reference.
 std::vector<const transform::Solution*> solutions_of_full_problem(
     const results::CaseResult& case_result);
 

@@ -11,7 +11,7 @@ struct SupplementFile {
   std::string name, text;
 };
 
-/// A gnuplot script. The script and its pictures have the file name `stem` without the extension.
+/// A gnuplot script. The script file and its pictures have the file name `stem` plus extension.
 struct PictureScript {
   std::string stem, script;
 };
@@ -20,8 +20,10 @@ struct PictureScript {
 struct PageSection {
   std::string anchor;  ///< id of the HTML element of the section, for links
   std::string heading;
-  std::string html;  ///< content below the heading, including plots_html() of all plots
-  /// Groups of plots. An entry of a legend hides or shows its curves in all plots of the group.
+  /// Content of the section below the heading, including plots_html() of all plots.
+  std::string html;
+  /// Groups of plots. A click on a legend entry hides or shows its curves in all plots of the
+  /// group.
   std::vector<std::vector<Plot>> groups;
 };
 
@@ -33,7 +35,7 @@ struct Supplement {
   std::string text;
   std::vector<PageSection> sections;
   std::vector<SupplementFile> files;
-  std::vector<PictureScript> pictures;  ///< drawn into figures/
+  std::vector<PictureScript> pictures;  ///< scripts of pictures, drawn into the directory figures/
 };
 
 }  // namespace fpkcheck::report

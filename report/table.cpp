@@ -36,7 +36,7 @@ std::string seconds_text(double x) {
 std::vector<TextColumn> columns(const results::CaseResult& case_result) {
   constexpr int kEnergy = 1, kOtherReference = 2, kSeconds = 3, kSolves = 4, kMoments = 5;
   std::vector<TextColumn> all;
-  // Omits a column without a value, such as the distances from the only solution of a case.
+  // Adds a column unless it has no values, such as the distances from the only solution of a case.
   const auto add = [&](TextColumn column, const auto& cell) {
     for (const auto& solution : case_result.solutions) {
       // A line with the reason replaces the row of a solution that is not applicable.

@@ -8,11 +8,12 @@
 
 namespace fpkcheck::report {
 
-/// Returns the terminal text of a run, in plain ASCII. The text of a case has the parameters, one
-/// row for each solution with its distances from the solutions of the full problem, the reasons for
-/// every status other than `ok`, the error budget and the findings (findings.hpp). A legend of the
-/// displayed columns follows all cases (legend.hpp). A dash marks a missing value.
-/// @param format if rows exceed its width, the least important columns are omitted in this order:
+/// Returns the terminal text of a run, in plain ASCII. The text of a case has the parameters, a
+/// table of the solutions, the reasons for every status other than `ok`, the error budget and the
+/// findings (findings.hpp). The row of a solution in the table has its distances from the solutions
+/// of the full problem. A legend of the displayed columns follows all cases (legend.hpp). A dash
+/// marks a missing value.
+/// @param format format of the text; if rows exceed its width, columns are omitted in this order:
 ///        energy residual, distances from solutions other than the reference, seconds, equation,
 ///        moments
 std::string table(const results::Run& run, const TextFormat& format = {});

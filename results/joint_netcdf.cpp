@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Hundreds of cases have less data than kMaxBytes.
+// Largest accepted file size in bytes; the joint densities of hundreds of cases need less.
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
 const std::string kSourcePrefix = "source_";

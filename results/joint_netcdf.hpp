@@ -26,7 +26,7 @@ namespace fpkcheck::results {
 ///
 /// The attributes of p_NAME are the name of the case and the parameters of its problem. The command
 /// of the run is a global attribute of the file. All quantities are non-dimensional.
-/// @param run a run with at least one joint density
+/// @param run run that has at least one joint density
 /// @throws std::runtime_error with a message of one line
 std::string joint_netcdf(const Run& run);
 
@@ -46,32 +46,32 @@ struct JointFileContent {
 /// Returns whether the bytes are a netCDF file with the variables of joint_netcdf().
 bool is_joint_netcdf(const std::string& bytes);
 
-/// @param inspect receives the bytes of the file before parsing; may be empty and may throw
+/// @param inspect optional function that receives the bytes of the file before parsing and may
+/// throw
 /// @throws InputError with a message of one line
 JointFileContent read_joint_netcdf(const std::filesystem::path& file,
                                    const std::function<void(std::string_view bytes)>& inspect = {});
 
-/// A variable with two coordinates from a netCDF-4 file: an external joint density. The names of
+/// An external joint density from a netCDF-4 file, a variable with two coordinates. The names of
 /// the coordinates identify y and y'.
 struct NetCdfGridVariable {
   std::string name;
   std::string first_name, second_name;
   std::vector<double> first, second;
-  std::vector<double> values;  ///< row-major, shape (first, second)
+  std::vector<double> values;  ///< values of the variable, row-major, shape (first, second)
 };
 
 /// Reads the only variable of a netCDF-4 file that has two dimensions and a coordinate for each of
 /// them. The coordinate of a dimension is the variable with the name of the dimension.
 /// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the file is corrupt or does not have exactly
-///         one such variable
+/// one variable with two dimensions and coordinates
 NetCdfGridVariable read_gridded_variable(std::string bytes, const std::string& file_name);
 
 /// Returns the joint densities p(y, y') of all solutions with a joint density, in the order of the
-/// solutions. The cell widths in y and in y' are a tenth of a standard deviation. Each cell joins
-/// two adjacent bins of the comparison axes (compare/comparison_axes.hpp) along y. The histogram of
-/// a simulation can therefore be summed without interpolation. The averages are rounded to single
-/// precision, as in joint.nc.
+/// solutions. The cell widths in y and in y' are a tenth of a standard deviation. Along y each cell
+/// joins two adjacent comparison bins (compare/comparison_axes.hpp), so that histograms of
+/// simulations need no interpolation. The averages are rounded to single precision, as in joint.nc.
 std::vector<JointDensity> joint_densities(const compare::ComparisonAxes& axes,
                                           std::span<const transform::Solution> solutions);
 

@@ -20,11 +20,14 @@ using transform::Metric;
 using transform::MetricKind;
 using transform::Metrics;
 
-// Files of this program have a smaller nesting depth, and the stack has capacity for far more.
+// Largest accepted nesting depth of JSON. Files of this program have smaller depths, and the stack
+// suffices for far larger depths.
 constexpr int kMaxDepth = 32;
-// Hundreds of cases have fewer JSON values, and the memory has capacity for far more.
+// Largest accepted number of JSON values. Hundreds of cases have fewer values, and the memory
+// suffices for far more values.
 constexpr std::size_t kMaxJsonValues = 2'000'000;
-constexpr std::size_t kMaxTextLength = 1 << 20;  // sufficient for a very long command line
+// Largest length of a text; suffices for a very long command line.
+constexpr std::size_t kMaxTextLength = 1 << 20;
 
 // Returns the JSON value at a path, and creates missing objects and lists along the path.
 Json& resolve_path(Json& object, std::string_view path) {
@@ -49,7 +52,7 @@ Json& resolve_path(Json& object, std::string_view path) {
   return *at;
 }
 
-// A key with a separator of paths could not be found by resolve_path().
+// Refuses a key that contains a separator of paths, since resolve_path() would split such a key.
 void require_valid_key(const std::string& key) {
   if (!key.empty() && key.find_first_of(".[]") == key.npos) return;
   throw InputError(fmt::format("key {} (must not be empty or contain dots or brackets); run again",
@@ -169,7 +172,8 @@ double number_at_key(const Json& object, const char* key) {
 }
 
 int integer_at_key(const Json& object, const char* key) {
-  // get<int>() of the JSON library would silently convert 1e300 and integers out of range.
+  // The function get<int>() of the JSON library is not used, since it would silently convert 1e300
+  // and integers out of range.
   const base::Value value = value_from_json(object.at(key));
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (whole == nullptr || !std::in_range<int>(*whole)) {

@@ -22,19 +22,21 @@ using Json = nlohmann::ordered_json;
 /// Returns a JSON object with the name, version and command line of the program. Every JSON file of
 /// results begins with this object.
 Json program_to_json(const ProgramInfo& program);
-/// Returns a JSON object with the name of the problem and the sections "system" and "impulse".
+/// Returns a JSON object with the name and the case-file sections of a problem, such as "system"
+/// and "impulse".
 Json problem_to_json(const problem::Problem& problem);
 Json value_to_json(const base::Value& value);
 Json values_to_json(const base::Values& values);
 Json moments_to_json(const transform::Moments& moments);
 
-/// Adds metrics to a JSON object. The path "quantiles.y[2].value" of a metric creates the objects
-/// and lists along the path. The path "splitting_thresholds[]" creates an empty list.
+/// Adds metrics to a JSON object. A metric path such as "quantiles.y[2].value" creates the nested
+/// objects and lists. A path that ends with "[]", such as "splitting_thresholds[]", creates an
+/// empty list.
 /// @throws std::logic_error if a part of a path is already a number or a text, or if two metrics
 ///         have the same path
 void add_metrics(const transform::Metrics& metrics, Json& object);
-/// Reads the metrics that add_metrics() wrote. Each leaf of the JSON object is one metric. The kind
-/// of a metric is `text` for a string and `result` for other types of leaves.
+/// Reads the metrics that add_metrics() wrote. Each leaf of the JSON object is one metric: of kind
+/// `text` for a string, otherwise of kind `result`.
 transform::Metrics metrics_from_json(const Json& object);
 
 /// @throws InputError if the JSON value is a list, an object or an integer out of range
@@ -43,7 +45,7 @@ base::Value value_from_json(const Json& json);
 base::Values values_from_json(const Json& object);
 /// @throws nlohmann::json::exception, InputError
 problem::Problem problem_from_json(const Json& object);
-/// Value that represents a JSON null among numbers, since JSON has no NaN.
+/// Number that represents a JSON null, since JSON has no NaN.
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 /// Returns the number under a key of a JSON object, or NaN if the JSON value is null.
 /// @throws nlohmann::json::exception
@@ -59,11 +61,12 @@ int integer_at_key(const Json& object, const char* key);
 /// @throws nlohmann::json::exception
 std::optional<double> optional_number_at_key(const Json& object, const char* key);
 
-/// Returns a copy in which null replaces every infinity and NaN, which JSON does not have.
+/// Returns a copy of a JSON value in which null replaces each infinity and NaN, since JSON cannot
+/// represent these.
 Json replace_non_finite_by_null(Json value);
 
-/// Returns the text of a JSON value. Replacement characters replace bytes that are not UTF-8, since
-/// file names may contain such bytes.
+/// Returns the text of a JSON value. Bytes that are not valid UTF-8, which file names may contain,
+/// become the replacement character U+FFFD.
 std::string serialise_json(const Json& json);
 
 /// Parses the JSON of a file. The parser limits the nesting depth, the number of values and the
@@ -80,8 +83,8 @@ std::string json_error_message(const std::exception& error);
 /// @throws InputError with a message of one line, if the text is not JSON
 bool is_run_summary(const std::string& text, const std::string& file_name);
 
-/// Reads a JSON file of another program as metrics. The name of a metric is the path of its value,
-/// such as "coefficients[2].a".
+/// Reads the values in a JSON file of another program as metrics. The path of a value in the file,
+/// such as "coefficients[2].a", is the name of its metric.
 /// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the text is not a JSON object
 transform::Metrics metrics_from_external_json(const std::string& text,

@@ -13,8 +13,8 @@
 namespace fpkcheck::results {
 
 /// Writes the marginal densities of all cases as CSV with the header
-/// `case,solution,variable,abscissa,density,lower,upper`. Each bin of a curve is one row. Numbers
-/// have enough digits to be read back exactly.
+/// `case,solution,variable,abscissa,density,lower,upper`. Each bin of a curve is one row. All
+/// numbers are written with enough digits to be read back exactly.
 /// @param curves member with the curves: &CaseResult::curves, or &CaseResult::smooth for smooth
 ///        bins
 void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
@@ -31,8 +31,8 @@ using NonFinitePredicate =
 
 /// Reads a file that write_marginals_csv() wrote.
 /// @param source name of the file, for messages
-/// @param allows_non_finite selects the solutions whose densities and confidence intervals may be
-///        infinite or NaN; if empty, all numbers must be finite
+/// @param allows_non_finite selects solutions whose densities and confidence intervals may be
+/// infinite or NaN. If the function is empty, all numbers must be finite.
 /// @throws InputError with a message of one line that has the source and the line number
 std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view source,
                                           const NonFinitePredicate& allows_non_finite = {});

@@ -7,8 +7,8 @@
 
 namespace fpkcheck::results {
 
-/// Returns the file name of a case without extension. The character '_' replaces each sequence of
-/// characters other than letters, digits, '-', '_' and '.': "case1, r = 0.9" gives "case1_r_0.9".
+/// Returns the file name of a case without extension. Each sequence of characters other than
+/// letters, digits, '-', '_' and '.' becomes one '_': "case1, r = 0.9" gives "case1_r_0.9".
 std::string file_stem(const std::string& case_name);
 
 /// Lock on an output directory. While the lock exists, a hidden file prevents other runs from
@@ -17,8 +17,9 @@ std::string file_stem(const std::string& case_name);
 class OutputDirectoryLock {
  public:
   OutputDirectoryLock() = default;
-  /// @param lock_file the hidden file; an empty path stands for no file
-  /// @param created directories that were created for the output, outermost first
+  /// @param lock_file hidden lock file; an empty path if no lock file exists
+  /// @param created directories that were created for the output, from the outermost to the
+  /// innermost
   OutputDirectoryLock(std::filesystem::path lock_file, std::vector<std::filesystem::path> created)
       : lock_file_(std::move(lock_file)), created_(std::move(created)) {}
   OutputDirectoryLock(OutputDirectoryLock&& other) noexcept
@@ -38,8 +39,8 @@ class OutputDirectoryLock {
 
 /// Creates an output directory and its parents, and checks that the directory and its subdirectory
 /// figures/ are writable. The function finishes or removes incomplete files of an interrupted run.
-/// Several processes may call the function for the same directory at the same time. On failure the
-/// function removes the directories that this call created.
+/// Several processes may prepare the same directory at the same time. After a failure, the
+/// directories that this call created are removed.
 /// @throws InputError with a message of one line
 [[nodiscard]] OutputDirectoryLock prepare_output_directory(const std::filesystem::path& directory);
 

@@ -14,8 +14,8 @@
 #include "transform/density.hpp"
 #include "transform/solution.hpp"
 
-/// The result of a run, from which tables, figures and the page of the report are made. A result
-/// comes from a computation or from the files of a saved run.
+/// The result of a run, computed or read from the files of a saved run. Tables, figures and the
+/// report page are made from this result.
 namespace fpkcheck::results {
 
 /// A marginal density of one solution, as averages over n bins.
@@ -31,7 +31,7 @@ struct DensityCurve {
 };
 
 /// Returns the widths of the bins of a curve, shape (n).
-/// @pre the bins are contiguous, and either all have the same width or have an edge at 0
+/// @pre the bins are contiguous, and have either equal widths or an edge at 0
 std::vector<double> bin_widths(const DensityCurve& curve);
 
 /// The joint density p(y, y') of one solution, as averages over cells. All joint densities of a
@@ -41,26 +41,27 @@ struct JointDensity {
   transform::GridDensity density;
 };
 
-/// Residual-based error estimates of the moments of a solution. The estimates need the density and
-/// the problem, but no other solution (docs/residuals.md).
+/// Residual-based error estimates of the moments of a solution. These estimates use only the
+/// density and the problem, and no other solution (docs/residuals.md).
 struct MomentErrorEstimate {
   std::string solution;
-  transform::Moments corrected;  ///< estimates of the exact moments
-  transform::Moments error;      ///< moments of the solution minus `corrected`
+  transform::Moments corrected;  ///< corrected moments: estimates of the exact moments
+  transform::Moments error;      ///< error estimates: moments of the solution minus `corrected`
 };
 
 /// Contributions of the cells of the (y, y') plane to the error of a moment. The integral of
 /// `density` over a region is the contribution of the region to the error of the moment.
 struct ErrorSource {
   std::string solution;
-  std::string moment;              ///< name in transform::kMoments: y2 or v2
-  transform::GridDensity density;  ///< contributions to the error per area
+  std::string moment;  ///< name of the moment in transform::kMoments: y2 or v2
+  /// Contributions to the error of the moment, per area of the (y, y') plane.
+  transform::GridDensity density;
 };
 
 /// The solutions of one case, their densities and their comparison.
 struct CaseResult {
   problem::Problem problem;
-  std::vector<transform::Solution> solutions;  ///< by increasing trust
+  std::vector<transform::Solution> solutions;  ///< solutions by increasing trust
   std::vector<compare::PairDistances> pairs;   ///< distances of all pairs of solutions
   std::vector<compare::ErrorBudgetRow> budget;
   std::vector<DensityCurve> curves;  ///< marginal densities over the comparison bins
@@ -68,10 +69,11 @@ struct CaseResult {
   /// Marginal densities of all solutions over smooth bins (B-spline weights); empty unless a
   /// solution has smooth estimates (compare/smooth_reference.hpp).
   std::vector<DensityCurve> smooth = {};
-  /// In the order of the solutions; some solutions have no estimate.
+  /// Moment error estimates in the order of the solutions; some solutions have no estimate.
   std::vector<MomentErrorEstimate> moment_error_estimates = {};
   std::vector<ErrorSource> error_sources = {};  ///< sources of the errors of E[y^2] and E[y'^2]
-  std::optional<compare::GuaranteedBounds> bounds = {};  ///< empty if not computed
+  /// Guaranteed bounds; empty if not computed.
+  std::optional<compare::GuaranteedBounds> bounds = {};
   compare::Assessment assessment = {};
 
   const std::string& name() const { return problem.name; }
@@ -102,7 +104,7 @@ ProgramInfo current_program(const std::string& command);
 
 struct FileChecksum {
   std::string file;
-  std::string crc32;  ///< by results::crc32
+  std::string crc32;  ///< checksum by results::crc32
 };
 
 struct Run {
@@ -110,11 +112,11 @@ struct Run {
   std::vector<CaseResult> cases;
   /// Sentence on the interruption of the run and the missing results; empty for a complete run.
   std::string stopped = {};
-  /// Checksums of the files from which the run was read, if the files have checksums.
+  /// Checksums of the files of a saved run from which this result was read; may be empty.
   std::vector<FileChecksum> files = {};
 };
 
-/// Compares and assesses the solutions of a case.
+/// Computes the comparison and the assessment of the solutions of a case.
 /// @param solutions by increasing trust
 CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonAxes& axes,
                             std::vector<transform::Solution> solutions);

@@ -29,7 +29,7 @@ std::vector<SolutionAgreements> agreement_rows(const results::Run& run) {
         place = known + 1;
         continue;
       }
-      // A new row follows the row of the preceding solution in the same case.
+      // A new row is inserted after the row of the preceding solution of the case.
       place = all.insert(place, SolutionAgreements{&solution.identity, {}}) + 1;
     }
   }

@@ -169,8 +169,8 @@ PairDistances pair_from_json(const Json& json) {
   d.l2 = number_or_default(kNotANumber, json.at("l2"));
   d.sup = number_or_default(kNotANumber, json.at("sup"));
   d.hellinger = number_or_default(kNotANumber, json.at("hellinger"));
-  // The file has null for both infinity and NaN. If l1 is finite, both densities are finite. With a
-  // finite l1 the divergence kl cannot be NaN, and null represents infinity.
+  // In files null represents both infinity and NaN. A finite distance l1 implies finite densities,
+  // for which the divergence kl may be infinite but not NaN.
   d.kl = number_or_default(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
   for (const auto& tail : json.at("log10_tail")) {
     d.log10_tail.push_back({.from = tail.at("from"),
@@ -308,7 +308,7 @@ CaseResult case_from_json(const Json& json) {
   if (json.contains("assessment")) {
     case_result.assessment = assessment_from_json(json.at("assessment"), case_result);
   } else {
-    case_result.assess();  // an older version saved the run
+    case_result.assess();  // runs of older program versions have no assessment
   }
   return case_result;
 }

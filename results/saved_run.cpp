@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 using base::in_quotes;
 using base::sanitise;
 
-// The size limit of a file of a run suffices for hundreds of cases.
+// Largest accepted size of a file of a run, which suffices for hundreds of cases.
 constexpr std::size_t kMaxTextBytes = 64 << 20;
 
 std::istringstream open_saved_file(const fs::path& file) {
@@ -207,7 +207,7 @@ std::string crc32(std::string_view bytes) {
 }
 
 std::vector<std::pair<std::string, std::string>> library_versions() {
-  // Example of the returned text: "4.9.0 of Oct 15 2022 22:59:31 $".
+  // An example of the version text of netCDF is "4.9.0 of Oct 15 2022 22:59:31 $".
   const std::string netcdf = nc_inq_libvers();
   return {{"netCDF", netcdf.substr(0, netcdf.find(' '))},
           {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,

@@ -16,22 +16,22 @@ inline constexpr const char* kMarginalsFile = "marginals.csv";
 inline constexpr const char* kSmoothMarginalsFile = "smooth.csv";
 inline constexpr const char* kJointFile = "joint.nc";
 
-/// Adds the files of a run to `files`, in place of the files of an earlier run in the directory.
-/// The files are marginals.csv, smooth.csv (for curves over smooth bins), joint.nc (for joint
-/// densities), and summary.json with the checksums of the other files. A smooth.csv or joint.nc of
-/// the earlier run is removed if this run has no such file.
+/// Adds the files of a run to the transaction `files`, which replaces the files of an earlier run
+/// in the directory. The files are marginals.csv, smooth.csv (for curves over smooth bins),
+/// joint.nc (for joint densities), and summary.json with the checksums of the other files. If this
+/// run has no smooth.csv or no joint.nc, the transaction removes this file of the earlier run.
 /// @throws std::runtime_error if a file cannot be written
 void add_run_files(base::FileTransaction& files, const std::filesystem::path& directory,
                    const Run& run);
 
-/// Adds the files of a run to `files` as add_run_files() does, but without joint.nc.
+/// Adds all files of add_run_files() except joint.nc to the transaction `files`.
 void add_summary_and_curves(base::FileTransaction& files, const std::filesystem::path& directory,
                             const Run& run);
 
-/// Reads the summary of a run from a file of any name. If a run was killed while moving its files
-/// into the directory of `file`, the function first finishes the move.
+/// Reads the summary of a run from a file of any name. If an earlier process was killed while it
+/// moved files into the directory of `file`, the function first completes the move.
 /// @throws InputError with a message of one line, if the file does not exist
-/// @throws the exceptions of read_run_summary() and base::recover_interrupted_commit()
+/// @throws all exceptions of read_run_summary() and base::recover_interrupted_commit()
 Run load_run_summary(const std::filesystem::path& file);
 
 /// Reads the curves of a marginals.csv into the cases of a run.
@@ -40,12 +40,12 @@ Run load_run_summary(const std::filesystem::path& file);
 ///         summary)
 void load_curves(const std::filesystem::path& file, Run& run);
 
-/// Reads the curves of a smooth.csv into the cases of a run, as load_curves(). A solution may lack
-/// curves over smooth bins.
+/// Reads the curves of a smooth.csv into the cases of a run. A solution may lack curves over smooth
+/// bins.
 void load_smooth_curves(const std::filesystem::path& file, Run& run);
 
-/// Reads the files that add_run_files() wrote. A run of an older version has no joint densities and
-/// no curves over smooth bins.
+/// Reads the files that add_run_files() wrote. Runs of older program versions lack joint densities
+/// and curves over smooth bins.
 /// @throws InputError with a message of one line, if the directory contains no run, or if a file is
 ///         invalid, has another schema or belongs to another run
 Run load_run(const std::filesystem::path& directory);
@@ -54,8 +54,9 @@ Run load_run(const std::filesystem::path& directory);
 /// returns, since version control may change line ends.
 std::string crc32(std::string_view bytes);
 
-/// Returns the names and versions of the libraries that write files. The version of netCDF is that
-/// of the loaded library, and the version of nlohmann-json that of the headers at compile time.
+/// Returns the names and versions of the libraries that write files. The version of netCDF is the
+/// version of the loaded library. The version of nlohmann-json is the version of the headers at
+/// compile time.
 std::vector<std::pair<std::string, std::string>> library_versions();
 
 }  // namespace fpkcheck::results

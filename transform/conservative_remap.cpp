@@ -14,13 +14,14 @@ constexpr std::ptrdiff_t kInterpolationPoints =
     8;  // 8 interpolation points give polynomials of degree 7
 // Tolerated overshoot of the interpolated cumulative distribution, relative to the total mass. The
 // largest overshoot is 2e-7 in the densities of the regression baselines and 1e-2 at a spike.
-// Smooth densities are therefore not clipped, so that the remapping is linear in the masses.
+// Smooth densities are therefore not clipped, and their remapping is linear in the masses.
 constexpr double kOvershootTolerance = 1e-6;
 
 }  // namespace
 
 // Returns the weights of the bin masses in the Lagrange interpolation of the cumulative
-// distribution at x. The masses before the bin of x are subtracted.
+// distribution at x. The weights exclude the bins before the bin of x, whose masses enter with
+// weight 1.
 ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const double> edges,
                                                                double x) {
   const auto above = std::ranges::lower_bound(edges, x);
@@ -28,7 +29,8 @@ ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const d
   const auto k = above - edges.begin();
   if (*above == x || k == 0) return {static_cast<std::size_t>(k), 0, {}};
 
-  // The stencil consists of the edges begin .. end - 1, on the same side of an edge at 0 as x.
+  // The interpolation stencil consists of the edges begin .. end - 1. If an edge is at 0, all
+  // stencil edges are on the side of 0 on which x is.
   std::ptrdiff_t begin = 0, end = std::ssize(edges);
   if (const auto zero = std::ranges::lower_bound(edges, 0.0); zero != edges.end() && *zero == 0) {
     if (x > 0) begin = zero - edges.begin();
@@ -39,8 +41,8 @@ ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const d
 
   const std::vector<double> lagrange = numerics::lagrange_weights(
       edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(points)), x);
-  // The cumulative distribution at edge a contains all bins before a. The bins before bin k - 1,
-  // which contains x, are subtracted.
+  // The cumulative distribution at edge a is the mass of all bins before a. The bins before bin k -
+  // 1, which contains x, are subtracted.
   EdgeStencil result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),
                      std::vector<double>(static_cast<std::size_t>(points - 1))};
   double sum = 0;
@@ -64,8 +66,7 @@ std::vector<double> ConservativeRemap::operator()(std::span<const double> masses
   }
   std::vector<double> result;
   const EdgeStencil* before = nullptr;
-  double within_before =
-      0;  // mass below the previous target edge, within the source bin of that edge
+  double within_before = 0;  // mass in the source bin of the previous target edge, below this edge
   for (const EdgeStencil& edge : edges_) {
     const bool same_bin = before != nullptr && before->bin == edge.bin;
     double within = 0;

@@ -24,29 +24,28 @@ struct ZhuravlevDensity {
 /// The marginals of p(y, v) are paper (30) and (34). The density of (z, z') need not be symmetric.
 SmoothDensity zhuravlev_transform(ZhuravlevDensity density);
 
-/// Transforms increasing cell edges in wall coordinates x into increasing cell edges in physical
-/// coordinates y (to_y_edges), and back (to_x_edges).
+/// The function to_y_edges() transforms increasing cell edges from wall coordinates x to physical
+/// coordinates y, and to_x_edges() from y to x.
 std::vector<double> to_y_edges(const problem::WallFrame& frame, const std::vector<double>& x_edges);
 std::vector<double> to_x_edges(const problem::WallFrame& frame, const std::vector<double>& y_edges);
-/// Transforms increasing cell edges of the velocity between wall and physical coordinates, in
-/// either direction, since at most the sign changes.
+/// Transforms increasing cell edges of the velocity from wall to physical coordinates or back. The
+/// transformation is its own inverse, since at most the sign of the velocity changes.
 std::vector<double> transform_v_edges(const problem::WallFrame& frame,
                                       const std::vector<double>& edges);
 
-/// Transforms a density of (x, x') in wall coordinates into a density of (y, y') in physical
-/// coordinates (to_physical_coordinates), and back (to_wall_coordinates).
-/// @param y_edges cell edges in y. Cell edges of the density that equal to_x_edges(frame, y_edges)
-/// become exactly the numbers `y_edges`, without the rounding errors of the transformation, since
-/// histograms are compared only on equal edges.
+/// The function to_physical_coordinates() transforms a density of (x, x') in wall coordinates to a
+/// density of (y, y') in physical coordinates, and to_wall_coordinates() back.
+/// @param y_edges cell edges in y. Edges of the density equal to to_x_edges(frame, y_edges) become
+/// exactly `y_edges`, without rounding errors, since histograms are compared only on equal edges.
 Density to_physical_coordinates(const problem::WallFrame& frame, Density density,
                                 const std::vector<double>& y_edges = {});
 Density to_wall_coordinates(const problem::WallFrame& frame, Density density);
 
 /// Transforms densities, marginals and atoms of a solution from wall coordinates to physical
-/// coordinates. Moments, their errors and metrics are unchanged, since solvers return these
+/// coordinates. Moments, errors of moments and metrics are unchanged, since solvers return these
 /// quantities in physical coordinates.
-/// @param y_edges cell edges in y that were passed to the solver; edges of densities and marginals
-/// become exactly these numbers
+/// @param y_edges cell edges in y that were passed to the solver. Edges of densities and marginals
+/// become exactly `y_edges`.
 Solution to_physical_coordinates(const problem::WallFrame& frame, Solution solution,
                                  const std::vector<double>& y_edges = {});
 

@@ -54,7 +54,7 @@ GridDensity average_over_cells(const GridDensity& density, std::span<const doubl
   const ConservativeRemap along_y(density.y_edges, y_edges), along_v(density.v_edges, v_edges);
   GridDensity grid{{y_edges.begin(), y_edges.end()}, {v_edges.begin(), v_edges.end()}, {}};
 
-  // Masses of the cells (new v cell, old y cell), by columns of the new grid.
+  // Masses of cells with new edges in v and old edges in y, one vector for each new v cell.
   std::vector<std::vector<double>> columns(grid.nv(), std::vector<double>(density.ny()));
   std::vector<double> row(density.nv());
   for (std::size_t i = 0; i < density.ny(); ++i) {

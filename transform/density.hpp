@@ -5,16 +5,16 @@
 #include <variant>
 #include <vector>
 
-/// Joint densities of (y, y') between the walls; in the paper, on the half-plane y >= 0. Every
-/// solver returns a GridDensity or a SmoothDensity. The integral of a density is 1 minus the
-/// probabilities of the rest atoms.
+/// Joint densities of (y, y') between the walls, for the paper's oscillator on the half-plane y >=
+/// 0. Every solver returns a GridDensity or a SmoothDensity. The integral of a density is 1 minus
+/// the probabilities of the rest atoms.
 namespace fpkcheck::transform {
 
 /// A density given by its averages over rectangular cells (from finite volumes or a histogram).
 struct GridDensity {
-  std::vector<double> y_edges;   ///< ny + 1 increasing edges; a wall is the first or last edge
-  std::vector<double> v_edges;   ///< nv + 1 increasing edges
-  std::vector<double> averages;  ///< row-major, shape (ny, nv)
+  std::vector<double> y_edges;   ///< ny + 1 increasing cell edges; a wall is the first or last edge
+  std::vector<double> v_edges;   ///< nv + 1 increasing cell edges
+  std::vector<double> averages;  ///< averages over cells, row-major, shape (ny, nv)
 
   std::size_t ny() const { return y_edges.size() - 1; }
   std::size_t nv() const { return v_edges.size() - 1; }
@@ -32,16 +32,16 @@ struct SmoothDensity {
 using Density = std::variant<GridDensity, SmoothDensity>;
 
 struct Moments {
-  double y1 = 0, y2 = 0, y4 = 0;  ///< E[y], E[y^2], E[y^4]
-  double v1 = 0, v2 = 0, v4 = 0;  ///< E[y'], E[y'^2], E[y'^4]
+  double y1 = 0, y2 = 0, y4 = 0;  ///< moments E[y], E[y^2], E[y^4]
+  double v1 = 0, v2 = 0, v4 = 0;  ///< moments E[y'], E[y'^2], E[y'^4]
 };
 
 struct NamedMoment {
   const char* name;
   const char* symbol;
   double Moments::*moment;
-  double Moments::*
-      size;  ///< scale of relative errors, such as E[y'^2] for E[y'], which is exactly 0
+  /// Scale of relative errors; for E[y'], which is exactly 0, the scale is E[y'^2].
+  double Moments::*size;
 };
 inline constexpr NamedMoment kMoments[] = {
     {"y1", "E[y]", &Moments::y1, &Moments::y1},    {"y2", "E[y^2]", &Moments::y2, &Moments::y2},
@@ -56,15 +56,17 @@ double expectation(const SmoothDensity& density, const std::function<double(doub
 /// power 1 and twice the energy flux for power 3.
 double impact_flux(const SmoothDensity& density, int power);
 
-/// Averages a density over cells, with three Gauss-Legendre points in each direction of a cell.
-/// @param y_edges increasing edges, the first is 0
-/// @param v_edges increasing edges that include 0, where p may be discontinuous
+/// Averages a smooth density over cells, with three Gauss-Legendre points along each side of a
+/// cell.
+/// @param y_edges increasing cell edges in y; the first edge is 0
+/// @param v_edges increasing cell edges in y' that include 0, where the density may be
+/// discontinuous
 GridDensity average_over_cells(const SmoothDensity& density, std::span<const double> y_edges,
                                std::span<const double> v_edges);
 
 /// Averages a density on cells over new cells, with ConservativeRemap along both axes. The averages
-/// are exact where old and new edges coincide. The edges of a histogram should include the new
-/// edges, since polynomial interpolation is inaccurate for noisy data.
+/// are exact where old and new edges coincide. If the density is a histogram, its edges should
+/// include the new edges, since polynomial interpolation is inaccurate for noisy data.
 GridDensity average_over_cells(const GridDensity& density, std::span<const double> y_edges,
                                std::span<const double> v_edges);
 

@@ -21,7 +21,7 @@ constexpr std::string_view name(StateVariable variable) { return base::name_of(v
 /// compared.
 struct Marginal {
   std::vector<double> edges;    ///< n + 1 increasing bin edges
-  std::vector<double> density;  ///< n bin averages
+  std::vector<double> density;  ///< n averages of the density over bins
   std::vector<double> lower;    ///< n lower ends of 95 % confidence intervals, or empty
   std::vector<double> upper;    ///< n upper ends of 95 % confidence intervals, or empty
 
@@ -31,7 +31,8 @@ struct Marginal {
 };
 
 /// Computes the marginal density of y, paper (30), or of y', paper (34), averaged over the bins
-/// between `edges`. For a density on cells, ConservativeRemap computes the masses of the bins.
+/// between `edges`. For a density on cells, the masses of the bins are computed by
+/// ConservativeRemap.
 Marginal marginal(const Density& density, StateVariable variable, std::span<const double> edges);
 
 /// Returns the L1 distance int |a - b| of two marginals with the same bins: 0 for equal marginals,
@@ -41,17 +42,17 @@ double l1(const Marginal& a, const Marginal& b);
 
 enum class QuadraturePanelSpacing {
   uniform,
-  /// Panels are narrower towards 0, where strong dissipation and rare impulses cause a spike of the
-  /// density.
+  /// Panels become narrower towards 0, where strong dissipation and rare impulses cause a spike of
+  /// the density.
   graded,
-  /// Panels as for `graded`, except that the first panel is subdivided geometrically, for densities
-  /// that are self-similar near the origin.
+  /// Panels of `graded` with a geometrically subdivided first panel, for densities that are
+  /// self-similar near the origin.
   geometric
 };
 
 /// Marginal densities at the points of a composite Gauss-Legendre rule on [y_min, y_max] x [-v_max,
-/// 0] and [y_min, y_max] x [0, v_max]. Mass and moments are computed from the same values of the
-/// density.
+/// 0] and [y_min, y_max] x [0, v_max]. Mass and moments are computed from these values of the
+/// marginal densities.
 struct QuadratureMarginals {
   std::vector<double> y;         ///< points of the quadrature rule in y
   std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the quadrature points
@@ -60,9 +61,9 @@ struct QuadratureMarginals {
   Moments moments = {};
 };
 
-/// Computes the marginals of a density on a given domain; for a comparison of two densities, the
-/// domain may be that of the other density. The spacing `panels` applies to y only for a density
-/// with a wall at y = 0; otherwise the panels of y have equal widths.
+/// Computes the marginals of a density on a given domain, for example the domain of another density
+/// for a comparison. The spacing `panels` applies to y only for a density with a wall at y = 0.
+/// Otherwise the panels of y have equal widths.
 QuadratureMarginals quadrature_marginals(
     const SmoothDensity& density, double y_max, double v_max,
     QuadraturePanelSpacing panels = QuadraturePanelSpacing::uniform);

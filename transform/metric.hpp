@@ -14,11 +14,12 @@ namespace fpkcheck::transform {
 /// Type of a metric, which determines how closely a repeated run must reproduce the value of the
 /// metric.
 enum class MetricKind {
-  result,       ///< part of the solution; a repeated run must reproduce the value
-  coefficient,  ///< coefficient of a closed form; the last digits of coefficients are not determined
-  error,        ///< statistical error, estimated by the method
-  work,         ///< diagnostics of the computation: steps, iterations, seconds, residuals
-  text          ///< explanatory text
+  result,  ///< part of the solution, which a repeated run must reproduce
+  /// Coefficient of a closed form; the last digits of coefficients are not determined.
+  coefficient,
+  error,  ///< statistical error, estimated by the method
+  work,   ///< diagnostics of the computation: steps, iterations, seconds, residuals
+  text    ///< metric that is an explanatory text
 };
 
 /// A quantity of a solution that only one solver returns. The path of a metric, such as
@@ -28,13 +29,11 @@ struct Metric {
   std::string path;
   base::Value value;  ///< value; null if the quantity is absent
   MetricKind kind = MetricKind::result;
-  /// Path of the metric that contains the standard error of the value; empty for a deterministic
-  /// value.
+  /// Path of the metric with the standard error of this metric; empty for a deterministic value.
   std::string standard_error_path = {};
-  /// Lower limit of the scale of relative changes of a result; the scale is max(|value|,
-  /// min_scale).
+  /// Lower limit of the scale max(|value|, min_scale) that divides a change of the value.
   double min_scale = 0.1;
-  /// Whether the value amplifies rounding errors, as values in far tails and small differences do.
+  /// Whether rounding errors change the value strongly, as in far tails and in small differences.
   bool is_rounding_sensitive = false;
 
   bool operator==(const Metric&) const = default;
@@ -43,11 +42,10 @@ struct Metric {
 using Metrics = std::vector<Metric>;
 
 const Metric* find_metric(const Metrics& metrics, std::string_view path);
-/// Returns the numerical value of the metric with this path; empty if no metric with a numerical
-/// value has the path.
-std::optional<double> metric_number(const Metrics& metrics, std::string_view path);
-/// Returns the text of the metric with this path; empty if no metric with a text value has the
+/// Returns the numerical value of the metric with this path; empty if no numerical metric has this
 /// path.
+std::optional<double> metric_number(const Metrics& metrics, std::string_view path);
+/// Returns the text of the metric with this path; empty if no metric with a text has this path.
 std::optional<std::string> metric_text(const Metrics& metrics, std::string_view path);
 
 class MetricBuilder {
@@ -76,17 +74,17 @@ inline base::Value value_from_optional(const std::optional<double>& number) {
 }
 
 /// Relative residuals of the virial balance and of the momentum balance (problem/balances.hpp). A
-/// residual is 0 for the exact stationary density of any density equation and impact condition, and
-/// empty if the solution lacks a quantity of the balance. A density with zero balance residuals may
-/// still be wrong.
+/// balance residual is 0 for the exact stationary density of any density equation and impact
+/// condition. The residual is empty if the solution lacks a quantity of the balance. A density with
+/// zero balance residuals may still be wrong.
 struct BalanceResiduals {
-  std::optional<double> virial = {};    ///< residual of problem::virial_balance()
-  std::optional<double> momentum = {};  ///< residual of problem::momentum_balance()
+  std::optional<double> virial = {};    ///< relative residual of the virial balance
+  std::optional<double> momentum = {};  ///< relative residual of the momentum balance
 };
 
-/// Adds the residuals of the balances as metrics "balances.virial" and "balances.momentum", and
-/// standard errors, if present, as "balances.virial_error" and "balances.momentum_error". The
-/// balance metrics are diagnostics, which a repeated run need not reproduce.
+/// Adds the balance residuals as metrics "balances.virial" and "balances.momentum". Standard
+/// errors, if present, become the metrics "balances.virial_error" and "balances.momentum_error".
+/// The balance metrics are diagnostics, which a repeated run need not reproduce.
 void add_balance_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
                          const BalanceResiduals& standard_errors = {});
 

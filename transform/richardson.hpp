@@ -5,16 +5,16 @@
 #include "transform/solution.hpp"
 
 /// Richardson extrapolation from the solutions u_0, u_1, u_2 on the last three grid levels. From
-/// each level to the next the cells become narrower by the same ratio q. If the differences of
-/// consecutive levels decrease by the ratio
+/// each grid level to the next the cells become narrower by a constant ratio q. If the differences
+/// of consecutive grid levels decrease by the ratio
 ///
 ///     R = |u_1 - u_0| / |u_2 - u_1|,      of observed order log(R) / log(q),
 ///
 /// then the error of u_2 is |u_2 - u_1| / (R - 1), and u_2 + (u_2 - u_1) / (R - 1) is the
 /// Richardson limit. The ratio R is computed from sums of the L1 differences of both marginals,
 /// since the difference of a single marginal may be small by chance. The ratio R is clamped between
-/// q (convergence order 1) and q^p, where p is the convergence order of the scheme, so that
-/// accidental agreement of two levels does not reduce the error estimate. If the differences
+/// q (convergence order 1) and q^p, where p is the convergence order of the scheme. Accidental
+/// agreement of two grid levels then does not reduce the error estimate. If the differences
 /// decrease faster than the scheme allows, the coarsest grid did not resolve the solution, and R
 /// gives no information on the error of the finest grid. The error estimate is not a bound, since
 /// the observed order changes from grid to grid.
@@ -27,8 +27,9 @@ inline constexpr double kRefinementRatio = 1.4142135623730951;
 /// error estimate.
 inline constexpr double kMinOrderForLimit = 1.5;
 
-/// Largest credible excess of the observed convergence order over the order of the scheme. Where
-/// errors cancel in the marginals, the excess is up to 1.6 (tests/fd_fpk/convergence_test.cpp).
+/// Largest credible excess of the observed convergence order over the order of the scheme. If
+/// errors cancel in the marginals, the observed order exceeds the order of the scheme by up to 1.6
+/// (tests/fd_fpk/convergence_test.cpp).
 inline constexpr double kMaxOrderExcess = 1.6;
 
 /// Returns the convergence order to use in an error estimate: the observed order, but at least 1
@@ -45,18 +46,19 @@ struct GridLevel {
   Marginal y;
   Marginal ydot;
   Moments moments;
-  std::vector<double> rest_probabilities = {};  ///< probabilities of the atoms in Solution::atoms
-  double impact_rate = 0;                       ///< impact rate; 0 if the solver returns none
+  /// Probabilities of the rest atoms in Solution::atoms.
+  std::vector<double> rest_probabilities = {};
+  double impact_rate = 0;  ///< impact rate; 0 if the solver returns none
 };
 /// Returns the converging quantities of a solution, with marginals over the bins between the edges.
 /// @throws std::logic_error if the solution has no density
 GridLevel grid_level(const Solution& solution, std::span<const double> y_edges,
                      std::span<const double> ydot_edges);
 
-/// The difference finer - coarser of two consecutive grid levels.
+/// The finer minus the coarser of two consecutive grid levels.
 struct GridLevelDifference {
-  double y_l1;      ///< L1 distance of the two p(y), atoms included
-  double ydot_l1;   ///< L1 distance of the two p(y'), atoms included
+  double y_l1;      ///< L1 distance of p(y) between the two levels, atoms included
+  double ydot_l1;   ///< L1 distance of p(y') between the two levels, atoms included
   Moments moments;  ///< moments of the finer level minus moments of the coarser level
   std::vector<double> rest_probabilities = {};
   double impact_rate = 0;
@@ -68,7 +70,7 @@ GridLevelDifference grid_level_difference(const GridLevel& coarser, const GridLe
 /// The observed convergence orders log(|u_1 - u_0| / |u_2 - u_1|) / log(q) of different quantities
 /// u.
 struct ObservedConvergenceOrders {
-  double l1;  ///< order of the sum of the L1 differences of both marginals
+  double l1;  ///< observed order of the summed L1 differences of p(y) and p(y')
   double y2;  ///< observed order of E[y^2]
   double v2;  ///< observed order of E[y'^2]
 };
@@ -78,15 +80,15 @@ ObservedConvergenceOrders observed_convergence_orders(const GridLevelDifference&
 
 struct RichardsonEstimate {
   ObservedConvergenceOrders orders;
-  double reduction_ratio;  ///< clamped ratio R of consecutive differences
+  double reduction_ratio;  ///< clamped ratio R of the differences of consecutive grid levels
   double factor;           ///< 1 / (R - 1): ratio of the error of u_2 to the last difference
-  /// Error estimate of u_2 by the credible convergence order. The estimate of a moment uses the
-  /// larger of the last difference and the previous difference divided by R, since the last
+  /// Error estimate of u_2 by the credible convergence order. For a moment, the larger of the last
+  /// difference and the previous difference divided by R enters the estimate, since the last
   /// difference may be small by chance.
   ErrorEstimate error;
   std::vector<double> rest_probabilities = {};  ///< error estimates of the rest probabilities
-  /// Error estimate of the impact rate, by the smaller of R and the ratio of the differences of the
-  /// impact rate. At a dissipative wall under noise, the impact rate converges with a power of the
+  /// Error estimate of the impact rate, from the smaller of R and the reduction ratio of the impact
+  /// rate itself. At a dissipative wall under noise, the impact rate converges with a power of the
   /// width of the narrowest cells.
   double impact_rate = 0;
 };
@@ -97,8 +99,8 @@ struct RichardsonEstimate {
 RichardsonEstimate richardson_estimate(const GridLevelDifference& before,
                                        const GridLevelDifference& last, double ratio, int order);
 
-/// Returns the Richardson limit of moments, or of the marginals and moments of a grid level. Bin
-/// averages near 0 may become negative by extrapolation.
+/// Returns the Richardson limit of the moments, or of the marginals and moments, from the two
+/// finest grid levels. Extrapolated bin averages near 0 may be negative.
 Moments richardson_limit(const Moments& fine, const GridLevelDifference& last, double factor);
 GridLevel richardson_limit(const GridLevel& middle, const GridLevel& fine, double factor);
 

@@ -52,7 +52,7 @@ double cardinal_cubic_spline(double t) {
 
 double bin_weight(const SmoothBins& bins, int bin) {
   const double t = (bins.from - bins.first) / bins.spacing - bin, u = std::abs(t);
-  // The variable `beyond` is the integral of M from u to 2.
+  // The variable `beyond` is the integral of the B-spline M from u to 2, for u >= 0.
   const double outer = std::max(0.0, 2 - u), inner = std::max(0.0, 1 - u);
   const double beyond = (std::pow(outer, 4) - 4 * std::pow(inner, 4)) / 24;
   return bins.spacing * (t >= 0 ? beyond : 1 - beyond);
@@ -81,8 +81,9 @@ Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins)
   std::vector<double> averages;
   for (int b = 0; b < bins.count; ++b) {
     // Integration by parts gives int M p = -int F M' for the cumulative distribution F of p. Since
-    // int M' = 0, F is set to 0 at the left end of the support of M. The variables `begin` and
-    // `end` are the ends of the support of bin b in units of the spacing.
+    // int M' = 0, a constant may be added to F, and the code sets F to 0 at the left end of the
+    // support of M. The variables `begin` and `end` are the ends of the support of bin b in units
+    // of the spacing.
     const double begin = b - kSupportHalfWidth, end = b + kSupportHalfWidth;
     const auto scaled_position = [&](double x) { return (x - bins.first) / bins.spacing; };
     double cumulative = 0, integral = 0;

@@ -13,7 +13,7 @@ bool has_error_estimate(const Solution& solution) {
   return std::ranges::all_of(kVariables, [&](StateVariable variable) {
     const bool estimated = std::ranges::any_of(
         solution.estimated_marginals, [&](const auto& one) { return one.first == variable; });
-    // A marginal that does not exist needs no error estimate.
+    // An error estimate is required only for marginals that exist.
     if (!solution.density && !solution.had_density && !estimated) return true;
     if (solution.error && std::isfinite(l1(*solution.error, variable))) return true;
     return sampling && std::isfinite(expected_l1_error(*sampling, variable).value_or(HUGE_VAL));

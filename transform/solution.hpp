@@ -16,8 +16,8 @@
 
 namespace fpkcheck::transform {
 
-/// Status of the result of a solver; a solver that finds no solution returns a status and throws no
-/// exception.
+/// Status of the result of a solver. A solver that finds no solution returns a status instead of
+/// throwing an exception.
 enum class Status { ok, not_converged, ill_posed, inaccurate, inadmissible, failed, not_offered };
 inline constexpr base::EnumEntry<Status> kStatusNames[] = {
     {Status::ok, "ok"},
@@ -38,13 +38,14 @@ struct RichardsonExtrapolation {
   double factor;  ///< 1/(R - 1), where R is the ratio of consecutive differences between grids
 };
 
-/// Standard errors of a solution from a simulation, each in the unit of its quantity.
+/// Absolute standard errors of the quantities of a simulation.
 struct StandardErrors {
   Moments moments = {};
   double energy_residual = 0;
 };
 
-/// Sampling error in L1 of the marginal densities; empty for a marginal without standard errors.
+/// Sampling errors in L1 of the marginal densities of a simulation; empty for a marginal density
+/// without standard errors.
 struct SamplingError {
   std::optional<double> y{}, ydot{};        ///< expected value of the L1 error
   std::optional<double> y_99{}, ydot_99{};  ///< 99 % quantile of the L1 error over repeated runs
@@ -53,7 +54,7 @@ struct SamplingError {
 /// A marginal over smooth bins, estimated by a simulation with control variates.
 struct SmoothBinEstimate {
   SmoothBins bins;
-  Marginal averages;               ///< averages with 95 % confidence intervals
+  Marginal averages;               ///< averages of the density with 95 % confidence intervals
   std::vector<double> covariance;  ///< covariance matrix of the averages, row-major
 };
 
@@ -61,17 +62,17 @@ struct SmoothBinEstimate {
 /// (Roache, Journal of Fluids Engineering 116 (1994) 405).
 inline constexpr double kErrorSafetyFactor = 1.25;
 
-/// Error estimate that the method states for its solution, without sampling errors.
+/// Error estimate of a solution by its own method, without sampling errors.
 struct ErrorEstimate {
-  double y_l1 = 0;       ///< L1 error of p(y)
-  double ydot_l1 = 0;    ///< L1 error of p(y')
+  double y_l1 = 0;       ///< L1 error of the marginal p(y)
+  double ydot_l1 = 0;    ///< L1 error of the marginal p(y')
   Moments moments = {};  ///< absolute errors of the moments
 };
 
 /// A rest atom: the probability of rest in contact with a wall. The sum of the mass of the density
 /// and the probabilities of all rest atoms is 1.
 struct RestAtom {
-  double y = 0;  ///< position of the wall
+  double y = 0;  ///< position of the wall with the atom
   double probability = 0;
   std::optional<double> standard_error = {};
   std::optional<double> error_estimate = {};
@@ -80,18 +81,17 @@ struct RestAtom {
 /// The result of a solver, or a result that was read from a saved run.
 struct Solution {
   SolutionIdentity identity;
-  base::Values options = {};  ///< options of the solver, as requested
+  base::Values options = {};  ///< options of the solver, as the user requested
   Status status = Status::failed;
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
-  double seconds = 0;       ///< wall-clock time of the solver
+  double seconds = 0;       ///< wall-clock time of the solver in seconds
 
-  /// The joint density; empty if the solver found no density or if the solution was read from a
-  /// saved run.
+  /// Joint density; empty if the solver found no density, or for a solution from a saved run.
   std::optional<Density> density = {};
   /// Marginals with confidence intervals, estimated by a simulation; empty for other solvers.
   std::vector<std::pair<StateVariable, Marginal>> estimated_marginals = {};
   /// Marginals over smooth bins from a simulation with control variates, far more accurate than
-  /// marginals over sharp bins; empty for other solvers and for solutions from a saved run.
+  /// marginals over sharp bins. Other solvers and saved runs have no such marginals.
   std::vector<std::pair<StateVariable, SmoothBinEstimate>> smooth_estimates = {};
   /// Richardson extrapolation, if the solver estimated its discretisation error from a coarser
   /// grid.
@@ -110,7 +110,7 @@ struct Solution {
   std::optional<ErrorEstimate> error = {};
   Metrics metrics = {};
 
-  /// Whether a solution that was read from a saved run had a density in the run.
+  /// Whether a solution from a saved run had a density when the run was saved.
   bool had_density = false;
 
   const std::string& id() const { return identity.id; }
@@ -126,26 +126,27 @@ bool has_error_estimate(const Solution& solution);
 /// Changes the status `ok` of a solution without an error estimate to `inaccurate`.
 void require_error_estimate(Solution& solution);
 
-/// Changes the status `ok` of the solution to `inaccurate` if the solution has no error estimate,
-/// or if the L1 error estimate of p(y) or p(y') exceeds `accuracy`.
-/// @param reason text that states the error; the function appends the requested accuracy
+/// Changes the status `ok` of a solution to `inaccurate` if the L1 error estimate of p(y) or p(y')
+/// is missing or exceeds `accuracy`.
+/// @param reason text that states the error, to which the function appends the requested accuracy
 void require_accuracy(double accuracy, const std::string& reason, Solution& solution);
 
 const Solution* find_solution(std::span<const Solution> solutions, std::string_view id);
 
-/// Returns the marginal of a solution over the bins between `edges`: the marginal that the solver
-/// estimated, if its bins have exactly these edges; otherwise the marginal of the density.
+/// Returns the marginal of a solution over the bins between `edges`. If the solver estimated a
+/// marginal over exactly these bins, the function returns this estimate, otherwise the marginal of
+/// the density.
 /// @throws std::logic_error if the solution has no density
 Marginal marginal(const Solution& solution, StateVariable variable, std::span<const double> edges);
 
-/// Returns the marginal of the Richardson limit of the densities on the grids of a solution. Bin
-/// averages near 0 may become negative by extrapolation.
+/// Returns the marginal of the Richardson limit of the densities on the grids of a solution.
+/// Extrapolated bin averages near 0 may be negative.
 /// @throws std::logic_error if the solution has no density or no extrapolation
 Marginal richardson_limit_marginal(const Solution& solution, StateVariable variable,
                                    std::span<const double> edges);
 
-/// Returns the sampling error of the marginals over smooth bins if the solution has such marginals,
-/// otherwise of the marginals over sharp bins.
+/// Returns the sampling error of the marginals over smooth bins. If the solution has none, the
+/// result is the sampling error of the marginals over sharp bins.
 const std::optional<SamplingError>& best_sampling_error(const Solution& solution);
 const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, StateVariable variable);
 

@@ -9,12 +9,12 @@
 
 namespace fpkcheck::transform {
 
-/// Type of a solution in a comparison, by increasing trust.
+/// Types of solutions in a comparison, ordered by increasing trust.
 enum class SolutionRole {
   external,    ///< an external density of unknown origin
   closure,     ///< a density of assumed form
   equation,    ///< a discretised density equation
-  simulation,  ///< simulated trajectories
+  simulation,  ///< estimates from simulated trajectories
 };
 inline constexpr base::EnumEntry<SolutionRole> kSolutionRoleNames[] = {
     {SolutionRole::external, "given"},
@@ -29,18 +29,19 @@ struct PlotStyle {
   std::string colour = "#777777";  ///< colour in the form "#RRGGBB"
   std::string dash = "solid";      ///< a dash type of gnuplot: "solid", "(10,4)"
   double width = 1.5;
-  bool as_points = false;    ///< whether points with confidence intervals replace the line
-  int layer = 1;             ///< lower layers are drawn first
+  /// Whether the plot shows points with confidence intervals instead of a line.
+  bool as_points = false;
+  int layer = 1;             ///< drawing order: curves of lower layers are drawn first
   std::string symbol = "x";  ///< marker of plotly.js for a single point
 
   bool operator==(const PlotStyle&) const = default;
 };
 
-/// The solver sets the method, the density equation and the impact condition of a solution; the
-/// registry of methods sets family, meaning, trust and plot style.
+/// Identity of a solution. The solver sets the method, the density equation and the impact
+/// condition, and the registry of methods sets family, meaning, trust and plot style.
 struct SolutionIdentity {
   std::string id;      ///< id of the solution: "epc-gaussian-n6", "fd-kf", "mcs"
-  std::string method;  ///< method of the solver: "epc", "fd", "mcs", or "file"
+  std::string method;  ///< name of the method: "epc", "fd", "mcs", or "file"
   /// Formulation and variant of a closure, such as "gaussian" or "moment-white"; empty for other
   /// methods.
   std::string formulation = {};
@@ -53,7 +54,7 @@ struct SolutionIdentity {
   SolutionRole role = SolutionRole::external;
   std::string family = {};   ///< group of solutions in lists: "epc-gaussian", "fd"
   std::string meaning = {};  ///< meaning of the method, one sentence for glossaries
-  int trust = 0;             ///< rank within the role, by increasing trust
+  int trust = 0;  ///< rank among solutions of the same role; a larger rank means more trust
   PlotStyle plot_style = {};
 
   bool operator==(const SolutionIdentity&) const = default;
@@ -65,16 +66,16 @@ inline constexpr std::string_view kExternalFile = "file", kExternalFunction = "g
 
 bool is_external(const SolutionIdentity& identity);
 
-/// Returns whether the solutions of the same family differ in their closure order: true for a
-/// closure, and for an external density that belongs to a family of external densities
+/// Returns whether solutions of the family of this solution differ in their closure order. The
+/// result is true for closures and for external densities of a family
 /// (methods/external/external_labels.hpp).
 bool differs_by_order_in_family(const SolutionIdentity& identity);
 
 /// Returns the names of the density equation and the impact condition, such as "km4/delta".
 std::string equation_and_impact_text(const SolutionIdentity& identity);
 
-/// Returns the short name of a solution within its family, such as "n6" or "kf"; the id if there is
-/// no shorter name.
+/// Returns the short name of a solution within its family, such as "n6" or "kf", or the id without
+/// a shorter name.
 std::string short_name(const SolutionIdentity& identity);
 
 }  // namespace fpkcheck::transform

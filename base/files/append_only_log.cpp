@@ -80,7 +80,7 @@ void AppendOnlyLog::append(std::string_view line) {
 }
 
 void AppendOnlyLog::flush() const {
-  // Some file systems do not support fdatasync.
+  // The error EINVAL is ignored, since some file systems do not support fdatasync.
   if (fdatasync(descriptor_.number()) != 0 && errno != EINVAL && errno != ENOTSUP) fail("written");
 }
 

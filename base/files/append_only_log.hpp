@@ -25,11 +25,11 @@ class AppendOnlyLog {
   std::vector<std::string> read();
   bool has_removed_partial_line() const { return removed_partial_line_; }
 
-  /// Appends a line completely or not at all. An appended line remains in the file even if the
-  /// process is killed.
-  /// @throws std::runtime_error with a one-line message; the file is then unchanged
+  /// Appends a line completely, or leaves the file unchanged. An appended line remains in the file
+  /// even if the process is killed.
+  /// @throws std::runtime_error with a one-line message if the line cannot be written
   void append(std::string_view line);
-  /// Waits until all appended lines are on disk, where they survive a power failure.
+  /// Waits until all appended lines are on disk, where the lines survive a power failure.
   void flush() const;
 
  private:

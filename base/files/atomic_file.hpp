@@ -26,9 +26,9 @@ class FileDescriptor {
   int number_;
 };
 
-/// Returns the path of the hidden partial file beside the target, .NAME.partial-HOST-PID. Host name
-/// and process id in the file name prevent two runs with the same output directory from writing the
-/// same partial file.
+/// Returns the path .NAME.partial-HOST-PID of the hidden partial file beside a target NAME. Host
+/// name and process id in the file name prevent two runs with the same output directory from
+/// writing the same partial file.
 std::filesystem::path partial_file_path(const std::filesystem::path& target);
 
 struct WriterProcess {
@@ -36,19 +36,19 @@ struct WriterProcess {
   long pid;
 
   static WriterProcess current_process();
-  /// Returns false only if the process ran on this host and has ended; a process of another host
-  /// cannot be queried.
+  /// Returns false only if the process ran on this host and has ended. The state of a process on
+  /// another host is unknown.
   bool may_be_running() const;
 };
 
 /// Removes those partial files of a directory whose writing process ran on this host and has ended.
 void remove_abandoned_partial_files(const std::filesystem::path& directory);
 
-/// Permissions of a new file, before the system removes the permissions in the umask.
+/// Permissions of a new file, from which the system removes the permissions in the umask.
 inline constexpr int kFileMode = 0666;
 
-/// Creates a file with these bytes and waits until the file is on disk.
-/// @throws std::system_error if the file exists or cannot be written; no incomplete file remains
+/// Creates a file with the contents `bytes` and waits until the file is on disk.
+/// @throws std::system_error if the file exists or cannot be written; an incomplete file is removed
 void write_new_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// Waits until the contents of a file, or the entries of a directory, are on disk.

@@ -29,8 +29,8 @@ std::runtime_error cannot_write(const fs::path& target, const std::error_code& w
 constexpr const char* kFirstLine = "fpkcheck commit 1";
 constexpr const char *kRename = "rename", *kRemove = "remove";
 
-// A journal has one file name per line, so that names may contain spaces. Names with a slash are
-// rejected, since a forged journal could name files of other directories.
+// File names in a journal may contain spaces, since a journal has one name per line. Names with a
+// slash are rejected, since a forged journal could name files of other directories.
 bool is_plain_file_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." &&
          name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
@@ -164,8 +164,8 @@ void FileTransaction::replace_targets(const fs::path& directory) {
       }
       for (const auto& target : removals_) journal.removals.push_back(target.filename().string());
       journal.write_to_directory(directory);
-      // Once the journal is written, the partial files must be kept, since this or the next process
-      // applies the journal.
+      // After the journal is written, the partial files must be kept until this process or the next
+      // process applies the journal.
       pending_.clear();
       removals_.clear();
       journal.apply(directory);

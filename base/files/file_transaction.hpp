@@ -12,8 +12,8 @@ namespace fpkcheck::base {
 
 /// Replaces several files of one directory in one transaction. The function add() writes a partial
 /// file beside each target, and commit() replaces all targets. Without a call of commit(), the
-/// destructor removes the partial files and the targets are unchanged. If the process is killed,
-/// the directory contains either all old or all new files (see Journal).
+/// destructor removes the partial files and leaves the targets unchanged. If the process is killed,
+/// the directory contains either all old or all new files (see CommitJournal).
 class FileTransaction {
  public:
   using FileWriter = std::function<void(const std::filesystem::path& temporary)>;
@@ -33,7 +33,8 @@ class FileTransaction {
   /// Marks a file, which may be absent, for removal by commit().
   void remove(const std::filesystem::path& target);
 
-  /// Replaces all targets by their new files, and removes the files that are marked for removal.
+  /// Replaces all targets by their partial files, and removes the files that are marked for
+  /// removal.
   /// @throws std::runtime_error with a one-line message. A missing partial file, or a directory
   /// with the name of a target, is detected before any target is replaced.
   /// @pre commit() was not called before
@@ -77,21 +78,21 @@ struct CommitJournal {
 
   static constexpr const char* kFileName = ".fpkcheck-commit";
 
-  /// Writes the journal to disk; from then on, this or a later process completes the change of
-  /// files.
-  /// @throws std::system_error, after which no new journal exists; with the code file_exists if the
+  /// Writes the journal to disk. If this process is killed afterwards, a later process completes
+  /// the change of files.
+  /// @throws std::system_error if no journal was written; the error code is file_exists if the
   /// directory already contains a journal
   void write_to_directory(const std::filesystem::path& directory) const;
-  /// Performs those renames and removals that are not yet done, and removes the journal.
-  /// @throws std::system_error; the journal then remains
+  /// Performs the remaining renames and removals of the journal, then removes the journal.
+  /// @throws std::system_error if a rename or removal fails; the journal then remains in the
+  /// directory
   void apply(const std::filesystem::path& directory) const;
 };
 
 /// If the directory contains a journal, completes the change of files that a killed process left
 /// incomplete.
-/// @throws InputError with a one-line message if another process may still be performing the
-/// change, if the journal belongs to another user or is damaged, or if the directory is not
-/// writable
+/// @throws InputError with a one-line message if another process may still apply the journal, if
+/// the journal is damaged or belongs to another user, or if the directory is not writable
 void recover_interrupted_commit(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::base

@@ -19,7 +19,7 @@ std::optional<std::string> read_input_file(const std::filesystem::path& file,
 struct IniSetting {
   std::string section;  ///< name of the section; empty for a line before the first section
   std::string key, text;
-  std::string where;  ///< location of the line, for messages: "case mine.ini:7"
+  std::string where;  ///< file and line of the setting, for messages: "case mine.ini:7"
 
   /// Returns section and key joined by a dot, such as "system.damping".
   std::string path() const { return section.empty() ? key : section + '.' + key; }

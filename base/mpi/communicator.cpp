@@ -20,7 +20,8 @@ bool Communicator::launched_by_mpi() {
     std::from_chars(number.data(), number.data() + number.size(), size);
     if (size > 1) return true;
   }
-  // With srun --mpi=pmix only the Slurm variable SLURM_NTASKS contains the number of processes.
+  // The launcher srun --mpi=pmix sets the number of processes only in the Slurm variable
+  // SLURM_NTASKS.
   const char* const tasks = std::getenv("SLURM_NTASKS");
   return std::getenv("PMIX_RANK") != nullptr && tasks != nullptr && std::string_view(tasks) != "1";
 }

@@ -19,8 +19,8 @@ class Communicator {
     std::string text;
   };
 
-  /// Returns whether a launcher such as mpirun or srun --mpi started several processes, according
-  /// to the environment variables of the launcher.
+  /// Returns whether the environment variables of a launcher (mpirun, srun --mpi) show several MPI
+  /// processes.
   static bool launched_by_mpi();
   /// @throws InputError if the program was built without MPI
   static std::unique_ptr<Communicator> initialise_mpi();
@@ -32,21 +32,21 @@ class Communicator {
   bool is_first_rank() const { return rank() == 0; }
 
   virtual void send(int to, const std::string& text) = 0;
-  /// Returns the next message that has arrived, or nullopt if there is no message; does not block.
+  /// Returns the next message that has arrived, or nullopt without waiting if no message has
+  /// arrived.
   virtual std::optional<Message> receive() = 0;
   /// Collects the texts of all MPI processes on rank 0; every process must call this function.
   /// @param poll function that rank 0 calls repeatedly during the wait; an exception of `poll` ends
   /// the wait
-  /// @return the texts of the other processes by increasing rank on rank 0; an empty list on the
-  /// other ranks
+  /// @return on rank 0 the texts of the other processes by increasing rank; on other ranks an empty
+  /// list
   std::vector<std::string> gather(const std::string& own, const std::function<void()>& poll);
   /// A failing process must call abort(), since the other processes of this run would wait forever
   /// for its messages.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 
  private:
-  /// Texts that gather() has received early, by rank: a faster process may already send its text
-  /// for the next call of gather().
+  /// Texts for the next call of gather(), by rank, which faster processes have already sent.
   std::map<int, std::deque<std::string>> gathered_;
 };
 

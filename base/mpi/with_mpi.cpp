@@ -56,7 +56,7 @@ class MpiCommunicator : public Communicator {
   }
   [[noreturn]] void abort(int exit_code) override {
     MPI_Abort(MPI_COMM_WORLD, exit_code);
-    std::abort();  // MPI_Abort does not return
+    std::abort();  // unreachable, since MPI_Abort does not return
   }
 
  private:

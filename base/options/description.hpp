@@ -14,7 +14,7 @@
 
 namespace fpkcheck::base {
 
-/// Conversion between a data member of an options struct and a Value.
+/// Conversion between a data member of an options struct and the variant type Value.
 template <class Member>
 struct MemberConversion;
 
@@ -94,7 +94,7 @@ concept Resettable = requires(Member member) {
 };
 
 /// The parameters of one options struct, in the order of help texts and tables. Only the derived
-/// template Description<Owner> depends on the type of the struct.
+/// class template Description<Owner> depends on the type of the options struct.
 class DescriptionBase {
  public:
   /// @param prefix text before each parameter name in messages, e.g. "system." or "epc "
@@ -183,25 +183,25 @@ class Description : public DescriptionBase {
     all_.back().display_text = std::move(display_text);
     return std::move(*this);
   }
-  /// Sets the value of the last added parameter that applies if a file lacks its key.
+  /// Sets the default value of the last added parameter, which applies if a file lacks its key.
   Description&& with_default(Value value) && {
     all_.back().default_value = std::move(value);
     return std::move(*this);
   }
-  /// Sets the default value like with_default(); files and tables omit the parameter if its value
-  /// equals the default.
+  /// Sets the default value of the last added parameter. Files and tables omit the parameter if its
+  /// value equals the default value.
   Description&& with_default_omitted_from_files(Value default_value) && {
     all_.back().omit_default = true;
     return std::move(*this).with_default(std::move(default_value));
   }
 
   Values values(const Owner& owner) const { return values_of(&owner); }
-  /// Returns the values that files store: all values except the defaults of parameters with
-  /// omit_default.
+  /// Returns the values that files store: all values, except default values of parameters for which
+  /// omit_default is set.
   Values stored_values(const Owner& owner) const { return stored_values_of(&owner); }
 
-  /// Builds an options struct from the values of its parameters, without checking ranges (see
-  /// validate()).
+  /// Builds an options struct from the values of its parameters. The function does not check ranges
+  /// (see validate()).
   /// @param group name of the group of values in messages, e.g. "options"
   /// @throws InputError that names a parameter if the parameter is missing, unknown or of the wrong
   /// type
@@ -211,8 +211,8 @@ class Description : public DescriptionBase {
     return owner;
   }
 
-  /// @throws InputError that states name, value and range of the first parameter that is out of
-  /// range
+  /// @throws InputError that states name, value and range of the first parameter whose value is out
+  /// of range
   void validate(const Owner& owner) const { require_values_in_range(&owner); }
 
   /// Parses a text and assigns the value to one parameter of `owner`.

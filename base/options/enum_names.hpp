@@ -18,8 +18,8 @@ struct EnumEntry {
   std::string_view meaning = {};
 };
 
-/// Every enum that is read or written by name has a table of names, which the function
-/// `enumerator_names(Enum)` in the namespace of the enum returns.
+/// Every enum that is read or written by name has a table of names. The function
+/// `enumerator_names(Enum)` in the namespace of the enum returns this table.
 ///
 ///     constexpr EnumEntry<Stepper> kStepperNames[] = {{Stepper::cvode, "cvode"}, ...};
 ///     constexpr const auto& enumerator_names(Stepper) { return kStepperNames; }

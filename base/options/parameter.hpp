@@ -36,7 +36,7 @@ struct AdmissibleRange {
   std::function<bool(double)> contains;
   std::string requirement;  ///< text after "must be" in messages, such as "a positive number"
 
-  /// Returns the same range with a reason appended to the requirement in messages.
+  /// Returns a copy of this range with a reason appended to the text `requirement`.
   AdmissibleRange with_appended_reason(const std::string& reason) const {
     return {contains, requirement + ": " + reason};
   }
@@ -68,7 +68,7 @@ struct Parameter {
   std::optional<AdmissibleRange> range = {};
   std::optional<Value> default_value = {};  ///< value of the parameter if a file lacks its key
   bool omit_default = false;
-  /// Function that returns a short display text for a long word; may be empty.
+  /// Optional function that returns a short display text for a long word.
   std::function<std::string(const std::string& word)> display_text = {};
 
   std::function<Value(const void* owner)> get = {};
@@ -78,10 +78,10 @@ struct Parameter {
   std::string requirement_text() const;
 
   /// Converts a value to the type of the parameter, for example an integer to a number. Returns
-  /// nullopt for a value of another type; the range is not checked.
+  /// nullopt if the value has another type. The range is not checked.
   std::optional<Value> convert_to_parameter_type(const Value& value) const;
 
-  /// Parses the text of a value; "auto" gives an unset value if can_be_automatic is true.
+  /// Parses the text of a value. The text "auto" gives an unset value if can_be_automatic is true.
   /// @return nullopt if the text is not a value of the parameter's type
   std::optional<Value> parse(std::string_view text) const;
 

@@ -15,9 +15,9 @@ int number_of_threads(int requested);
 void parallel_for(std::size_t count, int thread_count,
                   const std::function<void(std::size_t)>& work);
 
-/// Returns the number of processors in the affinity mask of this process, limited by
-/// SLURM_CPUS_PER_TASK and OMP_NUM_THREADS, but at least 1. The affinity mask excludes processors
-/// of a shared node that belong to other jobs.
+/// Returns the number of processors in the affinity mask of this process, at least 1.
+/// SLURM_CPUS_PER_TASK and OMP_NUM_THREADS are upper limits of the number. The affinity mask
+/// excludes processors of a shared node that belong to other jobs.
 int available_processors();
 
 }  // namespace fpkcheck::base

@@ -12,8 +12,8 @@ std::atomic<int> stopping_signal = 0;
 // Signal handlers may use lock-free atomics only.
 static_assert(std::atomic<int>::is_always_lock_free);
 
-// GuardState is never destroyed, since a thread may still wait for the condition variable while the
-// process exits.
+// The object GuardState is never destroyed, since a thread may still wait for its condition
+// variable while the process exits.
 struct GuardState {
   std::mutex mutex;
   std::condition_variable changed;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Request to stop the program, set by signal handlers, and delay of the process exit while files
-/// are written. Only `cli` installs signal handlers.
+/// Functions that store a stop request of a signal handler, and delay the exit of the process while
+/// files are written. Only the directory `cli` installs signal handlers.
 namespace fpkcheck::base {
 
 /// Returns the number of the signal that requested a stop; 0 if no stop was requested.
@@ -9,8 +9,8 @@ int stop_signal();
 
 inline bool stop_requested() { return stop_signal() != 0; }
 
-/// Stores the number of a signal as a request to stop; the number 0 clears the request. The
-/// function request_stop() is async-signal-safe.
+/// Stores the number of a signal as a request to stop the program; the number 0 clears the request.
+/// The function is async-signal-safe.
 void request_stop(int signal);
 
 /// Guard object that delays the exit of the process while the thread of the guard writes files.
@@ -24,9 +24,8 @@ class ExitBlocker {
   ExitBlocker& operator=(const ExitBlocker&) = delete;
 };
 
-/// Waits until no ExitBlocker exists; afterwards, the constructor of ExitBlocker blocks every
-/// thread except the calling thread. A thread calls this function before ending the process while
-/// other threads may write files.
+/// Waits until no ExitBlocker exists. Afterwards, the constructor of ExitBlocker blocks every
+/// thread except the calling thread. A thread calls this function before it ends the process.
 void wait_and_block_other_writers();
 
 }  // namespace fpkcheck::base

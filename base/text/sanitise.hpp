@@ -11,15 +11,14 @@ namespace fpkcheck::base {
 /// by "...".
 std::string sanitise(std::string_view text);
 
-/// Returns the result of sanitise() in single quotes.
+/// Returns sanitise(text) enclosed in single quotes.
 std::string in_quotes(std::string_view text);
 
-/// Replaces control characters and invalid UTF-8 by escapes such as \x1b, without a limit of the
-/// length.
+/// Replaces control characters and invalid UTF-8 by escapes such as \x1b. The length of the text is
+/// not limited.
 std::string escape_control_characters(std::string_view text);
 
-/// Converts a message of a library to one line of at most 380 characters; the rest of a longer
-/// message is removed.
+/// Converts a message of a library to one line, truncated to 380 characters.
 std::string to_single_line(std::string_view text);
 
 }  // namespace fpkcheck::base

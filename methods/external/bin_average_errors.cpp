@@ -11,8 +11,8 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The trapezoidal rule gives the integral over the bin as a linear combination of the values at the
-// knots.
+// Returns the integral over a bin by the trapezoidal rule, as a linear combination of the density
+// values at the knots.
 BinAverageError trapezoidal_rule(std::span<const double> knots, double lower, double upper) {
   BinAverageError bin{.width = upper - lower, .first = 0, .factors = {}};
   const auto after = std::ranges::upper_bound(knots, lower) - knots.begin();
@@ -27,7 +27,7 @@ BinAverageError trapezoidal_rule(std::span<const double> knots, double lower, do
   return bin;
 }
 
-// Replaces the value at the first knot by v[1] - (v[2] - v[1]) * ratio.
+// Replaces the value v[0] at the first knot by the extrapolation v[1] - (v[2] - v[1]) * ratio.
 void extrapolate_to_first_knot(BinAverageError& bin, double ratio) {
   if (bin.first > 0) {
     --bin.first;
@@ -41,8 +41,8 @@ void extrapolate_to_first_knot(BinAverageError& bin, double ratio) {
   bin.factors[1] -= at_first * ratio;
 }
 
-// Replaces the value at the last knot (index `points`) by the formula of
-// extrapolate_to_first_knot().
+// Replaces the value at the last knot (index `points`) by extrapolation from the two previous
+// knots.
 void extrapolate_to_last_knot(BinAverageError& bin, std::size_t points, double ratio) {
   if (bin.first + bin.factors.size() <= points) return;
   const double at_last = bin.factors.back();

@@ -8,13 +8,14 @@
 
 namespace fpkcheck::methods {
 
-/// The sampling error of the average of a density over a bin: the sum of factors[k] * z[first + k].
-/// The independent z[i] are the errors of the density at the points i, in units of their standard
-/// errors.
+/// The sampling error of the average of a density over a bin, sum_k factors[k] z[first + k]. The
+/// independent variables z[i] are the errors of the density at the points i, divided by the
+/// standard errors.
 struct BinAverageError {
   double width;
-  std::size_t first = 0;  ///< index of the first point with a factor
-  /// Factors of the point `first` and the following points; empty if the bin is outside the points.
+  std::size_t first = 0;  ///< index of the first point of the density that affects the bin
+  /// Factors of the errors at the points first, first + 1, ..; empty if the bin is outside all
+  /// points.
   std::vector<double> factors;
 
   double standard_error() const;
@@ -24,16 +25,17 @@ struct BinAverageError {
 /// between points with independent errors.
 /// @param knots abscissae of the points, and of the walls to which the density is extrapolated
 /// @param errors standard errors of the density at the points
-/// @param extrapolation whether the first or the last knot is a wall; the density at such a wall is
-///        extrapolated linearly from the next two knots
+/// @param extrapolation whether the first or the last knot is a wall, to which the density is
+/// extrapolated linearly from the next two knots
 std::vector<BinAverageError> bin_average_errors(std::span<const double> knots,
                                                 std::span<const double> errors,
                                                 std::span<const double> edges,
                                                 const WallExtrapolation& extrapolation);
 
-/// L1 sampling error of a density, as averages over bins.
+/// L1 sampling error of a density that is given by averages over bins.
 struct L1SamplingError {
-  /// Expected L1 error: the sum over bins of sqrt(2/pi) * standard error * width.
+  /// Expected L1 error, the sum over bins of sqrt(2/pi) times the standard error times the bin
+  /// width.
   double expected = 0;
   double quantile_99 = 0;
 };

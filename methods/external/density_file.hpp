@@ -12,8 +12,8 @@ namespace fpkcheck::methods {
 
 /// The format of a file with a density, detected from the contents of the file.
 enum class DensityFileFormat {
-  text,  ///< columns of numbers
-  json,  ///< a closed form, or the summary of a run
+  text,  ///< text with columns of numbers
+  json,  ///< JSON with a closed form or with the summary of a run
   netcdf
 };
 
@@ -22,23 +22,23 @@ struct DensityFileContent {
   std::string bytes;
 };
 
-/// @throws InputError with a message of one line, if the file is unreadable or too large, or is
-///         neither text nor netCDF-4
+/// @throws InputError with a message of one line, if the file is unreadable, too large, or neither
+/// text nor netCDF-4
 DensityFileContent read_density_file(const std::filesystem::path& file);
 
 /// The selection of one solution of a saved run.
 struct SolutionSelection {
   std::optional<std::string> solution = {};
   std::optional<std::string> case_name = {};
-  /// Name of the case if `case_name` is empty and the run has a case of this name.
+  /// Name of the case to use if `case_name` is empty and the run has a case with this name.
   std::string default_case = {};
 };
 
 /// The contents of a JSON file with the closed form of a density.
 struct ClosedFormFile {
   epc::ClosedForm form;
-  std::optional<problem::Problem> problem = {};  ///< the problem of a saved run
-  /// The solution of a saved run with this closed form, but without its density.
+  std::optional<problem::Problem> problem = {};  ///< problem of the saved run, if any
+  /// Solution with the closed form in a saved run; has no density.
   std::optional<transform::Solution> solution = {};
 };
 
@@ -50,12 +50,12 @@ struct ClosedFormFile {
 ClosedFormFile read_closed_form_file(const std::string& text, const std::string& file_name,
                                      const SolutionSelection& choice);
 
-/// Returns the index of the requested name in `names`. Without a requested name, the result is the
-/// index of the only name.
+/// Returns the index of the requested name in `names`. If no name is requested, `names` must have
+/// one element, and the result is its index.
 /// @param item_kind "case" or "solution", for messages
 /// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if `names` lacks the requested name, or if no
-///         name is requested and `names` has several
+/// name is requested and `names` has several elements
 std::size_t select_requested_index(const std::vector<std::string>& names,
                                    const std::optional<std::string>& requested,
                                    const std::string& item_kind, const std::string& file_name);

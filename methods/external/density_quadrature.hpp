@@ -11,8 +11,8 @@ namespace fpkcheck::methods {
 /// The cells and quadrature points at which an external joint density p(y, y') is evaluated.
 class DensityQuadratureGrid {
  public:
-  /// Uses the cells of the comparison axes. On each side without a wall, additional cells of the
-  /// same width extend the range to 10/7 of its length, to include mass beyond the comparison axes.
+  /// Makes the cells from the comparison axes. On each side without a wall, additional cells extend
+  /// the range of the comparison axes to 10/7 of its length, to include the mass outside.
   DensityQuadratureGrid(const compare::ComparisonAxes& axes, const problem::Walls& walls);
 
   const problem::Walls& walls() const { return walls_; }
@@ -23,8 +23,8 @@ class DensityQuadratureGrid {
 
   const std::vector<double>& y_edges() const { return y_edges_; }
   const std::vector<double>& v_edges() const { return v_edges_; }
-  /// Returns the quadrature points in y: three Gauss-Legendre points per cell. A wall at the first
-  /// or last cell edge is an additional first or last point.
+  /// Returns the quadrature points in y: three Gauss-Legendre points per cell. If a wall is at the
+  /// first or the last cell edge, the wall is an additional point.
   const std::vector<double>& y_points() const { return y_; }
   /// Returns the quadrature points in y': three Gauss-Legendre points per cell.
   const std::vector<double>& v_points() const { return v_; }
@@ -35,16 +35,17 @@ class DensityQuadratureGrid {
   std::vector<double> y_edges_, v_edges_, y_, v_;
 };
 
-/// Returns the edges of three subcells per cell. The widths of the subcells are the quadrature
-/// weights of the points of the cell. If the values at the points are averages of a density over
-/// the subcells, the quadrature rule gives the exact averages over the cells.
+/// Returns the edges of three subcells per cell. The widths of the three subcells are the
+/// quadrature weights of the cell. If a density is replaced by its averages over subcells, the
+/// quadrature gives its exact averages over cells.
 std::vector<double> subcell_edges(const std::vector<double>& edges);
 
 /// Integrals of an external density p(y, y'), from the values of p at the quadrature points.
 class DensityIntegrals {
  public:
-  /// Refers to `points` and `values`, which must outlive the object.
-  /// @param values values of p, row-major, shape (points.y_points(), points.v_points())
+  /// The object keeps references to `points` and `values`, which must outlive the object.
+  /// @param values values of the density p at the quadrature points, row-major, shape
+  /// (points.y_points(), points.v_points())
   DensityIntegrals(const DensityQuadratureGrid& points, const std::vector<double>& values);
 
   /// Returns the integral of a function times the density, int g(y, v) p(y, v) dy dv.
@@ -74,8 +75,8 @@ class DensityIntegrals {
   transform::GridDensity averages() const;
 
  private:
-  /// Returns the integral of |v|^power p over velocities with the sign of `direction`, at the y of
-  /// a row of points.
+  /// Returns the integral of |v|^power p(y, v) over velocities v with the sign of `direction`, at
+  /// the value y of one row of points.
   double wall_velocity_moment(std::size_t row, double direction, int power) const;
   double value(std::size_t i, std::size_t j) const { return values_[i * weight_v_.size() + j]; }
 

@@ -19,8 +19,8 @@ using transform::Moments;
 using transform::Solution;
 using transform::Status;
 
-// The negative and the cut-off tolerance are relative to the peak of the density, the mass
-// tolerance to a mass of 1.
+// The tolerances of negative values and of cut-off are relative to the peak of the density. The
+// tolerance of the mass is relative to a mass of 1.
 constexpr double kNegativeTolerance = 1e-6, kCutOffTolerance = 1e-4, kMassTolerance = 1e-3;
 
 // Returns the largest average over the outermost cells, except cells at a wall.
@@ -93,7 +93,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
       .mean_absolute_force = mean([&](double x, double) { return std::abs(force(x)); })};
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(transformed, virial).residual()};
-  // Without a wall and with zero-mean impulses both sides of the momentum balance are 0.
+  // For impulses with mean zero and a system without a wall, both sides of the momentum balance are
+  // 0.
   const bool has_mean_impulse = problem.impulses.rate_times_moment(1) != 0;
   if (problem.system.left_wall() || problem.system.right_wall() || has_mean_impulse) {
     residuals.momentum = problem::momentum_balance(transformed, momentum).residual();
@@ -194,8 +195,7 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
   add_rest_atom_note(problem, builder);
   solution.metrics = builder.take_metrics();
   if (external.equation && context.error_estimator != nullptr) {
-    // The prefix of the reason is empty, since the equations of an external density were not
-    // tested.
+    // The reason has no prefix, since the equations of an external density were not tested.
     set_residual_error_estimate(*context.error_estimator, options.accuracy, solution, {}, "");
   }
   return solution;

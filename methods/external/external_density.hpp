@@ -9,19 +9,19 @@
 #include "methods/external/density_quadrature.hpp"
 #include "methods/method.hpp"
 
-/// External densities (from files or from Python) as methods that solve nothing. An external
-/// density with a stated equation is a closure: the density has an error budget and is never the
-/// reference.
+/// Methods that solve nothing and return an external density, from a file or from Python. An
+/// external density with a stated equation has the role of a closure: the density has an error
+/// budget and is never the reference.
 namespace fpkcheck::methods {
 
 struct ExternalDensity {
   std::string label;  ///< id of the solution (methods/external/external_labels.hpp)
-  /// Equation that the density approximates; empty if unknown. An error budget requires an
-  /// equation.
+  /// Equation that the density approximates; empty if unknown. Without a stated equation the
+  /// density has no error budget.
   std::optional<problem::DensityEquation> equation = {};
   problem::ImpactCondition impact = problem::ImpactCondition::map;
   std::size_t index = 0;          ///< index among all external densities, for plot styles
-  std::optional<int> order = {};  ///< order of the closure
+  std::optional<int> order = {};  ///< closure order of the density, if known
 };
 
 /// Returns the identity of the solution for an external density.
@@ -32,19 +32,18 @@ transform::SolutionIdentity external_density_identity(const ExternalDensity& ext
                                                       const std::string& origin);
 
 struct JointDensityOptions {
-  /// Whether to divide the density by its integral, the metric "normalised_by".
+  /// Whether to divide the density by its integral, which becomes the metric "normalised_by".
   bool normalise = true;
-  /// Largest residual-based L1 error estimate of p(y) and of p(y') with which the status is `ok`.
-  /// The accuracy limit has no effect on a density with an unknown equation.
+  /// Largest residual-based L1 error estimate of p(y) and p(y') for the status `ok`. This limit has
+  /// no effect on a density whose equation is unknown.
   double accuracy = 0.02;
-  /// Reason for the status `inadmissible`, if this status is already known; else empty.
+  /// Reason for the status `inadmissible`; empty if no such reason is known yet.
   std::string inadmissible_reason = {};
 };
 
 /// Returns a method whose solution is an external joint density, stored as averages over cells. The
-/// status is `inadmissible` if values are negative, or if the density is cut off at an outermost
-/// edge. The status is also `inadmissible` if the integral differs from 1 and normalisation is not
-/// requested.
+/// status is `inadmissible` if values are negative or the density is cut off at an outermost edge.
+/// The status is also `inadmissible` if the integral differs from 1 and is not normalised.
 /// @param values values of the density, row-major, shape (points.y_points(), points.v_points())
 /// @throws InputError if a value is not finite, or the integral is not positive
 Method make_method_from_density_values(const ExternalDensity& external,

@@ -22,8 +22,8 @@ namespace {
 ExternalJointDensity joint_from_points(JointTable table, const std::string& path) {
   const std::size_t nv = table.v.size();
   ExternalJointDensity joint{.path = path, .form = "joint points", .numbers = table.p.size()};
-  // Beyond the outermost points of the table the density is taken as 0. A note reports large values
-  // at these points.
+  // Beyond the outermost points of the table the density is taken as 0. If values at these points
+  // exceed kSmall times the peak, a note states this.
   constexpr double kSmall = 1e-3;
   const double peak = std::ranges::max(table.p);
   double end = 0;
@@ -83,8 +83,8 @@ ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std:
   return joint;
 }
 
-// Returns the first parameter that differs between the problems of the file and of the run; else
-// empty.
+// Returns the first parameter that differs between the problem of the file and the problem of the
+// run; empty without a difference.
 std::string first_difference(const problem::Problem& of_file, const problem::Problem& of_run) {
   const auto here = problem::sections(of_run);
   for (const auto& section : problem::sections(of_file)) {

@@ -17,12 +17,14 @@ struct ExternalJointDensity {
   std::string form;         ///< "joint points", "joint cells" or "closed form"
   std::size_t numbers = 0;  ///< number of points, cells or coefficients
   std::vector<std::string> notes{};
-  bool normalise = true;                               ///< as in JointDensityOptions
-  std::string inadmissible_reason{};                   ///< as in JointDensityOptions
-  std::optional<problem::Problem> problem{};           ///< stated problem, if any
-  std::optional<problem::DensityEquation> equation{};  ///< stated equation, if any
-  std::optional<problem::ImpactCondition> impact{};    ///< stated impact condition, if any
-  std::optional<int> order{};                          ///< stated closure order, if any
+  bool normalise = true;                      ///< see JointDensityOptions::normalise
+  std::string inadmissible_reason{};          ///< see JointDensityOptions::inadmissible_reason
+  std::optional<problem::Problem> problem{};  ///< problem that the file states, if any
+  /// Density equation that the file states, if any.
+  std::optional<problem::DensityEquation> equation{};
+  /// Impact condition that the file states, if any.
+  std::optional<problem::ImpactCondition> impact{};
+  std::optional<int> order{};  ///< closure order that the file states, if any
   /// Returns the values of the density, row-major, shape (points.y_points(), points.v_points()).
   std::function<std::vector<double>(const problem::Problem&, const DensityQuadratureGrid&)>
       values{};

@@ -13,14 +13,14 @@ namespace fpkcheck::methods {
 ///         method
 void require_valid_label(const std::string& label, const SolverRegistry& registry);
 
-/// Checks that two labels differ after '_' has replaced '-' and '.', since names of netCDF
-/// variables and of gnuplot data blocks cannot contain '-' and '.'.
+/// Checks that two labels differ after the replacement of '-' and '.' by '_'. The names of netCDF
+/// variables and gnuplot data blocks cannot contain '-' and '.'.
 /// @throws InputError with a message of one line
 void require_distinct_labels(const std::string& one, const std::string& other);
 
 /// Groups external densities of several closure orders into families of at least two members. The
 /// label of a member is the family name followed by the order: "chi-n2", "chi2" or "chi_2" for
-/// order 2. The members of a family have the same colour, and dash patterns by order.
+/// order 2. The members of a family have the same colour and different dash patterns.
 /// @param methods external densities from files, functions or samples
 void group_into_families(std::span<Method> methods);
 

@@ -36,7 +36,7 @@ void require_between_walls(const NumberTable& table, std::size_t row, double y,
 }
 
 void require_rows(const NumberTable& table, const problem::Walls& walls) {
-  constexpr std::size_t kMinRows = 4;  // required by the interpolants
+  constexpr std::size_t kMinRows = 4;  // the interpolants need four points
   const std::size_t last = table.rows.size() - 1;
   if (table.rows.size() < kMinRows) {
     table.fail(last, fmt::format("{} rows (must be at least {})", last + 1, kMinRows));
@@ -172,7 +172,7 @@ void ExternalMarginal::normalise(HistogramQuantity value) {
 }
 
 void ExternalMarginal::add_cut_off_notes() {
-  constexpr double kSmall = 1e-3;  // relative to the peak of the density
+  constexpr double kSmall = 1e-3;  // limit relative to the peak of the density
   double peak = 0;
   for (std::size_t k = 1; k < knots_.size(); ++k) {
     peak = std::max(peak, (cumulative_[k] - cumulative_[k - 1]) / (knots_[k] - knots_[k - 1]));

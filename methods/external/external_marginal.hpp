@@ -17,11 +17,11 @@ namespace fpkcheck::methods {
 /// Properties of a file with a marginal density and of its normalisation, for the summary of a run.
 struct MarginalFileSummary {
   std::string path;
-  std::string form;  ///< "histogram" or "points"
+  std::string form;  ///< form of the data: "histogram" or "points"
   std::size_t rows = 0;
   std::string values = {};  ///< quantity of a histogram: "density", "probability" or "count"
-  double from = 0, to = 0;  ///< range of the abscissa
-  double integral = 0;      ///< integral before normalisation
+  double from = 0, to = 0;  ///< range of the abscissae in the file
+  double integral = 0;      ///< integral of the density before normalisation
   std::optional<double> divided_by{};  ///< divisor that normalises the mass to 1
   std::vector<std::string> notes{};
 };
@@ -29,10 +29,10 @@ struct MarginalFileSummary {
 /// An external marginal density from a file.
 ///
 /// A file with two columns contains abscissae and densities. A file with three columns contains a
-/// histogram (is_histogram), or abscissae, densities and standard errors. Between points the
-/// density is Akima's modified interpolant. Within the bins of a histogram the density is the
-/// derivative of a monotone cubic interpolant of the cumulative distribution. A density of y is
-/// extrapolated linearly to a wall near its first or last point (WallExtrapolation). Elsewhere
+/// histogram (is_histogram), or abscissae, densities and standard errors. Akima's modified
+/// interpolation gives the density between points. Within the bins of a histogram, the density is
+/// the derivative of a monotone cubic interpolant of the cumulative distribution. A density of y is
+/// extrapolated linearly to a wall near the first or last point (WallExtrapolation). Elsewhere
 /// outside the range of the file the density is 0.
 class ExternalMarginal {
  public:
@@ -66,13 +66,13 @@ class ExternalMarginal {
   double cumulative(double x) const;
 
   transform::StateVariable variable_;
-  problem::Walls walls_;  // no walls for a density of y'
+  problem::Walls walls_;  // walls; none for a density of y'
   WallExtrapolation extrapolation_;
-  std::vector<double> knots_;       // edges of bins, or points and walls
+  std::vector<double> knots_;       // bin edges, or points of the density and walls
   std::vector<double> cumulative_;  // cumulative distribution at the knots
   std::function<double(double)> density_;
-  double scale_ = 1;            // factor of density_ for mass 1
-  std::vector<double> errors_;  // standard errors in the file, or empty
+  double scale_ = 1;            // factor that normalises density_ to mass 1
+  std::vector<double> errors_;  // standard errors of the density in the file; may be empty
   MarginalFileSummary file_;
 };
 

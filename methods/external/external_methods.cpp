@@ -127,7 +127,8 @@ transform::Solution marginals_solution(const problem::Problem& problem,
     const double mass = marginal.moment(0);
     const auto [least, most] = std::ranges::minmax(on_axes.density);
     const double min_density = most > 0 ? least / most : 0;
-    // Among several files, the mass farthest from 1 and the smallest minimum density are kept.
+    // If a solution has several files, its mass is the mass farthest from 1, and its minimum
+    // density the smallest.
     if (k == 0 || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
     if (k == 0 || min_density < solution.min_density) solution.min_density = min_density;
     add_sampling_error(marginal, bins, solution);
@@ -140,7 +141,8 @@ transform::Solution marginals_solution(const problem::Problem& problem,
   return solution;
 }
 
-// A file with a marginal density. The walls of the case are known only later.
+// A file with a marginal density. ExternalMarginal is built later, when the walls of the case are
+// known.
 struct MarginalFile {
   NumberTable table;
   StateVariable variable;
@@ -159,7 +161,8 @@ struct LabelledFiles {
   std::optional<ExternalJointDensity> joint;
 };
 
-// Sets the equation, impact condition and order of a density from the argument, else from the file.
+// Sets the equation, impact condition and order of a density from the argument. Values that the
+// argument lacks are taken from the file.
 void set_identity(const ExternalArgument& argument, const ExternalJointDensity* joint,
                   ExternalDensity& external) {
   const auto differ = [&](const char* what) {

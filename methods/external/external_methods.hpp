@@ -10,10 +10,11 @@ namespace fpkcheck::methods {
 
 /// Reads external densities from files and returns them as methods that solve nothing. Each file
 /// contains a marginal density (ExternalMarginal), a joint density on a grid (JointTable) or a
-/// joint density as a closed form (epc::ClosedForm). Files of marginal densities with the same
-/// label are one solution. Densities of several orders form a family (methods/external/external_labels.hpp).
-/// The name of the solver is "file". If the argument or the file states an equation, the density is
-/// a closure. Otherwise its equation and impact condition are unknown.
+/// joint density as a closed form (epc::ClosedForm). Two marginal densities with the same label
+/// form one solution. Densities of several closure orders form a family
+/// (methods/external/external_labels.hpp). The solver of all these methods has the name "file". If
+/// the argument or the file states a density equation, the density is a closure. Otherwise its
+/// equation and impact condition are unknown.
 /// @param registry methods whose ids are not available as labels
 /// @param case_name name of the case to use in a file with several cases
 /// @return one method for each label, in the order of first occurrence of the labels

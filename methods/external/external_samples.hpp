@@ -9,12 +9,12 @@ namespace fpkcheck::methods {
 /// Returns a method whose solution is a histogram of samples over the comparison bins. The 95 %
 /// confidence intervals and the sampling errors assume independent samples. Samples at rest in
 /// contact with a wall (y' = 0 at the wall) contribute only to the moments, since the stationary
-/// law has an atom at that state.
+/// law has an atom at this state of rest.
 /// @param y, v displacement and velocity of each sample
 /// @param independent effective number of independent samples; 0 for the number of samples
-/// @throws InputError if there are fewer than 100 samples, y and v have different lengths, a value
-///         is not finite, or `independent` exceeds the number of samples. Method::check throws
-///         InputError if a sample is behind a wall
+/// @throws InputError for fewer than 100 samples, different lengths of y and v, a value that is not
+/// finite, or `independent` above the number of samples. Method::check throws InputError for a
+/// sample behind a wall.
 Method make_method_from_samples(const ExternalDensity& external, std::span<const double> y,
                                 std::span<const double> v, double independent = 0);
 

@@ -31,7 +31,7 @@ std::size_t value_index(const std::vector<double>& distinct_values, double value
 }
 
 void require_axis(const std::vector<double>& axis, const char* symbol, const std::string& source) {
-  constexpr std::size_t kMinPoints = 4;  // required by the interpolant
+  constexpr std::size_t kMinPoints = 4;  // the interpolant needs four points
   if (axis.size() < kMinPoints) {
     throw InputError(fmt::format("{}: {} value{} of {} (must be at least {})", source, axis.size(),
                                  axis.size() == 1 ? "" : "s", symbol, kMinPoints));
@@ -72,7 +72,8 @@ JointTable make_joint_table(const NumberTable& table) {
   JointTable joint{distinct_values(table, of_y), distinct_values(table, of_v), {}};
   require_axis(joint.y, "y", source);
   require_axis(joint.v, "y'", source);
-  // A short file may imply a huge grid: the number of rows is tested before the allocation.
+  // The number of rows is tested before memory is allocated, since a short file may imply a huge
+  // grid.
   const std::size_t nv = joint.v.size(), rows = table.rows.size();
   if (joint.y.size() > rows / nv) {
     throw InputError(fmt::format(
@@ -80,7 +81,8 @@ JointTable make_joint_table(const NumberTable& table) {
         rows, joint.y.size(), nv));
   }
   constexpr std::size_t kNone = 0;
-  std::vector<std::size_t> row_of(joint.y.size() * nv, kNone);  // row numbers from 1
+  std::vector<std::size_t> row_of(joint.y.size() * nv,
+                                  kNone);  // row number (from 1) of each grid point
   joint.p.resize(row_of.size());
   for (std::size_t k = 0; k < rows; ++k) {
     const auto& row = table.rows[k];
@@ -92,7 +94,8 @@ JointTable make_joint_table(const NumberTable& table) {
     row_of[at] = k + 1;
     joint.p[at] = row[2];
   }
-  // No point is missing: there are at least as many rows as points, and no point occurs twice.
+  // No grid point is missing here, since the table has at least as many rows as points and no point
+  // occurs twice.
   require_valid_joint_table(joint, source);
   return joint;
 }
@@ -121,8 +124,8 @@ std::vector<double> evaluate_at_quadrature_points(const JointTable& table,
                                                   const DensityQuadratureGrid& points) {
   const std::size_t ny = table.y.size(), nv = table.v.size();
   const double least = std::min(std::ranges::min(table.p), 0.0);
-  std::vector<std::vector<double>> columns(
-      points.v_points().size());  // density at y of the table, v of a point
+  // Density at the y of the table and the v of the quadrature points.
+  std::vector<std::vector<double>> columns(points.v_points().size());
   for (std::size_t i = 0; i < ny; ++i) {
     const auto row = table.p.begin() + static_cast<std::ptrdiff_t>(i * nv);
     const AkimaInterpolant along_v(table.v, {row, row + static_cast<std::ptrdiff_t>(nv)});
@@ -158,7 +161,8 @@ std::vector<double> evaluate_at_quadrature_points(const transform::GridDensity& 
   const std::size_t nv = parts.nv();
   std::vector<double> values;
   values.reserve((parts.ny() + 2) * nv);
-  // No subcell is at a wall: the value there is extrapolated linearly from the next two subcells.
+  // Points at a wall belong to no subcell. Their values are extrapolated linearly from the next two
+  // subcells.
   const auto centre = [&](std::size_t i) { return (parts.y_edges[i] + parts.y_edges[i + 1]) / 2; };
   const auto add_wall = [&](double wall, std::size_t next, std::size_t after) {
     const double share = (centre(next) - wall) / (centre(after) - centre(next));

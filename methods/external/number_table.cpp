@@ -46,7 +46,7 @@ std::string_view name_of_separator(char separator) {
 }
 
 // Splits a line into fields. Blanks separate fields only if the line has no other separator.
-// Successive blanks are one separator.
+// Successive blanks count as one separator.
 std::vector<std::string> split_fields(const std::string& line) {
   const char separator = separator_of(line);
   std::vector<std::string> fields(1);

@@ -6,13 +6,13 @@
 
 namespace fpkcheck::methods {
 
-/// Columns of numbers from an external text file. Semicolons, tabs, commas or blanks separate the
-/// fields of a line. Lines that begin with # are comments. The first line, also as a comment, may
-/// have column names.
+/// Columns of numbers from an external text file. The fields of a line are separated by semicolons,
+/// tabs, commas or blanks. Lines that begin with # are comments. The first line or first comment
+/// may have column names.
 struct NumberTable {
   std::string source;              ///< name of the file, for messages
   std::vector<std::string> names;  ///< column names in lower case without units; may be empty
-  std::vector<std::vector<double>> rows;  ///< finite numbers; all rows have the same length
+  std::vector<std::vector<double>> rows;  ///< rows of finite numbers; all rows have the same length
   std::vector<int> lines;                 ///< line number of each row, from 1
 
   std::size_t columns() const { return rows.front().size(); }
@@ -21,7 +21,7 @@ struct NumberTable {
   [[noreturn]] void fail(std::size_t row, const std::string& problem) const;
 };
 
-/// Largest magnitude of abscissae, densities and integrals. Within this limit, fourth powers
+/// Largest accepted magnitude of abscissae, densities and integrals, for which fourth powers
 /// divided by the narrowest bin width are finite.
 inline constexpr double kMaxMagnitude = 1e60;
 

@@ -8,17 +8,16 @@
 
 #include "problem/walls.hpp"
 
-/// Checks that external data are within the range of y between the walls, walls included. The
-/// tolerance is a millionth of the position of the wall, since numbers in files are rounded.
+/// Checks that external data are in the closed range of y between the walls. The tolerance is a
+/// millionth of the wall position, since numbers in files are rounded.
 namespace fpkcheck::methods {
 
-/// Returns whether y is at the wall, within the tolerance. The result is false without a wall.
+/// Returns whether y equals the wall position within the tolerance; false if there is no wall.
 bool is_at_wall(const std::optional<problem::Wall>& wall, double y);
 bool is_between_walls(const problem::Walls& walls, double y);
 
-/// The walls to which a density is extrapolated. The distance from such a wall to the nearest
-/// abscissa is at most the spacing of the abscissae, as for centres of cells that begin at the
-/// wall.
+/// The walls to which a density is extrapolated: walls whose distance from the nearest abscissa is
+/// at most the spacing of the abscissae.
 struct WallExtrapolation {
   bool left = false, right = false;
 };
@@ -26,8 +25,8 @@ struct WallExtrapolation {
 WallExtrapolation select_extrapolation_walls(const problem::Walls& walls,
                                              const std::vector<double>& y);
 
-/// Returns the value at a wall by linear extrapolation from the points `first` and `first` + 1, and
-/// at least `least`.
+/// Returns the value at a wall by linear extrapolation from the points `first` and `first` + 1.
+/// Values below `least` are replaced by `least`.
 double extrapolate_to_wall(double wall, std::span<const double> y, std::span<const double> values,
                            std::size_t first, double least);
 

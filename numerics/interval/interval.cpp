@@ -35,14 +35,14 @@ Interval power(const Interval& x, int n) {
 Interval exponential(const Interval& x) {
   assert(x.upper() <= 0);
   int squarings = 0;
-  double scale = 1;  // the scale is a power of two, so that scaling is exact
+  double scale = 1;  // power of two, by which scaling is exact
   while (magnitude(x) * scale > 0.25) {
     scale /= 2;
     ++squarings;
   }
   const Interval z = x * scale;
-  // The remainder of sum_{n <= 14} z^n / n! is at most |z|^15 e^{|z|} / 15! <= 2 * 4^-15 / 15! <
-  // 2e-21.
+  // The remainder of the Taylor sum of e^z, sum_{n <= 14} z^n / n!, is at most |z|^15 e^{|z|} / 15!
+  // <= 2 * 4^-15 / 15! < 2e-21.
   Interval sum = 1;
   for (int n = 14; n > 0; --n) sum = 1.0 + z * sum / static_cast<double>(n);
   sum += symmetric_interval(2e-21);
@@ -52,12 +52,14 @@ Interval exponential(const Interval& x) {
 
 double binomial_coefficient(int n, int j) {
   double c = 1;
-  for (int i = 1; i <= j; ++i) c = c * (n - j + i) / i;  // c is an integer after each step
+  // Binomial coefficient c is an integer after each step.
+  for (int i = 1; i <= j; ++i) c = c * (n - j + i) / i;
   return c;
 }
 
 BernsteinCoefficients elevate_degree(std::span<const Interval> b, int degree) {
-  // Coefficient i of degree n+1 is (i b_{i-1} + (n+1-i) b_i) / (n+1).
+  // Degree elevation: the Bernstein coefficient i of degree n+1 is (i b_{i-1} + (n+1-i) b_i) /
+  // (n+1).
   BernsteinCoefficients e(b.begin(), b.end());
   for (int n = static_cast<int>(b.size()) - 1; n < degree; ++n) {
     BernsteinCoefficients next(n + 2);
@@ -100,7 +102,8 @@ Interval bernstein_value(std::span<const Interval> b, const Interval& t) {
 }
 
 BernsteinCoefficients bernstein_from_power_coefficients(std::span<const Interval> a) {
-  // The Bernstein form of a power is t^k = sum_j C(j, k)/C(n, k) B_j(t).
+  // A power has the Bernstein form t^k = sum_j C(j, k)/C(n, k) B_j(t) with Bernstein polynomials
+  // B_j.
   const int n = static_cast<int>(a.size()) - 1;
   BernsteinCoefficients b(n + 1, Interval(0));
   for (int j = 0; j <= n; ++j) {
@@ -111,7 +114,8 @@ BernsteinCoefficients bernstein_from_power_coefficients(std::span<const Interval
 }
 
 BernsteinCoefficients power_coefficients_from_bernstein(std::span<const Interval> b) {
-  // The power coefficient a_k is C(n, k) times the k-th forward difference of b at index 0.
+  // The power coefficient a_k is C(n, k) times the k-th forward difference of the Bernstein
+  // coefficients b at index 0.
   const int n = static_cast<int>(b.size()) - 1;
   BernsteinCoefficients difference(b.begin(), b.end()), a(n + 1);
   for (int k = 0; k <= n; ++k) {

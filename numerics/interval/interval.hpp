@@ -11,15 +11,15 @@
 /// Outward-rounded interval arithmetic with Boost.Interval.
 ///
 /// Include this header only in targets that are compiled with -frounding-math -ffp-contract=off
-/// (`numerics`, `backward` and the tests of both). In other targets the compiler may round in the
-/// wrong direction, and the linker may keep the wrong copy of a template. All interval arithmetic
-/// must run inside call_with_upward_rounding(), since the lower end of a result x is computed as
-/// -up(-x) with the upward rounding `up`.
+/// (`numerics`, `backward` and the tests of these two targets). In other targets the compiler may
+/// round in the wrong direction, and the linker may keep the wrong copy of a template. All interval
+/// arithmetic must run inside call_with_upward_rounding(). The lower end of a result x is computed
+/// as -up(-x), where `up` is upward rounding.
 namespace fpkcheck::numerics {
 
 /// Rounding control of the calling thread, with the interface that Boost's rounded_arith_opp
-/// requires. SSE2 arithmetic has no excess precision, so that force_rounding() need not store a
-/// result to memory.
+/// requires. The function force_rounding() need not store a result to memory, since SSE2 arithmetic
+/// has no excess precision.
 struct HardwareRounding {
   using rounding_mode = int;
   static void get_rounding_mode(rounding_mode& mode) { mode = std::fegetround(); }
@@ -32,9 +32,9 @@ struct HardwareRounding {
 };
 
 /// Boost's interval arithmetic under upward rounding, except for the lower end of the square root.
-/// Boost computes the lower end with a change of the rounding mode within an expression, and the
-/// compiler may compute the root before the change. UpwardArithmetic computes the lower end as s -
-/// 2^-52 s, where s is the upper end and 2^-52 s is at least one unit in the last place.
+/// Boost changes the rounding mode for the lower end within an expression, and the compiler may
+/// compute the square root before the change. UpwardArithmetic computes the lower end as s - 2^-52
+/// s, where s is the upper end and 2^-52 s is at least one unit in the last place.
 struct UpwardArithmetic
     : boost::numeric::interval_lib::rounded_arith_opp<double, HardwareRounding> {
   double sqrt_down(const double& x) {
@@ -49,7 +49,7 @@ using Interval =
                                  boost::numeric::interval_lib::save_state_nothing<UpwardArithmetic>,
                                  boost::numeric::interval_lib::checking_base<double>>>;
 
-/// Guard object that sets the rounding mode of the thread to upward during its lifetime.
+/// Guard object that sets the rounding mode of the thread to upward for the lifetime of the guard.
 /// @throws std::runtime_error if setting the rounding mode has no effect on this processor or in
 /// this build
 class UpwardRounding {
@@ -87,8 +87,8 @@ inline Interval symmetric_interval(double x) { return {-x, x}; }
 /// Returns the largest |x| of the elements x of an interval.
 inline double magnitude(const Interval& x) { return std::max(-x.lower(), x.upper()); }
 
-/// Returns an enclosure of x^n, n >= 0, as a product of n factors. For even n and an interval that
-/// contains 0, the lower end of the enclosure may be negative.
+/// Returns an enclosure of the power x^n of an interval x, n >= 0, as a product of n factors. For
+/// even n and an interval that contains 0, the lower end of the enclosure may be negative.
 Interval power(const Interval& x, int n);
 /// Returns an enclosure of e^x, computed by the Taylor series with its remainder on [-1/4, 1/4] and
 /// by repeated squaring.
@@ -109,7 +109,7 @@ BernsteinCoefficients bernstein_derivative(std::span<const Interval> b);
 /// Evaluates a polynomial in Bernstein form at t in [0, 1] by de Casteljau's algorithm.
 Interval bernstein_value(std::span<const Interval> b, const Interval& t);
 
-/// Returns the Bernstein coefficients of the polynomial sum_k a_k t^k, in the same degree.
+/// Returns the Bernstein coefficients b_0 .. b_n of the polynomial sum_k a_k t^k of degree n.
 BernsteinCoefficients bernstein_from_power_coefficients(std::span<const Interval> a);
 /// Returns the coefficients a_k of the polynomial sum_k a_k t^k that has the Bernstein coefficients
 /// b.

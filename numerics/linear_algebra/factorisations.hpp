@@ -34,8 +34,8 @@ struct SingularityIndicators {
 SingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix);
 
 /// A symmetric positive definite matrix of dense blocks, which factorise() replaces by its Cholesky
-/// factor. Blocks may differ in size; blocks at a distance of more than `bandwidth` blocks from the
-/// diagonal are zero.
+/// factor. The blocks may have different sizes. Blocks (row, column) with |row - column| >
+/// bandwidth are zero.
 class BlockBandedMatrix {
  public:
   BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth);
@@ -43,7 +43,7 @@ class BlockBandedMatrix {
   Eigen::Index size() const { return offsets_.back(); }
   int block_count() const { return static_cast<int>(offsets_.size()) - 1; }
   Eigen::Index block_offset(int block) const { return offsets_[block]; }
-  /// Returns the block in a block row and a block column, for column <= row <= column + bandwidth.
+  /// Returns the block (row, column) of the lower triangle, column <= row <= column + bandwidth.
   Eigen::Ref<Eigen::MatrixXd> block(int row, int column);
 
   Eigen::VectorXd diagonal() const;
@@ -65,7 +65,7 @@ class BlockBandedMatrix {
   std::vector<Eigen::Index> offsets_;
   int bandwidth_;
   bool is_factorised_ = false;
-  // For each block column, the stacked blocks of the rows `column` .. last_block_row(column).
+  // Element `column` holds the stacked blocks of the block rows `column` .. last_block_row(column).
   std::vector<Eigen::MatrixXd> columns_;
 };
 

@@ -4,9 +4,9 @@
 
 #include "numerics/linear_algebra/subtract_product.hpp"
 
-// Kernel of subtract_product() for source files that are compiled for different instruction sets.
-// Each source file chooses kVectors, kWidth and kColumns by the registers of its instruction set.
-// All functions of this header have internal linkage.
+// Kernel of subtract_product(), included by one source file for each instruction set. Each source
+// file chooses the block sizes kVectors, kWidth and kColumns by the registers of its instruction
+// set. All functions of this header have internal linkage.
 
 namespace fpkcheck::numerics {
 namespace {
@@ -17,7 +17,7 @@ struct SimdVectorType {
 };
 
 /// Computes C - A B by blocks: each block of C with kVectors * kWidth rows and kColumns columns is
-/// computed in registers. The required parts of A and B are copied in the order of access and
+/// computed in registers. The required parts of A and B are first copied in the order of access and
 /// padded with zeros.
 template <int kWidth, int kVectors, int kColumns>
 void subtract_product_blocked(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,

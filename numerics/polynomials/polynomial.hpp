@@ -25,7 +25,7 @@ class Polynomial {
 
   constexpr double coefficient(std::size_t n) const { return a_[n]; }
   constexpr const Coefficients& coefficients() const { return a_; }
-  /// Returns the largest n with a_n != 0; 0 for a constant.
+  /// Returns the degree, the largest n with a_n != 0; the degree of a constant is 0.
   constexpr std::size_t degree() const {
     std::size_t n = kDegree;
     while (n > 0 && a_[n] == 0) --n;
@@ -72,12 +72,13 @@ class Polynomial {
   Coefficients a_;
 };
 
-/// Returns the real roots of odd multiplicity in (low, high), increasing. The roots are searched
-/// between neighbouring sign changes of the derivative, where the polynomial is monotone.
+/// Returns the real roots of odd multiplicity in (low, high), in increasing order. Each root is
+/// searched between two neighbouring sign changes of the derivative, where the polynomial is
+/// monotone.
 std::vector<double> sign_change_points(const Polynomial& polynomial, double low, double high);
 
-/// Returns Cauchy's bound 1 + max |a_n / a_degree| of the modulus of all roots; 0 for a constant
-/// polynomial.
+/// Returns Cauchy's bound 1 + max |a_n / a_degree| of the modulus of all roots. For a constant
+/// polynomial the result is 0.
 double root_modulus_bound(const Polynomial& polynomial);
 
 }  // namespace fpkcheck::numerics

@@ -20,8 +20,8 @@ struct ThreeTermRecurrence {
 
 // Computes a Gauss rule by the method of Golub and Welsch: the nodes are the eigenvalues of the
 // Jacobi matrix. The weights are computed from the recurrence as 1 / sum_i h_i(t)^2. Eigenvectors
-// would not give the small outer weights with full relative accuracy, which moments of degree 5n
-// (closure order n) require.
+// would not give the small outer weights with full relative accuracy. Moments of degree 5n, where n
+// is the closure order, require this accuracy.
 QuadratureRule golub_welsch_rule(const ThreeTermRecurrence& recurrence) {
   const auto& [diagonal, off_diagonal] = recurrence;
   const Eigen::Index count = diagonal.size();
@@ -45,8 +45,8 @@ QuadratureRule golub_welsch_rule(const ThreeTermRecurrence& recurrence) {
 
 // With t = u^2 / 2 and a standard normal u, the expectation E[|u| g(u)] is the integral int_0^inf
 // [g(sqrt(2t)) + g(-sqrt(2t))] exp(-t) dt / sqrt(2 pi), whose bracket is a polynomial in t of half
-// the degree of g. For E[sgn(u) g(u)], g(u)/u replaces g(u) in the integral: only the odd part of g
-// contributes, and the odd part divided by u is a polynomial in t.
+// the degree of g. For the expectation E[sgn(u) g(u)], g(u)/u replaces g(u) in the integral. Only
+// the odd part of g contributes, and the odd part divided by u is a polynomial in t.
 const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
 
 }  // namespace

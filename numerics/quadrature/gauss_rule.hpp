@@ -17,7 +17,7 @@ struct QuadraturePoint {
 
 /// Returns the points of the composite Gauss-Legendre rule on [a, b], with N points on each of
 /// `panels` panels of equal width. The composite rule is exact for polynomials of degree 2 N - 1 on
-/// each panel; the points of a panel are ordered in pairs symmetric about its middle.
+/// each panel. The points of a panel are ordered in pairs symmetric about the middle of the panel.
 /// @pre panels > 0
 template <unsigned N = 10>
 std::vector<QuadraturePoint> composite_gauss_points(double a, double b, int panels) {
@@ -43,7 +43,8 @@ struct QuadratureRule {
   Eigen::VectorXd weights;
 
   Eigen::Index size() const { return weights.size(); }
-  /// Returns a view of the points as an Eigen vector, valid during the lifetime of the rule.
+  /// Returns a view of the quadrature points as an Eigen vector, valid during the lifetime of the
+  /// rule.
   Eigen::Map<const Eigen::VectorXd> point_vector() const { return {points.data(), size()}; }
 };
 
@@ -72,12 +73,12 @@ QuadratureRule gauss_legendre_rule(int point_count, double from, double to);
 /// polynomials g up to `degree`.
 QuadratureRule gauss_hermite_rule(int degree);
 
-/// Returns a rule for E[|u| g(u)] with a standard normal variable u, exact for polynomials g up to
-/// `degree`.
+/// Returns a quadrature rule for E[|u| g(u)] with a standard normal variable u, exact for
+/// polynomials g up to `degree`.
 QuadratureRule normal_rule_weighted_by_abs(int degree);
 
-/// Returns a rule for E[sgn(u) g(u)] with a standard normal variable u, exact for polynomials g up
-/// to `degree`; some weights are negative.
+/// Returns a quadrature rule for E[sgn(u) g(u)] with a standard normal variable u, exact for
+/// polynomials g up to `degree`; some weights are negative.
 QuadratureRule normal_rule_weighted_by_sign(int degree);
 
 /// Returns the Gauss-Laguerre rule for int_0^inf g(t) exp(-t) dt, exact for polynomials g up to

@@ -46,7 +46,7 @@ CurvePoint predict(const CurvePoint& from, const VectorXd& tangent, double step)
   return {from.a + step * tangent.head(n), from.t + step * tangent[n]};
 }
 
-// Returns the matrix [dG/da dG/dt] of the derivatives, bordered by `last_row` below.
+// Returns the matrix of the derivatives [dG/da dG/dt] with `last_row` as additional last row.
 MatrixXd CurveTracer::bordered_jacobian(const CurvePoint& at, const VectorXd& last_row) const {
   const Index n = at.a.size();
   MatrixXd matrix(n + 1, n + 1);
@@ -114,8 +114,7 @@ std::optional<CurvePoint> CurveTracer::point_at_limit(const CurvePoint& before,
   return options_.correct_end_point ? correct_at_fixed_t(between) : between;
 }
 
-// Locates the fold, where t is stationary along the curve, by bisection of the step length from a
-// point to the next point.
+// Locates a fold, a point of the curve with stationary t, by bisection of the step length.
 CurvePoint CurveTracer::locate_fold(const CurvePoint& from, const VectorXd& tangent_there,
                                     double step) {
   const Index n = from.a.size();

@@ -6,8 +6,8 @@
 
 namespace fpkcheck::numerics {
 
-/// A homotopy: equations G(a, t) = 0, as many as a has components. The solutions of a homotopy form
-/// a curve in the space of (a, t).
+/// A homotopy G(a, t) = 0 with as many equations as the vector a has components. The solutions of a
+/// homotopy form a curve in the space of (a, t).
 struct Homotopy {
   template <class Result>
   using FunctionOfPoint = std::function<Result(const Eigen::VectorXd& a, double t)>;
@@ -28,7 +28,7 @@ struct ContinuationOptions {
   /// step is shorter than `correction_tolerance`.
   double tolerance = 1e-10;
   double correction_tolerance = 0;
-  double first_step = 0.05;  ///< arclength of the first predictor step in (a, t)
+  double first_step = 0.05;  ///< arclength of the first predictor step along the curve
   double max_step = 0.25;
   double min_step = 1e-7;
   double step_growth = 1.4;  ///< factor of the step length after a successful step
@@ -37,14 +37,14 @@ struct ContinuationOptions {
   /// branch of solutions.
   double max_relative_correction = 0.3;
   int max_points = 400;      ///< maximum number of steps, rejected steps included
-  double max_norm = 100;     ///< limit of |a| beyond which the continuation ends
-  double min_t = 0;          ///< limit of t below which the continuation ends
+  double max_norm = 100;     ///< upper limit of |a|, beyond which the continuation ends
+  double min_t = 0;          ///< lower limit of t, below which the continuation ends
   bool locate_folds = true;  ///< whether folds are computed and added to the points
   /// Whether Newton steps correct the end point at t = 1; otherwise the end point is only
   /// interpolated.
   bool correct_end_point = true;
-  /// Optional function that is called before each step; the continuation stops if the function
-  /// returns true, for example at a deadline.
+  /// Optional function that is called before each step. If the function returns true, for example
+  /// at a deadline, the continuation stops.
   std::function<bool()> should_stop = {};
 };
 
@@ -54,15 +54,16 @@ struct CurvePoint {
 };
 
 enum class TerminationReason {
-  end_reached,     ///< t = 1 was reached
-  fell_back,       ///< t fell to min_t
-  diverged,        ///< |a| exceeded max_norm
+  end_reached,     ///< the continuation reached t = 1
+  fell_back,       ///< the parameter t fell to min_t
+  diverged,        ///< the norm |a| exceeded max_norm
   step_underflow,  ///< the step length fell below min_step
-  limit_exceeded   ///< max_points or the deadline was reached
+  limit_exceeded   ///< the number of steps reached max_points, or should_stop returned true
 };
 
 struct SolutionCurve {
-  std::vector<CurvePoint> points;  ///< points in order of arclength from t = 0, folds included
+  /// Points of the curve, folds included, by increasing arclength from t = 0.
+  std::vector<CurvePoint> points;
   /// Indices in `points` of the folds, where t has an extremum; empty without
   /// ContinuationOptions::locate_folds.
   std::vector<std::size_t> folds;

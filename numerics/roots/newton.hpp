@@ -33,7 +33,8 @@ double backtrack(double first_step_fraction, double min_step_fraction, const Acc
   return 0;
 }
 
-/// Solves the equations R(a) = 0 by Newton's method. The type `Equations` has these functions:
+/// Solves the equations R(a) = 0 by Newton's method. The type `Equations` must have three
+/// functions:
 ///
 ///     at(a)                 an iterate: `a` and `size`, the norm of R (finite where R exists)
 ///     step(iterate)         the Newton step at the iterate, with its `change` of a
@@ -47,7 +48,7 @@ NewtonResult solve_by_newton(const Equations& equations, const Eigen::VectorXd& 
     const bool polishing = best.converged;
     if (polishing && !options.polish) break;
     const auto step = equations.step(here);
-    // After convergence the full step is safe, since only rounding errors remain.
+    // After convergence no damping of the Newton step is needed, since only rounding errors remain.
     const double step_fraction =
         polishing || !options.damped ? 1 : equations.step_fraction(here, step);
     if (step_fraction == 0) break;

@@ -9,11 +9,12 @@
 /// widths and instruction sets.
 namespace fpkcheck::simd {
 
-/// The number 2^52 + 2^51, whose sum with a small integer n has n in the last bits of the double.
+/// The number 2^52 + 2^51. If a small integer n is added to this number, the last bits of the
+/// resulting double are n.
 inline constexpr double kShift = 6755399441055744.0;
 inline constexpr std::int64_t kShiftBits = 0x4338000000000000;
-/// The number ln 2 as the sum kLn2High + kLn2Low. The last bits of kLn2High are zero, so that the
-/// product of kLn2High and an exponent is exact.
+/// The number ln 2 as the sum kLn2High + kLn2Low. The product of kLn2High and a binary exponent is
+/// exact, since the last bits of kLn2High are zero.
 inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
 
 /// Computes the natural logarithm of a normalised number x > 0 with an error of at most 1 unit in
@@ -29,7 +30,8 @@ FPKCHECK_INLINE Real logarithm(const Real& x) {
   const Bits fraction_bits = bits - (exponent << 52);
   Real m;
   __builtin_memcpy(&m, &fraction_bits, sizeof m);
-  const Bits shifted = exponent + kShiftBits;  // the last bits of a double contain n
+  // Bits of a double whose last bits are the exponent n.
+  const Bits shifted = exponent + kShiftBits;
   Real n;
   __builtin_memcpy(&n, &shifted, sizeof n);
   n = n - kShift;
@@ -54,7 +56,7 @@ FPKCHECK_INLINE Real exponential(const Real& x) {
   Real series = Real{} + 1.0;
 #pragma GCC unroll 16
   for (int k = 13; k >= 1; --k) series = 1.0 + series * r * (1.0 / k);
-  // Adding n to the exponent bits multiplies the series by 2^n.
+  // Adding n to the exponent bits of the Taylor series of exp r multiplies the series by 2^n.
   Bits bits, exponent;
   __builtin_memcpy(&bits, &series, sizeof bits);
   __builtin_memcpy(&exponent, &shifted, sizeof exponent);

@@ -14,8 +14,8 @@ struct SimdVariant {
   int width;
 };
 
-/// Returns the compiled variants of the SIMD code that this processor supports; the fastest variant
-/// is the last element.
+/// Returns the compiled variants of the SIMD code that this processor supports, the fastest variant
+/// last.
 std::vector<SimdVariant> available_simd_variants();
 
 template <class Function>

@@ -9,20 +9,20 @@
 /// and Clang. The compiler translates vector operations to the instruction set of the calling
 /// function (see instruction_set.hpp).
 ///
-/// The results in a lane are bit-identical for all W and all instruction sets, for three reasons:
-/// +, -, *, / and sqrt are correctly rounded; -ffp-contract=off prevents fused multiply-add; and no
+/// The results in a lane are bit-identical for all W and all instruction sets. The operations +, -,
+/// *, / and sqrt are correctly rounded, and -ffp-contract=off prevents fused multiply-add. No
 /// operation of this header combines different lanes.
 namespace fpkcheck::simd {
 
-/// Attribute that always inlines a function. SIMD vectors must not be passed between functions that
-/// are compiled for different instruction sets.
+/// Attribute that forces inlining of a function. SIMD vectors must not be passed between functions
+/// that are compiled for different instruction sets.
 #define FPKCHECK_INLINE inline __attribute__((always_inline))
 
 template <int W>
 struct VectorTypes {
   static_assert(std::has_single_bit(static_cast<unsigned>(W)));
-  // Typedefs are used, since GCC 12 ignores the vector attribute in a `using` declaration if W is a
-  // template parameter.
+  // The vector types are typedefs, since GCC 12 ignores the vector attribute in a `using`
+  // declaration if W is a template parameter.
   typedef double Real __attribute__((vector_size(8 * W)));
   typedef std::int64_t Mask __attribute__((vector_size(8 * W)));  // each lane is 0 or -1
   typedef std::int64_t Bits __attribute__((vector_size(8 * W)));  // bit pattern of the doubles
@@ -48,7 +48,8 @@ FPKCHECK_INLINE Real square_root(const Real& x) {
   return root;
 }
 
-/// Returns, in each lane, the number of `a` if the mask is set in the lane, else the number of `b`.
+/// Returns a vector that has the number of `a` in each lane with a set mask, and the number of `b`
+/// in all other lanes.
 FPKCHECK_INLINE double select(bool mask, double a, double b) { return mask ? a : b; }
 template <class Mask, class Real>
 FPKCHECK_INLINE Real select(const Mask& mask, const Real& a, const Real& b) {
@@ -56,7 +57,8 @@ FPKCHECK_INLINE Real select(const Mask& mask, const Real& a, const Real& b) {
   // every lane.
   return (Real)((mask & (Mask)a) | (~mask & (Mask)b));
 }
-/// Returns, in each lane, the number of `a` if the mask is set in the lane, else 0.
+/// Returns a vector that has the number of `a` in each lane with a set mask, and 0 in all other
+/// lanes.
 FPKCHECK_INLINE double select_or_zero(bool mask, double a) { return mask ? a : 0; }
 template <class Mask, class Real>
 FPKCHECK_INLINE Real select_or_zero(const Mask& mask, const Real& a) {

@@ -30,7 +30,8 @@ QuinticBSplines::ValuesAndSlopes QuinticBSplines::values_and_slopes(double x) co
     for (int l = 0; l < p; ++l) {
       const double low = knots_[last - p + 1 + l], high = knots_[last + 1 + l];
       const double share = b[l] / (high - low);
-      // The slopes of basis functions of degree p are differences p (previous share - share).
+      // The slope of a basis function of degree p is p (previous share - share). A share is a basis
+      // function of degree p - 1 divided by the width of its support.
       if (p == kDegree && inside == x) {
         values.slope[l] -= p * share;
         values.slope[l + 1] += p * share;
@@ -49,8 +50,8 @@ std::array<double, QuinticBSplines::kDegree + 1> QuinticBSplines::second_derivat
   if (x < begin() || x > end()) return result;
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
   const int last = first_[after - breaks_.begin() - 1] + kDegree;
-  // The recursion is that of values_and_slopes(), except that differences p (previous share -
-  // share) replace the values in the last two degrees.
+  // The recursion of values_and_slopes() gives second derivatives if p (previous share - share)
+  // replaces the values in the last two degrees p.
   std::array<double, kDegree + 1> b{1};
   for (int p = 1; p <= kDegree; ++p) {
     double saved = 0;
@@ -82,8 +83,8 @@ std::vector<double> QuinticBSplines::coefficients_of_monomial(int power) const {
 
 namespace {
 
-/// Returns knots at 0 and at the positive breaks `side`; if `both` is true, also at the mirrored
-/// breaks.
+/// Returns knots at 0 and at the positive breaks `side`. If `both` is true, the mirrored breaks are
+/// also knots.
 std::vector<double> mirrored_knots(const std::vector<double>& side, bool both, int multiplicity) {
   const double end = side.back();
   std::vector<double> knots;
@@ -112,7 +113,8 @@ std::vector<double> graded_knots(double begin, double end, double uniform_until,
   constexpr double kShrink = 1.25;
   const int half = begin < 0 ? cells / 2 : cells;  // number of cells on each side of 0
   const int outer = std::max(1, half / 7), inner = half - outer - shrinking_cells;
-  // The sum of the powers kShrink^-1 .. kShrink^-shrinking_cells.
+  // Sum of the powers kShrink^-1 .. kShrink^-shrinking_cells: widths of the shrinking cells in
+  // units of a full cell width.
   const double shrunk = (1 - std::pow(kShrink, -shrinking_cells)) / (kShrink - 1);
   const double width = uniform_until / (inner + shrunk);
   const auto end_position = [&](double factor) {
@@ -124,7 +126,7 @@ std::vector<double> graded_knots(double begin, double end, double uniform_until,
   while (end_position(highest) < end) highest *= 2;
   const double factor =
       bracketed_root([&](double trial) { return end_position(trial) - end; }, 0.0, highest);
-  std::vector<double> side;  // the positive breaks, increasing
+  std::vector<double> side;  // positive distinct knots, increasing
   for (int k = shrinking_cells; k > 0; --k) {
     side.push_back((side.empty() ? 0 : side.back()) + width * std::pow(kShrink, -k));
   }

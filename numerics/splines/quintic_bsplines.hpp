@@ -7,7 +7,7 @@ namespace fpkcheck::numerics {
 
 /// Basis of B-splines of degree 5 with arbitrary knots (de Boor, A Practical Guide to Splines). The
 /// first basis function is 1 below the lower end of the knots, the last basis function is 1 above
-/// the upper end, and all other basis functions are 0 beyond the ends.
+/// the upper end of the knots. All other basis functions are 0 beyond the first and the last knot.
 class QuinticBSplines {
  public:
   static constexpr int kDegree = 5;
@@ -23,15 +23,15 @@ class QuinticBSplines {
   double begin() const { return breaks_.front(); }
   double end() const { return breaks_.back(); }
 
-  /// Values and slopes at a point of the basis functions first .. first + 5, which include all
-  /// basis functions that are nonzero at the point.
+  /// Values and slopes of the six basis functions first .. first + 5 at a point. All other basis
+  /// functions are 0 at the point.
   struct ValuesAndSlopes {
     int first;
     std::array<double, kDegree + 1> value, slope;
   };
   ValuesAndSlopes values_and_slopes(double x) const;
-  /// Returns the second derivatives at x of the six basis functions of values_and_slopes(x); 0 if x
-  /// is beyond an end.
+  /// Returns the second derivatives at x of the six basis functions in values_and_slopes(x). Beyond
+  /// the ends of the knots the second derivatives are 0.
   std::array<double, kDegree + 1> second_derivatives(double x) const;
 
   /// Returns the coefficients of the function x^power in this basis, 0 <= power <= 5, by Marsden's
@@ -41,17 +41,18 @@ class QuinticBSplines {
 
  private:
   std::vector<double> knots_, breaks_;
-  std::vector<int> first_;  // index of the first nonzero basis function on each span
+  // For each span the index of the first basis function that is nonzero there.
+  std::vector<int> first_;
 };
 
-/// Returns the knot sequence of the given breaks, with multiplicity 6 at both ends.
+/// Returns the knot sequence with the distinct knots `breaks`. Both end knots have multiplicity 6.
 /// @param multiplicity multiplicity of the knot at 0, if 0 is an inner break
 std::vector<double> knots_from_breaks(const std::vector<double>& breaks, int multiplicity = 1);
 
-/// Returns graded knots from `begin` (0 or -end) to `end`, with multiplicity 6 at both ends. From 0
-/// to `uniform_until` the breaks are evenly spaced. A seventh of all cells lies beyond
+/// Returns graded knots from `begin` (0 or -end) to `end`; both end knots have multiplicity 6. From
+/// 0 to `uniform_until` the distinct knots are evenly spaced. A seventh of all cells lies beyond
 /// `uniform_until`, where the cell widths form a geometric progression.
-/// @param cells number of cells; an even number if begin is -end
+/// @param cells number of cells between distinct knots; must be even if begin is -end
 /// @param multiplicity multiplicity of the knot at 0, if 0 is an inner knot
 /// @param shrinking_cells number of cells on each side of 0 whose widths decrease towards 0, by a
 /// fifth from each cell to the next

@@ -25,7 +25,7 @@ Eigen::MatrixXd SplineBasis::basis_derivatives(double x, int span, int derivativ
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(derivatives + 1, degree_ + 1);
   double scale = 1;  // factor p (p-1) .. / width^d of derivative d
   for (int d = 0; d <= std::min(derivatives, degree_); ++d) {
-    Eigen::MatrixXd b = rows;  // de Casteljau's algorithm
+    Eigen::MatrixXd b = rows;  // intermediate points of de Casteljau's algorithm
     for (int n = degree_ - d; n > 0; --n) {
       b = ((1 - t) * b.leftCols(n) + t * b.middleCols(1, n)).eval();
     }

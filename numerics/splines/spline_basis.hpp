@@ -24,14 +24,14 @@ class SplineBasis {
   double end() const { return breaks_.back(); }
   /// Returns knot i, 0 <= i < size() + degree() + 1; each end knot occurs degree() + 1 times.
   double knot(int i) const { return knots_[i]; }
-  /// Returns the index of the span that contains x; the first or last span if x is outside the
-  /// interval of the breaks.
+  /// Returns the index of the span that contains x. If x is outside the interval of the breaks, the
+  /// result is the first or the last span.
   int span_containing(double x) const;
 
-  /// Returns values and derivatives at x of the degree + 1 basis functions that are nonzero on a
-  /// span.
+  /// Returns the values and derivatives at x of the degree + 1 basis functions that are nonzero on
+  /// the span.
   /// @param derivatives largest order of derivatives
-  /// @return shape (derivatives + 1, degree + 1)
+  /// @return matrix of shape (derivatives + 1, degree + 1); row d has the derivatives of order d
   Eigen::MatrixXd basis_derivatives(double x, int span, int derivatives) const;
 
  private:
@@ -48,9 +48,10 @@ std::vector<double> graded_breaks(double end, int cells, double finest, double u
 /// Returns the Bezier extraction matrix, whose row l contains the Bernstein coefficients of basis
 /// function span + l on the segment from `from` to `to`. The segment may be a part of the span, and
 /// `from` may be above `to`. On a segment beyond the span, the polynomial of the span is
-/// extrapolated. Coefficient j is the blossom (polar form) for p - j arguments equal to `from` and
-/// j arguments equal to `to`, computed with de Boor's recursion.
-/// @tparam Real double; an interval type gives enclosures of the coefficients
+/// extrapolated. Bernstein coefficient j is the blossom (polar form) with p - j arguments `from`
+/// and j arguments `to`, computed by de Boor's recursion.
+/// @tparam Real type of numbers: double, or an interval type, which gives enclosures of the
+/// coefficients
 /// @return shape (degree + 1, degree + 1)
 template <class Real>
 Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> bezier_extraction(const SplineBasis& basis,
@@ -59,7 +60,8 @@ Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> bezier_extraction(const Spli
   const int p = basis.degree();
   Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> rows(p + 1, p + 1), d(p + 1, p + 1);
   for (int j = 0; j <= p; ++j) {
-    for (int i = 0; i <= p; ++i) {  // control point i, as a combination of the basis functions l
+    for (int i = 0; i <= p;
+         ++i) {  // control point i as a linear combination of the basis functions
       for (int l = 0; l <= p; ++l) d(i, l) = Real(i == l ? 1.0 : 0.0);
     }
     for (int r = 1; r <= p; ++r) {

@@ -137,9 +137,9 @@ double GammaLaw::cumulative_probability(double y) const {
 }
 
 std::vector<double> GammaLaw::density_breakpoints() const {
-  // The probability beyond each end of the break points is 1e-20. Near the finite end of the
-  // support the density is x^(k-1) times a smooth function, which a ten-point Gauss rule integrates
-  // accurately between x and 3 x.
+  // The probability beyond the first and beyond the last break point is 1e-20. Near the finite end
+  // of the support the density is x^(k-1) times a smooth function, which a ten-point Gauss rule
+  // integrates accurately between x and 3 x.
   constexpr double kBeyond = 1e-20, kFirst = 1e-9, kGrowth = 3;
   const double k = shape(), deviations = std::sqrt(k);
   const double low = boost::math::gamma_p_inv(k, kBeyond);

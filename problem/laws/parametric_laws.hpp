@@ -110,7 +110,7 @@ struct ExponentialLaw {
 
   static constexpr std::string_view kName = "exponential";
   static constexpr std::string_view kWidthName = "scale";
-  /// Returns the exponential law with the given moments; the default skewness is 2.
+  /// Returns the exponential law with the given mean, standard deviation and skewness (default 2).
   /// @throws InputError if the skewness is neither 2 nor -2
   static ExponentialLaw from_moments(double mean, double deviation,
                                      const LawShapeParameters& shape);
@@ -128,8 +128,8 @@ struct ExponentialLaw {
 };
 
 /// The shifted gamma law of Y = mean + deviation (G - k) / (sqrt(k) sgn skewness), where G has the
-/// gamma density x^(k-1) e^-x / Gamma(k) with k = 4 / skewness^2. For skewness 2 the law is
-/// exponential; for a small skewness the law is nearly Gaussian.
+/// gamma density x^(k-1) e^-x / Gamma(k) with k = 4 / skewness^2. For skewness 2 the gamma law is
+/// exponential, and for a small skewness nearly Gaussian.
 struct GammaLaw {
   double mean;
   double deviation;
@@ -137,10 +137,10 @@ struct GammaLaw {
 
   static constexpr std::string_view kName = "gamma";
   static constexpr std::string_view kWidthName = "deviation";
-  /// Returns the gamma law with the given moments; the default skewness is 1.
+  /// Returns the gamma law with the given mean, standard deviation and skewness (default 1).
   /// @throws InputError if |skewness| is outside 0.01 .. 2 (above 2 the density is unbounded)
   static GammaLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
-  /// Returns the standard deviation times the sign of the skewness.
+  /// Returns the signed width, the standard deviation times the sign of the skewness.
   double width() const;
   double standard_deviation() const { return deviation; }
   double shape() const { return 4 / (skewness * skewness); }
@@ -151,13 +151,13 @@ struct GammaLaw {
   double density(double y) const;
   double cumulative_probability(double y) const;
   std::vector<AmplitudeAtom> atoms() const { return {}; }
-  /// Returns break points of quadrature, which are closer together near the finite end of the
-  /// support, where the density behaves like a power of the distance to the end.
+  /// Returns break points for quadrature, which are densest near the finite end of the support.
+  /// There the density behaves like a power of the distance from the end.
   std::vector<double> density_breakpoints() const;
   GammaLaw with_negated_amplitudes() const { return {-mean, deviation, -skewness}; }
 
   /// Returns the standardised quantile (x - k) / sqrt(k) of the gamma density, where P(G <= x) = p
-  /// and P(G > x) = q. The quantile is computed from the smaller of p and q.
+  /// and P(G > x) = q. The quantile is computed from min(p, q), to avoid cancellation.
   /// @pre p + q = 1
   double standardised_quantile(double p, double q) const;
 };

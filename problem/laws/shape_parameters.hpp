@@ -8,7 +8,8 @@ namespace fpkcheck::problem {
 /// Parameters of an amplitude law in addition to its mean and standard deviation, read from the
 /// case file.
 struct LawShapeParameters {
-  /// The skewness E[(Y - mean)^3] / deviation^3.
+  /// Skewness E[(Y - mean)^3] / deviation^3 of the amplitude Y; absent for laws without this
+  /// parameter.
   std::optional<double> skewness = {};
   /// A table literal of amplitudes (problem/amplitude_table.hpp); empty for laws without a table.
   std::string table = {};

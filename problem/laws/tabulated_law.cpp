@@ -30,7 +30,7 @@ double expectation_of_power(const AmplitudeTable& table, int n) {
       sum += w[k] * std::pow(z[k], n);
     } else if (k > 0) {
       const double length = z[k] - z[k - 1];
-      const auto integrand = [&](double part) {  // fraction of the length of the piece
+      const auto integrand = [&](double part) {  // part: position in the piece, 0 .. 1
         return std::lerp(w[k - 1], w[k], part) * length * std::pow(z[k - 1] + part * length, n);
       };
       sum += Rule::integrate(integrand, 0, 1);
@@ -39,7 +39,7 @@ double expectation_of_power(const AmplitudeTable& table, int n) {
   return sum;
 }
 
-// Returns P(Z <= at) if `with_equal` is true, else P(Z < at).
+// Returns the probability P(Z <= at) if `with_equal` is true, otherwise P(Z < at).
 double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
   const auto& z = table.amplitude;
   const auto& w = table.weight;

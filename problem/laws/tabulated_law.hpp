@@ -10,16 +10,18 @@ namespace fpkcheck::problem {
 
 struct AmplitudeTable;
 
-/// The law of Y = mean + scale Z, where Z has the law of an amplitude table, shifted and scaled to
-/// mean 0 and standard deviation 1. The law of -Y has a negative scale.
+/// The law of Y = mean + scale Z, where Z is the amplitude of a table, standardised to mean 0 and
+/// standard deviation 1. A negative scale mirrors the law.
 struct TabulatedLaw {
   double mean;
   double scale;
-  std::shared_ptr<const AmplitudeTable> standard;  ///< table of the law of Z
+  /// Amplitude table of the standardised amplitude Z.
+  std::shared_ptr<const AmplitudeTable> standard;
 
   static constexpr std::string_view kName = "tabulated";
   static constexpr std::string_view kWidthName = "scale";
-  /// Returns the law of shape.table, shifted and scaled to the given mean and standard deviation.
+  /// Returns the law of the amplitude table `shape.table`, shifted and scaled to the given mean and
+  /// standard deviation.
   /// @throws InputError if the table is missing or invalid
   static TabulatedLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
   double width() const { return scale; }

@@ -17,7 +17,8 @@ using base::NamedParameterValue;
 using base::Value;
 using base::Values;
 
-// Returns the name without the name of the solver; empty if the solver has no such option.
+// Returns the name of an option without the prefix of the solver; empty if the solver has no such
+// option.
 std::optional<std::string> option_name(const methods::Solver& solver, const std::string& option) {
   const auto dot = option.find('.');
   if (dot != std::string::npos && option.substr(0, dot) != solver.name) return std::nullopt;

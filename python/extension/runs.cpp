@@ -100,7 +100,7 @@ class RunInProgress {
   results::Run run_;
   std::exception_ptr failure_;
   std::atomic<bool> is_cancelled_ = false;
-  std::mutex mutex_;  // protects the following members
+  std::mutex mutex_;  // protects all members below
   std::condition_variable changed_;
   bool has_ended_ = false;
   std::optional<methods::RunProgress> progress_update_;
@@ -164,8 +164,8 @@ results::Run solve(RunRequest task, const std::function<void(const methods::RunP
 
 void prepare_for_exit() {
   if (!has_abandoned_runs()) return;
-  // exit() calls handlers and destructors of static objects in reverse order of registration. The
-  // handler below is registered last and therefore runs before these destructors.
+  // The function exit() calls exit handlers and destructors of static objects in reverse order of
+  // registration. This handler is registered last and therefore runs before the destructors.
   on_exit(
       [](int status, void*) {
         if (!has_abandoned_runs()) return;

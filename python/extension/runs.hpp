@@ -16,20 +16,21 @@ namespace fpkcheck::python {
 
 struct RunRequest {
   std::vector<problem::Problem> problems;
-  std::vector<methods::Method> methods;  ///< by increasing trust
+  std::vector<methods::Method> methods;  ///< methods by increasing trust
   int threads = 0;                       ///< number of threads; 0 for one per processor
   bool bounds = true;   ///< whether to compute guaranteed bounds and moment error estimates
   std::string command;  ///< command of the run, for summary.json
 };
 
-/// Solves the problems and compares the solutions in a worker thread, as `fpkcheck run` does.
-/// Meanwhile the calling thread calls the function `poll`.
+/// Solves the problems and compares the solutions in a worker thread, like `fpkcheck run`. During
+/// the run, the calling thread calls the function `poll`.
 ///
 /// If the run is cancelled, the worker thread is abandoned, since long operations cannot be
 /// interrupted (cli/shutdown.hpp) and the extension must not end the process of Python. An
-/// abandoned thread ends after its current operation.
-/// @param poll function called about twenty times a second, with the progress of the run, or null
-///        if the progress has not changed. An exception of `poll` cancels the run within a third of
+/// abandoned worker thread ends after its current operation.
+/// @param poll function that is called about twenty times a second with the progress of the run, or
+/// with null if the progress has not changed. An exception of `poll` cancels the run within a third
+/// of
 ///        a second
 /// @throws the exceptions of solvers and of `poll`
 results::Run solve(RunRequest request,
@@ -40,9 +41,9 @@ results::Run solve(RunRequest request,
 /// destroying their data.
 void prepare_for_exit();
 
-/// Writes the same files as `fpkcheck run --out` into a directory, in a separate thread.
+/// Writes the files of `fpkcheck run --out` into a directory, in a separate thread.
 /// @param poll function that the calling thread calls about twenty times a second. After an
-///        exception of `poll`, the files are completed but figures are omitted
+/// exception of `poll`, the files are completed without figures.
 /// @return warnings about figures that could not be drawn, one line each
 /// @throws InputError if the directory cannot be used
 /// @throws std::runtime_error if a file cannot be written
@@ -51,7 +52,7 @@ std::vector<std::string> save(const std::filesystem::path& directory, const resu
                               const std::function<void()>& poll);
 
 /// Reads the files of a run that save() or `fpkcheck run --out` wrote.
-/// @throws InputError as results::load_run()
+/// @throws the exceptions of results::load_run()
 results::Run load(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::python

@@ -22,7 +22,7 @@ using compare::ErrorBudgetRow;
 using transform::StateVariable;
 using transform::Status;
 
-// Width of a closure's group of bars, relative to the distance between neighbouring groups.
+// Width of the group of bars of a closure, relative to the distance between neighbouring groups.
 constexpr double kGroupWidth = 0.8;
 // The axis range excludes parts of the error budget below this fraction of the largest total
 // distance, since small parts would compress all other bars.
@@ -30,7 +30,7 @@ constexpr double kSmallestFraction = 1e-4;
 
 /// The kind of distance of a panel: the L1 distance, or the mean logarithmic ratio in the tail.
 struct Distance {
-  const char* title;  ///< continues the title of the panel
+  const char* title;  ///< second part of the title of the panel
   const char* label;
   double ErrorBudgetRow::*total;
   double ErrorBudgetPart::*part;
@@ -39,9 +39,9 @@ constexpr Distance kL1{"", "{/:Italic L}_1 distance", &ErrorBudgetRow::total, &E
 constexpr Distance kTail{", tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
                          &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail};
 
-// The series of a part without points. The colours of Okabe and Ito are distinct for colour-blind
-// readers; hatching distinguishes colours that are equal in grey print. A part that combines the
-// errors of several approximations is grey.
+// Returns the series of a part of the error budget, without points. The colours of Okabe and Ito
+// are distinct for colour-blind readers; hatching distinguishes colours that are equal in grey
+// print. A part that combines the errors of several approximations is grey.
 FigureSeries part_series(const std::string& part) {
   using compare::Approximation;
   const auto series = [&](const char* colour, const char* hatch) {
@@ -67,7 +67,8 @@ FigureSeries part_series(const std::string& part) {
   return series("#CC79A7", "x");
 }
 
-// An axis in whole decades that contains all values >= kSmallestFraction of the largest value.
+// Returns an axis of whole decades that contains all distances above kSmallestFraction times the
+// largest distance.
 FigureAxis distance_axis(const char* label, const std::vector<FigureSeries>& all) {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
   for (const auto& series : all) {
@@ -97,8 +98,8 @@ FigureAxis closure_axis(const std::vector<ClosureErrorBudget>& budgets) {
   return axis;
 }
 
-// The bars of one closure, side by side with equal widths, and the line at its total distance.
-// Values that are not positive are omitted, since the axis is logarithmic.
+// Adds the bars of one closure, side by side with equal widths, and the line at the total distance
+// of the closure. Values that are not positive are omitted, since the axis is logarithmic.
 void add_closure(std::vector<FigureSeries>& all, const ErrorBudgetRow& row, double centre,
                  bool is_open, const Distance& distance) {
   const double width = kGroupWidth / static_cast<double>(row.parts.size());

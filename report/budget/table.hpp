@@ -11,15 +11,16 @@
 namespace fpkcheck::report {
 
 /// Returns the error budget of a case as a text table. Each closure and marginal density has the L1
-/// distance from the reference and the parts of this distance. Parts that all closures share
-/// (discretisation, sampling) have their own rows. An asterisk marks a closure with a status other
-/// than `ok`. A sentence below the table states the limitations of the budget. The text is empty
-/// without an error budget.
-/// @param format if rows exceed its width, the columns of the tail distances are omitted first,
-///        then the columns of the last parts
+/// distance from the reference and the parts of this distance. Budget parts that are equal for all
+/// closures (discretisation, sampling) have separate rows. An asterisk marks a closure with a
+/// status other than `ok`. A sentence below the table states the limitations of the error budget.
+/// The text is empty without an error budget.
+/// @param format format of the text; if rows exceed its width, the columns of tail distances are
+/// omitted first, then the columns of the last budget parts
 std::string budget_table(const results::CaseResult& case_result, const TextFormat& format);
 
-/// Returns the columns that budget_table displays in a text format; none without an error budget.
+/// Returns the columns that budget_table() displays in a text format. The list is empty without an
+/// error budget.
 std::vector<TextColumn> budget_columns(const results::CaseResult& case_result,
                                        const TextFormat& format);
 

@@ -12,8 +12,8 @@ using results::CaseResult;
 using results::DensityCurve;
 using transform::StateVariable;
 
-// The curve of the reference over smooth bins if the curve has confidence intervals in all bins,
-// else a null pointer.
+// Returns the curve of the reference over smooth bins, or null unless this curve has confidence
+// intervals in all bins.
 const DensityCurve* smooth_reference(const CaseResult& case_result, const std::string& reference,
                                      StateVariable variable) {
   const DensityCurve* curve = case_result.smooth_curve(reference, variable);
@@ -24,8 +24,8 @@ const DensityCurve* smooth_reference(const CaseResult& case_result, const std::s
   return whole(curve->lower) && whole(curve->upper) ? curve : nullptr;
 }
 
-// The id of the reference of a case; empty if the case has no reference, or if the reference lacks
-// the curve of one of the marginal densities.
+// Returns the id of the reference of a case. The id is empty if the case has no reference, or if
+// the reference lacks the curve of a marginal density.
 std::string reference_id(const CaseResult& case_result) {
   const auto* reference = case_result.reference();
   if (reference == nullptr) return "";
@@ -59,10 +59,10 @@ CurveDifference smooth_difference(const DensityCurve* curve, const DensityCurve&
   return result;
 }
 
-// Axis ranges of the differences between the curves and the reference. A logarithmic axis contains
-// the differences of all curves. A linear axis contains only the differences of solutions with
-// status ok or inaccurate, since a single outlier would compress all other curves; if no solution
-// has status ok or inaccurate, the linear axis contains the differences of all curves.
+// Returns axis ranges of the differences between the curves and the reference. A logarithmic axis
+// contains the differences of all curves. A linear axis contains only the differences of solutions
+// with status ok or inaccurate, since a single outlier would compress all other curves. If no
+// solution has the status ok or inaccurate, the linear axis contains the differences of all curves.
 MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bool logarithmic) {
   std::vector<DrawnCurve> differing;
   std::ranges::copy_if(curves, std::back_inserter(differing), [&](const auto& drawn) {

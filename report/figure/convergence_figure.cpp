@@ -37,12 +37,12 @@ struct ConvergenceOverOrder {
   const transform::Solution* reference;
   transform::StateVariable variable;
   std::vector<SolutionFamily> families;  ///< members sorted by order
-  std::vector<const transform::Solution*>
-      external_densities;  ///< external densities in no such family
+  /// External densities outside these families.
+  std::vector<const transform::Solution*> external_densities;
   std::vector<UncertaintyLine> uncertainty_lines;
 
   double l1(const transform::Solution& solution) const;
-  /// The lowest and the highest order n of the closures.
+  /// Returns the lowest and the highest closure order n.
   std::pair<int, int> order_range() const;
 };
 
@@ -80,8 +80,8 @@ std::vector<UncertaintyLine> uncertainty_lines(const ConvergenceOverOrder& dista
   return all;
 }
 
-/// The distances of one marginal density by family and order.
-/// @return nothing if the case has no reference, or no family with at least two orders
+/// Returns the L1 distances of one marginal density, by family of closures and closure order.
+/// @return nothing if the case has no reference, or no family of closures with at least two orders
 std::optional<ConvergenceOverOrder> convergence_over_order(const results::CaseResult& case_result,
                                                            transform::StateVariable variable) {
   const Solution* reference = case_result.reference();

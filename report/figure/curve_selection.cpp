@@ -28,7 +28,7 @@ bool has_curve(const results::CaseResult& case_result, const transform::Solution
   });
 }
 
-// All solutions that have a curve, by decreasing priority for the default selection.
+// Returns all solutions with a curve, by decreasing priority for the default selection.
 std::vector<const transform::Solution*> solutions_by_priority(
     const results::CaseResult& case_result) {
   std::vector<const transform::Solution*> order;

@@ -15,22 +15,23 @@ inline constexpr std::size_t kMaxCurves = 6;
 
 /// Returns the ids of the solutions whose curves the picture of a case shows.
 ///
-/// The default selection contains all external densities, then other solutions up to kMaxCurves
-/// curves. The other solutions follow in this order: the reference, the other solutions of the full
-/// problem (report/solutions_of_full_problem.hpp), the closest closure of each formulation, solutions of other
-/// equations by decreasing trust, other closures (`ok` and closest first).
-/// @param requested ids, families or solvers whose curves are shown; or "all"; an empty list for
-///        the default selection
+/// The default selection contains all external densities. Further solutions are added, up to
+/// kMaxCurves curves, in this order: the reference, the remaining solutions of the full problem
+/// (report/solutions_of_full_problem.hpp), the closest closure of each formulation, solutions of
+/// approximate equations by decreasing trust, remaining closures (`ok` and closest first).
+/// @param requested ids, families or solvers whose curves are shown, or "all". An empty list means
+/// the default selection.
 std::set<std::string> select_curves(const results::CaseResult& case_result,
                                     const std::vector<std::string>& requested = {});
 
-/// The ids of the solutions that are initially visible on the page: the solutions of the full problem
-/// (report/solutions_of_full_problem.hpp), the closest closure of each family, and external densities. If fewer
-/// than two solutions would be visible, all solutions of the case are visible.
+/// Returns the ids of the solutions whose curves are initially visible on the report page: the
+/// solutions of the full problem (report/solutions_of_full_problem.hpp), the closest closure of
+/// each family, and external densities. If fewer than two solutions would be visible, all solutions
+/// of the case are visible.
 std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result);
 
 /// Checks that every requested id, family or solver matches a solution.
-/// @param requested as in select_curves
+/// @param requested requested ids, families or solvers, the argument of select_curves()
 /// @param available  identities of the available solutions
 /// @throws InputError with a message of one line if a requested name matches no solution
 void require_available_curves(const std::vector<std::string>& requested,

@@ -60,7 +60,7 @@ FigureAxis ordinate(Panel panel, const MarginalCurves& marginal, double smallest
     case Panel::logarithmic:
       return {density, logarithmic_axis_bottom(r, smallest_density), logarithmic_axis_top(r), true};
     case Panel::difference: {
-      // If all differences are 0, as for the reference alone, the range is arbitrary.
+      // If all differences from the reference are 0, the axis range is arbitrary.
       const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
       return {"Δ" + density, -half, half};
     }
@@ -72,7 +72,7 @@ FigureAxis ordinate(Panel panel, const MarginalCurves& marginal, double smallest
   return {};
 }
 
-// A curve cannot show atoms: the legend states the probabilities of the atoms.
+// Returns the legend note with the probabilities of the rest atoms, which a curve cannot show.
 std::string legend_note(const DrawnCurve& drawn) {
   std::string label;
   for (const auto& atom : drawn.solution->atoms) {
@@ -82,14 +82,15 @@ std::string legend_note(const DrawnCurve& drawn) {
   return label;
 }
 
-// Whether the curve of a solution has marks, which distinguish curves in grey print. Closures and
-// external densities have marks; solutions of density equations have lines only.
+// Returns whether the curve of a solution has marks, which distinguish curves in grey print.
+// Closures and external densities have marks; solutions of density equations have lines only.
 bool has_marks(const transform::SolutionIdentity& identity) {
   return !identity.plot_style.as_points && (identity.role == transform::SolutionRole::closure ||
                                             identity.role == transform::SolutionRole::external);
 }
 
-// The series of a curve; without points if the panel shows differences and the curve has none.
+// Returns the series of a curve. The series has no points if the panel shows differences and the
+// curve has no differences.
 FigureSeries curve_series(const DrawnCurve& drawn, Panel panel, const std::string& reference) {
   const bool of_differences = shows_differences(panel);
   const CurveDifference& difference = drawn.difference;
@@ -105,12 +106,12 @@ FigureSeries curve_series(const DrawnCurve& drawn, Panel panel, const std::strin
   series.line_width = plot_style.width;
   series.note = legend_note(drawn);
   if (panel == Panel::smooth_difference && id == reference) {
-    // The values are the half-widths of the reference's confidence intervals.
+    // The differences of the reference are the half-widths of its confidence intervals.
     series = {.name = fmt::format("half-width of the interval of {}", reference),
               .colour = "#444444",
               .dash = "(1,3)"};
   } else if (plot_style.as_points) {
-    // The number of points is limited, since more points would hide the lines of other curves.
+    // Largest number of points on a curve, since more points would hide the lines of other curves.
     constexpr std::size_t kPointsOnACurve = 35;
     series.mark_step = std::max<std::size_t>(1, places.size() / kPointsOnACurve);
     series.dash = "";
@@ -148,8 +149,8 @@ FigurePanel density_panel(Panel panel, const MarginalCurves& marginal, const Fig
   for (auto& series : result.series) {
     if (!series.symbol.empty() && !series.dash.empty()) marked.push_back(&series);
   }
-  // A line has few marks. The marks of different curves have different abscissae, since the curves
-  // may nearly coincide.
+  // A line has at most kMarksOnACurve marks. The marks of different curves have different
+  // abscissae, since the curves may nearly coincide.
   constexpr std::size_t kMarksOnACurve = 8;
   for (std::size_t k = 0; k < marked.size(); ++k) {
     marked[k]->mark_step = std::max<std::size_t>(1, marked[k]->points.size() / kMarksOnACurve);
@@ -194,7 +195,7 @@ Figure density_figure(const problem::Problem& problem, const FigureContent& cont
           density_panel(panel, marginal, content, width != FigureWidth::screen));
       figure.panels.back().id = fmt::format("density-{}", name(marginal.variable));
       figure.panels.back().caption = caption;
-      if (narrow) continue;  // the remaining panels are lettered consecutively
+      if (narrow) continue;  // a narrow figure letters its panels consecutively
       figure.panels.back().letter = panel == Panel::linear        ? (of_y ? "a" : "c")
                                     : panel == Panel::logarithmic ? (of_y ? "b" : "d")
                                                                   : (of_y ? "e" : "f");

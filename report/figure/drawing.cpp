@@ -52,9 +52,9 @@ void run_script(const std::string& gnuplot, const fs::path& script, const std::s
   }
 }
 
-// Sets the printed size in an SVG file. gnuplot measures an SVG in pixels and does not scale tics
-// and marks. Therefore gnuplot draws the SVG for a screen, and this function sets the printed size
-// afterwards.
+// Sets the printed size in an SVG file. The program gnuplot measures an SVG in pixels and does not
+// scale tics and marks. Therefore gnuplot draws the SVG for a screen, and this function replaces
+// the size afterwards.
 std::string set_printed_size(std::string svg, double across) {
   int width = 0, height = 0;
   const auto at = svg.find(" width=\"");
@@ -68,7 +68,7 @@ std::string set_printed_size(std::string svg, double across) {
       fmt::format(" width=\"{:g}mm\" height=\"{:.2f}mm\"", across, across * height / width));
 }
 
-/// A new temporary directory, which the destructor removes.
+/// Guard object that creates a temporary directory. The destructor removes the directory.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {

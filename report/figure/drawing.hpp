@@ -9,21 +9,21 @@
 
 namespace fpkcheck::report {
 
-/// The exception for a missing program gnuplot.
+/// Exception: the program gnuplot was not found.
 struct GnuplotMissing : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// Runs gnuplot to draw the picture of a script. The extension of `picture` determines the format.
-/// The picture file, and the graphics file STEM-tex.pdf that STEM.tex includes, are each replaced
-/// completely or left unchanged.
+/// The picture file is either replaced completely or left unchanged, as is the graphics file
+/// STEM-tex.pdf that STEM.tex includes.
 /// @throws GnuplotMissing
 /// @throws std::runtime_error with a message of one line if gnuplot drew no picture
 void draw_picture(const std::string& gnuplot, const std::filesystem::path& script,
                   const std::filesystem::path& picture, FigureWidth width = FigureWidth::screen);
 
-/// Runs gnuplot on the script STEM.gp once for each file format of the figure options. The pictures
-/// are in the directory of the script.
+/// Runs gnuplot on the script STEM.gp once for each file format in the figure options. The pictures
+/// are written to the directory of the script.
 /// @return a warning for each picture that was not drawn
 /// @throws GnuplotMissing
 std::vector<std::string> draw_formats(const std::string& gnuplot,

@@ -23,12 +23,13 @@ using results::ErrorSource;
 using transform::Moments;
 
 constexpr std::size_t kMaxSolutions = 4, kMaxSolutionsInColumn = 2;
-// Outer cells with values below this fraction of the largest value are invisible, and are omitted.
+// Outer cells with values below kVisibleErrorFraction times the largest value are invisible and
+// omitted.
 constexpr double kVisibleErrorFraction = 1e-3;
 
 struct MappedMoment {
   const char* name;
-  const char* symbol;  ///< in gnuplot's enhanced text
+  const char* symbol;  ///< symbol in gnuplot's enhanced text
   const char* text;
   double Moments::*member;
 };
@@ -67,8 +68,8 @@ std::vector<std::string> selected_solutions(const CaseResult& case_result, std::
   return ids;
 }
 
-// The window of the cells that have a visible value in at least one map. The window is symmetric in
-// y', and includes y = 0 if the cells begin at y = 0.
+// Returns the window of the cells that have a visible value in at least one map. The window is
+// symmetric in y', and includes y = 0 if the cells begin at y = 0.
 CellWindow visible_window(const CaseResult& case_result, const std::vector<std::string>& ids) {
   const auto& cells = case_result.error_sources.front().density;
   CellWindow window{.y_end = 1, .v_begin = cells.nv(), .v_end = 0};
@@ -91,16 +92,16 @@ CellWindow visible_window(const CaseResult& case_result, const std::vector<std::
   return window;
 }
 
-// The colour scale uses the signed square root, so that values remain visible that are small
+// Returns the signed square root, which the colour scale uses to show values that are small
 // relative to the values at the wall.
 double signed_root(double value, double limit) {
   return std::copysign(std::sqrt(std::abs(value) / limit), value);
 }
 
-// An axis with tics at equal steps of the value. The positions of the tics are signed square roots
-// of the values; the tic labels are in units of the power of ten in the axis label.
+// Returns a colour axis with tics at equal steps of the value. The positions of the tics are signed
+// square roots of the values. The tic labels are in units of the power of ten in the axis label.
 FigureAxis colour_axis(const std::string& quantity, double limit) {
-  constexpr int kMostSteps = 5;  // on either side of 0; then at least two tics are on each side
+  constexpr int kMostSteps = 5;  // largest number of tic steps on each side of 0
   const double step = tic_step(0, limit, kMostSteps);
   const auto power = static_cast<int>(std::floor(std::log10(step)));
   FigureAxis axis{quantity, -1, 1};
@@ -115,7 +116,7 @@ FigureAxis colour_axis(const std::string& quantity, double limit) {
 
 FigurePanel source_panel(const CaseResult& case_result, const std::string& id,
                          const MappedMoment& moment, const CellWindow& window) {
-  constexpr int kMostTics = 4;  // fit under a map on a screen
+  constexpr int kMostTics = 4;  // largest number of tics that fit under a map on a screen
   const auto* own = case_result.moment_error_estimate(id);
   const double error = own == nullptr ? 0 : own->error.*moment.member;
   const ErrorSource& source = *case_result.error_source(id, moment.name);
@@ -134,7 +135,7 @@ FigurePanel source_panel(const CaseResult& case_result, const std::string& id,
                     .root_scale = limit,
                     .quantity = "error per area"};
   for (double& value : map.values) {
-    constexpr double kDecimals = 1000;  // resolve the colours, and shorten scripts
+    constexpr double kDecimals = 1000;  // rounding of values to 1/1000, which resolves the colours
     value = std::round(kDecimals * signed_root(value, limit)) / kDecimals;
   }
   return {

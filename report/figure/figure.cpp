@@ -20,7 +20,7 @@ namespace {
 // Width of a colour bar, and of a colour bar with tics and label, in pixels.
 constexpr int kColourBarWidth = 14, kColourBarSpace = 110;
 
-/// The data blocks of a script. Series with the same points share a block.
+/// The data blocks of a gnuplot script. Series with the same points share a data block.
 class DataBlocks {
  public:
   /// @param rows rows of the block, each ended by a newline
@@ -84,7 +84,7 @@ std::string paler(const std::string& colour) {
   return mixed;
 }
 
-// gnuplot has no fill density for patterns: the colour of a pale pattern is mixed with white.
+// Since gnuplot has no fill density for patterns, the colour of a pale pattern is mixed with white.
 std::string bar_style(const FigureSeries& series, const std::string& kind, bool is_pale) {
   const std::string colour = gnuplot_string(series.colour);
   if (series.hatch.empty()) {
@@ -96,8 +96,8 @@ std::string bar_style(const FigureSeries& series, const std::string& kind, bool 
                      is_pale ? gnuplot_string(paler(series.colour)) : colour);
 }
 
-// The plot style of a series, in the colour of the series or of its legend entry. Styles may come
-// from a file: quoting prevents that a quotation mark in a colour ends the string.
+// Returns the plot style of a series, in the colour of the series or of its legend entry. The
+// colour is quoted as a gnuplot string, since plot styles may come from files.
 // @param kind plot style of gnuplot: series_kind(), or only the lines or points of the series
 std::string series_style(const FigureSeries& series, const std::string& kind,
                          const std::string& colour, bool is_open = false) {
@@ -115,8 +115,8 @@ std::string series_style(const FigureSeries& series, const std::string& kind,
          fmt::format(" pointtype {} pointsize {:g}", is_open ? open : filled, series.mark_size);
 }
 
-// The data block of a series: abscissa, ordinate, 1 for an open mark, the width of a bar, and the
-// ends of intervals.
+// Returns the data block of a series with the columns abscissa, ordinate, 1 for an open mark, width
+// of the bar, and ends of the interval.
 std::string series_block(const FigureSeries& series, const FigurePanel& panel, DataBlocks& blocks) {
   const bool is_logarithmic = panel.y.is_logarithmic, with_intervals = has_intervals(series);
   std::string rows;
@@ -131,7 +131,7 @@ std::string series_block(const FigureSeries& series, const FigurePanel& panel, D
     if (with_intervals) {
       // An interval that reaches below a logarithmic axis ends at the axis.
       const double lower = is_logarithmic ? std::max(point.lower, panel.y.from) : point.lower;
-      // gnuplot omits a bar without an interval.
+      // The program gnuplot would omit a bar without an interval.
       const bool is_empty = series.is_bars && !std::isfinite(point.upper);
       rows += fmt::format(" {} {}", number_cell(is_empty ? point.y : lower, false),
                           number_cell(is_empty ? point.y : point.upper, false));
@@ -196,8 +196,8 @@ std::string map_plot(const FigureHeatMap& map, DataBlocks& blocks) {
   const double width = (map.x_range[1] - map.x_range[0]) / static_cast<double>(map.columns),
                height = (map.y_range[1] - map.y_range[0]) / static_cast<double>(map_rows),
                x = map.x_range[0] + width / 2, y = map.y_range[0] + height / 2;
-  // gnuplot cannot draw a single row or column of cells as an image, and warns about a matrix with
-  // missing values.
+  // The program gnuplot cannot draw a single row or column of cells as an image, and warns about a
+  // matrix with missing values.
   const bool is_image = map.columns > 1 && map_rows > 1;
   const bool is_matrix =
       is_image && std::ranges::all_of(map.values, [](double v) { return std::isfinite(v); });
@@ -230,7 +230,7 @@ std::string panel_letter(std::size_t panel) {
   return panel < kLetters ? letter : panel_letter(panel / kLetters - 1) + letter;
 }
 
-/// @param name x, y, or cb for the colours of a map
+/// @param name name of the axis in gnuplot: x, y, or cb for the colours of a map
 std::string axis_commands(const FigureAxis& axis, const std::string& name) {
   std::vector<std::string> tics;
   for (const auto& tic : axis.tics) {
@@ -325,8 +325,8 @@ Legend figure_legend(const Figure& figure) {
   return legend;
 }
 
-// Whether all panels have maps with the same colours, so that a row of panels needs a single colour
-// bar.
+// Returns whether the maps of all panels have the same colours, so that a row of panels needs a
+// single colour bar.
 bool has_common_colours(const Figure& figure) {
   const auto& first = figure.panels.front().map;
   return std::ranges::all_of(figure.panels, [&](const FigurePanel& panel) {
@@ -433,7 +433,7 @@ std::string figure_script(const Figure& figure, const std::string& file_stem, Fi
          "# Columns of a series: abscissa, ordinate, 1 for an open mark, width of a bar, ends of the\n"
          "# interval\n" +
          blocks.text() +
-         // By default the box of a point type erases the lines below an interval.
+         // By default, gnuplot erases the line of an error bar in a box around the point.
          "set pointintervalbox 0.0001\n"
          "set tics out nomirror\nset border 3\nset grid ytics linetype 1 dashtype solid linecolor "
          "rgb '#DDDDDD' linewidth 0.6\nunset key\n" +

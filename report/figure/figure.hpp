@@ -11,8 +11,9 @@
 #include "report/figure/options.hpp"
 #include "transform/solution_identity.hpp"
 
-/// The model of a figure. figure_script() converts a Figure to a gnuplot script, and figure_plots()
-/// (report/page/plot.hpp) converts a Figure to plots of the page.
+/// Data structures that describe a figure independently of its output. The function figure_script()
+/// converts a Figure to a gnuplot script. The function figure_plots() (report/page/plot.hpp)
+/// converts a Figure to plots of the report page.
 namespace fpkcheck::report {
 
 /// A point of a series. The line has a gap at a point with a non-finite coordinate, or with a
@@ -20,33 +21,33 @@ namespace fpkcheck::report {
 struct FigurePoint {
   double x, y;
   bool open = false;        ///< whether the mark is open, for a status other than `ok`
-  std::string name = "";    ///< name that the page shows beside the pointer
+  std::string name = "";    ///< name of the point, which the page shows beside the mouse pointer
   std::string label = "";   ///< text beside the mark, on the page only
-  std::string colour = "";  ///< colour of the mark on the page; "" for the colour of the series
-  /// Ends of the interval at a point of a series without a line; NaN without an interval. Intervals
-  /// at marks are error bars in a picture and a band on the page.
+  std::string colour = "";  ///< colour of the mark on the page; if empty, the colour of the series
+  /// Ends of the confidence interval at a point of a series without a line; NaN without an
+  /// interval. The intervals are error bars in a picture and a band on the page.
   double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;
-  double width = 0;  ///< of the bar, on the axis x
+  double width = 0;  ///< width of a bar, in units of the x axis
 };
 
-/// Points with marks, a line through the points, or both. Series with the same name share a legend
-/// entry.
+/// A data series of a figure: points with marks, a line through the points, or marks and a line.
+/// Series with the same name share a legend entry.
 struct FigureSeries {
-  std::string name;        ///< entry of the legend, plain text
+  std::string name;        ///< name of the series in the legend, plain text
   std::string group = "";  ///< the page hides and shows the series of a group together
   std::string colour;
-  std::string dash = "";  ///< dash type of gnuplot: "solid", "(10,4)"; "" for no line
+  std::string dash = "";  ///< dash type of gnuplot, such as "(10,4)"; empty for no line
   double line_width = 2;
-  std::string symbol = "";                    ///< symbol of plotly.js; "" for no marks
+  std::string symbol = "";                    ///< mark symbol of plotly.js; empty for no marks
   double mark_size = 1.3;                     ///< in units of gnuplot's point size
   std::size_t mark_step = 1, first_mark = 0;  ///< a mark at each step-th point
   bool is_area = false;    ///< whether the area below the line is filled, in a paler colour
   bool is_bars = false;    ///< whether each point is the top of a bar; an open bar is paler
-  std::string hatch = "";  ///< fill pattern of bars in plotly.js; "" for a solid fill
+  std::string hatch = "";  ///< fill pattern of bars in plotly.js; empty for a solid fill
   std::vector<FigurePoint> points = {};
-  std::string legend_colour = "";  ///< colour of an entry that series of several colours share
-  std::string note = "";           ///< continues the entry of the legend in a picture, plain text
-  std::size_t rank = 0;            ///< entries of the legend have the order of ranks
+  std::string legend_colour = "";  ///< colour of a legend entry that several series share
+  std::string note = "";           ///< plain text after the name in the legend of a picture
+  std::size_t rank = 0;            ///< sort key of the legend entries
   bool is_hidden = false;          ///< whether the page initially hides the series
 };
 
@@ -54,29 +55,29 @@ struct FigureSeries {
 FigureSeries make_series(const std::string& name, const transform::PlotStyle& plot_style);
 
 struct FigureTic {
-  std::string label;  ///< in gnuplot's enhanced text
+  std::string label;  ///< label in gnuplot's enhanced text
   double place;
 
   bool operator==(const FigureTic&) const = default;
 };
 
 struct FigureAxis {
-  std::string label;  ///< in gnuplot's enhanced text
+  std::string label;  ///< label in gnuplot's enhanced text
   double from, to;
   bool is_logarithmic = false;
-  double tic_step = 0;               ///< 0 for an automatic step
-  std::vector<FigureTic> tics = {};  ///< empty for automatic tics
+  double tic_step = 0;               ///< distance of the tics; 0 for an automatic distance
+  std::vector<FigureTic> tics = {};  ///< tics with labels; empty for automatic tics
   bool rotated_tics = false;         ///< whether long labels of tics are slanted in a picture
 
   bool operator==(const FigureAxis&) const = default;
 };
 
-/// Makes a logarithmic axis that contains one coordinate (x or y) of all points, with a margin for
-/// marks and labels.
+/// Makes a logarithmic axis whose range contains the x or y coordinates of all points, with a
+/// margin for marks and labels.
 FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSeries>& all,
                             double FigurePoint::*coordinate);
 
-/// Makes a linear axis that contains one coordinate (x or y) of all points, with a margin.
+/// Makes a linear axis whose range contains the x or y coordinates of all points, with a margin.
 FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>& all,
                        double FigurePoint::*coordinate);
 
@@ -85,36 +86,39 @@ FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>
 struct FigureHeatMap {
   std::array<double, 2> x_range, y_range;  ///< outer edges of the cells
   std::size_t columns;
-  std::vector<double> values;  ///< rows of constant y, from the lowest row
+  std::vector<double> values;  ///< values in rows of constant y, from the lowest y
   FigureAxis colour_axis;
   /// Positions, from 0 to 1, and colours of the colour scale.
   std::vector<std::pair<double, std::string>> colours;
-  std::vector<std::array<double, 3>> discs = {};  ///< x, y and value of single points
+  std::vector<std::array<double, 3>> discs = {};  ///< coordinates x, y and value of single points
   std::string no_value_name = "";                 ///< legend entry of cells without a colour
   double disc_size = 1;                           ///< in units of gnuplot's point size
-  /// If positive, a value v is a signed square root: the page shows v |v| root_scale beside the
-  /// pointer, with the name of this quantity.
+  /// If root_scale is positive, a value v is a signed square root. The page then shows the number v
+  /// |v| root_scale beside the mouse pointer.
   double root_scale = 0;
   std::string quantity = "";
 };
 
-/// The positions and colours of a diverging colour scale, distinct for colour-blind readers, with
-/// white for 0.
+/// Positions and colours of a diverging colour scale with white for 0, which colour-blind readers
+/// can distinguish.
 inline constexpr std::pair<double, const char*> kDivergingColours[] = {
     {0, "#053061"},   {0.2, "#2166ac"}, {0.4, "#92c5de"}, {0.5, "#ffffff"},
     {0.6, "#f4a582"}, {0.8, "#b2182b"}, {1, "#67001f"}};
 
-/// A panel. On the page, panels with the same id are the rows of one plot, from the lowest row.
+/// A panel of a figure. On the report page, panels with the same id are the rows of one plot, from
+/// the lowest row.
 struct FigurePanel {
-  std::string id = "";       ///< part of the id of the plot on the page; "" for no plot there
-  std::string title;         ///< title in a picture, after the letter; in gnuplot's enhanced text
+  std::string id = "";  ///< part of the id of the plot on the page; empty for no plot
+  /// Title in a picture, after the letter of the panel; gnuplot's enhanced text.
+  std::string title;
   std::string caption = "";  ///< caption on the page, plain text
-  std::string letter = "";   ///< letter of the panel in a picture; "" for the next letter
-  std::string note = "";     ///< plain text beside the top of the line x = 0
+  std::string letter = "";   ///< letter of the panel in a picture; empty for the next letter
+  std::string note = "";     ///< plain text at the top of the vertical line x = 0
   FigureAxis x, y;
   std::vector<FigureSeries> series = {};
   std::optional<FigureHeatMap> map = {};
-  /// Panels with different choices share a place on the page, where a control selects the choice.
+  /// Name of the choice that shows this panel. Panels with different choices share a place on the
+  /// page, where a control selects a choice.
   std::string choice = "";
 };
 
@@ -122,14 +126,14 @@ struct Figure {
   /// The parts of the title in plain text; a picture breaks the title into lines between parts.
   std::vector<std::string> title = {};
   std::vector<FigurePanel> panels = {};
-  std::string legend_note = "";  ///< entry of the legend without a sample
-  int columns = 2;               ///< a figure for a single journal column has one column of panels
-  int screen_width = 1100;       ///< width in pixels on a screen
-  int panel_height = 300;        ///< height in pixels of the axes of a panel on a screen
+  std::string legend_note = "";  ///< text in the legend without a line sample
+  int columns = 2;          ///< columns of panels; always one column in a single journal column
+  int screen_width = 1100;  ///< width in pixels on a screen
+  int panel_height = 300;   ///< height in pixels of the axes of a panel on a screen
 };
 
 /// Returns a gnuplot script with data that draws the panels of a figure row by row, with a common
-/// legend. A single panel in the last row has the width of the row.
+/// legend. A single panel in the last row fills the width of the picture.
 /// @pre the figure has at least one panel
 std::string figure_script(const Figure& figure, const std::string& file_stem,
                           FigureWidth width = FigureWidth::screen);

@@ -36,8 +36,8 @@ using Clock = std::chrono::steady_clock;
 class OutputPipe {
  public:
   OutputPipe() {
-    // Both ends of the pipe are closed on exec: a child process that another thread starts must not
-    // inherit the ends.
+    // The ends of the pipe are closed on exec, since a child process that another thread starts
+    // must not inherit them.
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw_system_error(errno, "pipe");
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -57,11 +57,12 @@ class OutputPipe {
 
   const posix_spawn_file_actions_t* actions() const { return &actions_; }
 
-  /// Reads to the end of the output and returns the beginning of the output; nothing if the
-  /// deadline passes or a stop is requested.
+  /// Reads the output until its end and returns the beginning of the output. The result is empty if
+  /// the deadline passes or a stop is requested.
   std::optional<std::string> read_until_end(Clock::time_point deadline) {
-    constexpr std::size_t kMost = 10000;  // callers report only the first line
-    close(ends_[1]);                      // the read returns end of file only without open writers
+    // Largest length of the returned output, of which callers report the first line.
+    constexpr std::size_t kMost = 10000;
+    close(ends_[1]);  // read() returns the end of file only if all writers have closed the pipe
     ends_[1] = -1;
     std::string text;
     std::array<char, 4096> buffer;
@@ -154,8 +155,8 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
                            std::chrono::milliseconds time_limit) {
   std::string before;
   for (const auto& assignment : assignments) before += assignment + "; ";
-  // The process is started without a shell, so that paths need no quotes. gnuplot would run a file
-  // name that begins with '<' as a command: an absolute path, which begins with '/', prevents this.
+  // The process is started without a shell, so that paths need no quotes. The path is absolute,
+  // since gnuplot would run a file name that begins with '<' as a command.
   std::vector<std::string> arguments{program, "-d", "-e", before,
                                      std::filesystem::absolute(script).string()};
   auto argv = null_terminated_pointers(arguments);
@@ -186,7 +187,8 @@ std::string gnuplot_string(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
     if (std::iscntrl(static_cast<unsigned char>(c))) {
-      quoted += ' ';  // a string ends with its line: the next line would be run as a command
+      // A line break would end the string, and gnuplot would run the next line as a command.
+      quoted += ' ';
     } else {
       quoted += c == '\'' ? "''" : std::string(1, c);
     }

@@ -9,21 +9,20 @@ namespace fpkcheck::report {
 
 /// The outcome of one run of the program gnuplot.
 struct GnuplotOutcome {
-  bool found;           ///< the program was started
-  int exit_code;        ///< -1 if the program was not found or was ended by a signal
+  bool found;           ///< whether the program gnuplot was started
+  int exit_code;        ///< exit code; -1 if gnuplot was not found or was ended by a signal
   std::string message;  ///< first part of gnuplot's standard output and standard error
 };
 
 /// Runs a gnuplot script after assignments of gnuplot variables, such as "format='svg'". The
 /// settings of the user (initialisation files, GNUTERM) have no effect.
-/// @param program name on the PATH, or a path
-/// @param time_limit time after which the gnuplot process is killed; the message then states the
-///        limit
+/// @param program name of the program on the PATH, or its path
+/// @param time_limit time after which the gnuplot process is killed
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
                            const std::filesystem::path& script,
                            std::chrono::milliseconds time_limit = std::chrono::minutes(1));
 
-/// Converts a text to a string constant of gnuplot; control characters become blanks.
+/// Converts a text to a string constant in a gnuplot script. Control characters become blanks.
 std::string gnuplot_string(const std::string& text);
 
 /// Escapes the control characters of gnuplot's enhanced text, so that the text appears literally.

@@ -10,15 +10,16 @@
 namespace fpkcheck::report {
 
 /// Fractions of the peak down to which a joint density is shown, on logarithmic and on linear
-/// colour scales. Where the density is below the fraction kLogarithmicFraction of its peak, a
-/// simulation has few samples.
+/// colour scales. Below the fraction kLogarithmicFraction of the peak, a simulation has few
+/// samples.
 inline constexpr double kLogarithmicFraction = 1e-5, kLinearFraction = 1.0 / 500;
 
 struct CellWindow {
   std::size_t y_end, v_begin, v_end, y_begin = 0;
 };
 /// Returns the window of the cells with a density above `part` times the peak. The window includes
-/// y = 0 if the cells begin there. Without a positive peak the window has all cells.
+/// y = 0 if the cells begin at y = 0. If the density is nowhere positive, the window contains all
+/// cells.
 CellWindow cells_above_fraction(const transform::GridDensity& density, double part);
 
 /// Returns the cell averages in a window as rows of constant y', shape (nv, ny), the order of heat
@@ -27,12 +28,12 @@ std::vector<double> rows_of_constant_velocity(const transform::GridDensity& dens
                                               const CellWindow& window);
 
 /// Signed numbers, quantised to integers q from -levels to levels. The integer q represents the
-/// number sign(q) (q / levels)^2 times the largest magnitude. The square root in the quantisation
-/// resolves the small values in the tails.
+/// number sign(q) (q / levels)^2 times the largest magnitude. This square-root scale resolves small
+/// values in the tails of a density.
 struct SignedRoots {
-  double largest;  ///< largest magnitude
+  double largest;  ///< largest magnitude of the numbers
   int levels;
-  std::vector<int> roots;  ///< from -levels to levels
+  std::vector<int> roots;  ///< quantised numbers, from -levels to levels
 };
 
 /// Quantises signed numbers to integers by the signed square root.

@@ -13,14 +13,14 @@ namespace fpkcheck::report {
 namespace {
 
 constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;
-// Height of letters: 11 points, in pixels, on a screen of 96 dpi; on paper in points, where
-// journals require at least 7 points.
+// Letter height on a screen of 96 dpi, 11 points in units of pixels, and letter height on paper in
+// points. Journals require at least 7 points.
 constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
 // Resolution of a PNG for print, in dpi.
 constexpr double kPrintResolution = 300;
 
-// Points per pixel of the layout on paper. A PDF for the screen has the same number of points per
-// pixel as a layout on paper, so that the letters of both have equal size.
+// Points per pixel of a layout on paper. A PDF for the screen uses the same ratio, so that the
+// letters of all PDF files have equal size.
 constexpr double kPointsPerPixel = kLetterPoints / kLetterPixels;
 
 double png_scale(FigureWidth medium) {
@@ -59,7 +59,8 @@ constexpr int kLeft = 92;
 // font of the SVG.
 constexpr double kLetter = 10.5, kLine = 25.2;
 constexpr double kMargin = 16;
-constexpr double kStripLeft = 0.02, kStripRight = 0.98;  // fractions of the width
+constexpr double kStripLeft = 0.02,
+                 kStripRight = 0.98;  // ends of the legend strip, as fractions of the picture width
 constexpr int kMostColumns = 4;
 
 int columns(const Legend& legend, int width) {
@@ -127,7 +128,7 @@ std::string gnuplot_output_commands(const std::string& file_stem, const FigureSi
 
 FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size) {
   constexpr int kLine = 24, kFirstLine = 36;
-  // A smaller font on paper saves space.
+  // The font is smaller on paper, to save space.
   const int points = size.medium == FigureWidth::screen ? 14 : 11;
   const double letter = 0.6 * points * 96 / kPointsPerInch;
   std::vector<std::string> lines{""};
@@ -136,7 +137,7 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
     if (!lines.back().empty() && letters * letter > size.width) lines.emplace_back();
     lines.back() += part;
   }
-  // gnuplot reads \n as a line break only within double quotes.
+  // The title is in double quotes, since only within these gnuplot reads \n as a line break.
   std::vector<std::string> shown;
   for (auto& line : lines) {
     line.erase(line.find_last_not_of(' ') + 1);

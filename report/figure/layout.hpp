@@ -27,12 +27,12 @@ int figure_width(FigureWidth medium, int screen_width_pixels);
 double printed_width_mm(FigureWidth medium);
 
 /// Returns the first commands of a gnuplot script, which set terminal and output. The script draws
-/// FILE_STEM.png. The gnuplot variable format='svg', 'pdf' or 'tex' selects another format, and the
-/// gnuplot variable `target` another file name. The script refuses all other formats.
+/// FILE_STEM.png. The gnuplot variable format='svg', 'pdf' or 'tex' selects a format other than
+/// PNG, and the gnuplot variable `target` another file name. The script refuses all other formats.
 std::string gnuplot_output_commands(const std::string& file_stem, const FigureSize& size);
 
 struct FigureTitle {
-  std::string command;  ///< command that begins the multiplot
+  std::string command;  ///< gnuplot command that begins the multiplot
   int height;           ///< height of the title in pixels
 };
 
@@ -47,17 +47,17 @@ std::vector<std::string> problem_title(const problem::Problem& problem);
 /// legend.
 struct PanelGrid {
   FigureWidth medium = FigureWidth::screen;
-  int width = 1100;  ///< width of the picture
+  int width = 1100;  ///< width of the picture in pixels
   int columns = 1, rows = 1;
-  int panel_height = 280;       ///< height of the axes
-  int title_height = 36;        ///< height of FigureTitle
+  int panel_height = 280;       ///< height of the axes of a panel
+  int title_height = 36;        ///< height of the figure title
   int legend_height = 0;        ///< height of the legend at the bottom
   int above = 44;               ///< height of the title of a panel
   int below = 74;               ///< height of tics and axis label of a panel
   int right_margin = 15;        ///< right margin of the picture, for a common colour bar
   int panel_right_margin = 12;  ///< right margin of each panel, for its own colour bar
 
-  /// gnuplot commands that shift labels and titles: neighbouring rows then do not overlap. The
+  /// Commands that shift labels and titles, so that neighbouring rows of panels do not overlap. The
   /// label offset for LaTeX is fixed, since gnuplot cannot compute the width of tic labels set by
   /// LaTeX.
   static constexpr const char* kLabels =
@@ -76,20 +76,20 @@ struct PanelGrid {
 /// @param screen_width_pixels width of the picture on a screen, in pixels
 PanelGrid panel_grid(FigureWidth medium, int screen_width_pixels);
 
-/// An entry of the legend of a figure: plot specification ("NaN with lines ..") and label.
+/// A legend entry: gnuplot's plot specification ("NaN with lines ..") and the label.
 struct LegendEntry {
   std::string plot;
   std::string label;
 };
 
-/// The legend of a figure, in a strip below the panels where no curve is covered.
+/// The legend of a figure, in a strip below all panels, so that the legend covers no curve.
 struct Legend {
   std::vector<LegendEntry> entries;
-  int sample_length;  ///< length of the line sample beside each label, in letters
+  int sample_length;  ///< length of the line sample beside each label, in units of the letter width
 };
 
-/// Returns the height in pixels of the strip with all legend entries: gnuplot omits entries that do
-/// not fit.
+/// Returns the height in pixels that the legend strip needs for all entries, since gnuplot omits
+/// entries that do not fit.
 int legend_height(const Legend& legend, int width);
 
 /// Returns gnuplot commands that draw the legend at the bottom of a figure, as the last plot of a

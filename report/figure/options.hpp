@@ -9,8 +9,8 @@
 /// Options of pictures.
 namespace fpkcheck::report {
 
-/// The file format of a figure. The format `tex` is LaTeX: STEM.tex has the texts, for \input, and
-/// STEM-tex.pdf has the graphics.
+/// The file format of a figure. The format `tex` writes the texts to the LaTeX file STEM.tex, for
+/// \input, and the graphics to STEM-tex.pdf.
 enum class FigureFormat { png, svg, pdf, tex };
 inline constexpr base::EnumEntry<FigureFormat> kFigureFormatNames[] = {{FigureFormat::png, "png"},
                                                                        {FigureFormat::svg, "svg"},
@@ -31,8 +31,8 @@ constexpr std::string_view name(FigureWidth width) { return base::name_of(width)
 struct FigureOptions {
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureWidth width = FigureWidth::screen;
-  /// Ids, families or solvers whose curves the picture of a case shows, or "all"; empty for the
-  /// default selection (report/figure/curve_selection.hpp).
+  /// Ids, families or solvers whose curves the picture of a case shows, or "all". An empty list
+  /// means the default selection (report/figure/curve_selection.hpp).
   std::vector<std::string> curves = {};
 };
 

@@ -33,7 +33,7 @@ std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOpti
           content.hidden_count == 0 ? "has a density" : "selected by --curves has a density"));
       continue;
     }
-    if (!options.curves.empty()) content.hidden_count = 0;  // the selection is the user's own
+    if (!options.curves.empty()) content.hidden_count = 0;  // the user selected the curves
     const auto width = options.width;
     pictures.push_back(
         {stem, figure_script(density_figure(case_result.problem, content, width), stem, width)});

@@ -10,14 +10,14 @@
 
 namespace fpkcheck::report {
 
-/// Removes the pictures and scripts that draw_pictures wrote for the cases of a run.
+/// Removes the pictures and gnuplot scripts that draw_pictures() wrote for the cases of a run.
 void remove_pictures(const std::filesystem::path& directory, const results::Run& run);
 
 /// Draws the pictures of every case. The directory DIRECTORY/figures receives the gnuplot script
 /// NAME.gp and its picture NAME.png (or another format), with NAME = results::file_stem of the
-/// case. Other pictures are NAME-budget for an error budget, NAME-sources for error sources, and
-/// NAME-order for a family of several orders. Earlier pictures of each case are removed first: no
-/// outdated picture remains for a case that cannot be drawn.
+/// case. Further pictures are NAME-budget for an error budget, NAME-sources for error sources, and
+/// NAME-order for closures of several orders. Earlier pictures of each case are removed first, so
+/// that no outdated picture remains after a failure.
 /// @param gnuplot name or path of the program
 /// @param others additional pictures, drawn after the pictures of the cases
 /// @return warnings about pictures that could not be drawn, one line each

@@ -22,8 +22,8 @@ struct DensityExtent {
 
 constexpr double kVisibleFraction = 1.0 / 500;
 
-// Extends the ranges by half a bin beyond the bin centres where the density may end: at the wall y
-// = 0, and at each end of the bins at which the density has not decayed.
+// Extends the axis ranges by half a bin to the wall y = 0, and to each end of the bins at which the
+// density has not decayed.
 void include_walls(const results::DensityCurve& curve, double peak, DensityExtent& linear,
                    DensityExtent& logarithmic) {
   const auto widths = results::bin_widths(curve);
@@ -61,7 +61,7 @@ std::pair<double, double> difference_axis_decades(const MarginalAxisRanges& r) {
 }
 
 double logarithmic_axis_bottom(const MarginalAxisRanges& ranges, double floor) {
-  // The factor 0.8 leaves space between the lowest point and the axis.
+  // The factor 0.8 leaves space between the lowest point and the bottom axis.
   const double least = std::min(0.8 * ranges.least_density, logarithmic_axis_top(ranges) / 10);
   return least > floor ? std::pow(10, std::floor(std::log10(least))) : floor;
 }

@@ -24,7 +24,7 @@ class LogAxisRange {
     most_ = std::max(most_, value);
   }
 
-  /// Returns the ends of the axis as exponents of ten; the margins are in decades.
+  /// Returns the ends of the axis as exponents of ten. The arguments are margins in decades.
   std::array<double, 2> exponents(double margin_below, double margin_above) const {
     if (most_ < least_) return {-1, 1};
     return {std::log10(least_) - margin_below, std::log10(most_) + margin_above};
@@ -34,24 +34,26 @@ class LogAxisRange {
   double least_ = std::numeric_limits<double>::infinity(), most_ = 0;
 };
 
-/// The smallest density on the logarithmic axes, as in the figures of the paper; and on the page.
+/// Smallest density on logarithmic axes: of pictures, as in the paper's figures, and of the report
+/// page.
 inline constexpr double kSmallestDrawnDensity = 1e-6, kSmallestDensityOnPage = 1e-7;
 
 /// The axis ranges of the panels of one marginal density.
 struct MarginalAxisRanges {
-  double linear_from, linear_to;            ///< abscissae where a density exceeds linear_top/500
-  double logarithmic_from, logarithmic_to;  ///< where a density is > kSmallestDrawnDensity
-  double linear_top;       ///< the largest density, excluding the narrow bins at a spike
-  double largest_density;  ///< over all bins
-  double least_density;    ///< over all bins; 0 with an empty bin
-  /// From the reference, with the ends of intervals, excluding narrow bins; 0 without reference.
+  double linear_from, linear_to;  ///< range of abscissae where a density exceeds linear_top/500
+  double logarithmic_from, logarithmic_to;  ///< range where a density exceeds kSmallestDrawnDensity
+  double linear_top;                        ///< largest density outside the narrow bins at a spike
+  double largest_density;                   ///< largest density over all bins
+  double least_density;                     ///< smallest density over all bins; 0 with an empty bin
+  /// Largest difference from the reference, including confidence intervals but not narrow bins; 0
+  /// without a reference.
   double largest_difference;
-  double least_difference;  ///< smallest of the maxima of all curves of differences
+  double least_difference;  ///< smallest among the maxima of the difference curves
 };
 
 /// The difference between a curve and the curve of the reference. Over smooth bins the values are
-/// absolute differences. For the reference itself the values are the half-widths of its 95 %
-/// confidence intervals, which limit the significance of differences.
+/// absolute differences. For the reference the values are the half-widths of its 95 % confidence
+/// intervals, below which differences are not significant.
 struct CurveDifference {
   std::vector<double> abscissa, values;
   std::vector<double> lower, upper;  ///< ends of 95 % confidence intervals; may be empty
@@ -63,24 +65,25 @@ struct CurveDifference {
 struct DrawnCurve {
   const transform::Solution* solution;
   const results::DensityCurve* curve;
-  CurveDifference difference;  ///< from the curve of the reference; empty without reference
+  CurveDifference difference;  ///< difference from the reference; may be empty
   std::size_t rank = 0;        ///< position of the solution in the tables
   bool is_hidden = false;      ///< whether the page initially hides the curve
 
-  /// Returns whether each bin has the regular width. The large densities in the narrow bins at a
-  /// spike of the density would compress all other values on an axis (compare::comparison_axes).
+  /// Returns, for each bin, whether the bin has the regular width. Narrower bins resolve a spike of
+  /// the density (compare::comparison_axes), whose large values would compress all other values on
+  /// an axis.
   std::vector<bool> full_width_bin_flags() const;
 
   const transform::PlotStyle& plot_style() const { return solution->identity.plot_style; }
 };
 
 /// Returns the range of a logarithmic axis of differences, in at most eight whole decades. The
-/// upper end is the largest difference. The lower end is two decades below the smallest of the
-/// maxima of all curves of differences.
+/// upper end of the axis is the largest difference. The lower end is two decades below the smallest
+/// among the maxima of the difference curves.
 std::pair<double, double> difference_axis_decades(const MarginalAxisRanges& ranges);
 
-/// Returns the lower end of the logarithmic axis of a density. This end is a power of ten below all
-/// values and at least one decade below the upper end, but at least `floor`.
+/// Returns the lower end of the logarithmic axis of a density. The lower end is a power of ten
+/// below all values, at least one decade below the upper end of the axis, and at least `floor`.
 double logarithmic_axis_bottom(const MarginalAxisRanges& ranges,
                                double floor = kSmallestDrawnDensity);
 /// Returns the upper end of the logarithmic axis of a density, above the peak of the density.

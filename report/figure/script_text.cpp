@@ -34,8 +34,8 @@ std::string_view latex_escape(char c) {
   return "";
 }
 
-// Returns the text within the braces that begin at the position, or else a single letter. Advances
-// the position behind the braces or the letter.
+// Returns the text within the braces at a position, or the letter at the position if there are no
+// braces. Advances the position behind the returned text.
 std::string_view argument(std::string_view text, std::size_t& position) {
   const bool in_braces = position < text.size() && text[position] == '{';
   const auto from = in_braces ? position + 1 : position;
@@ -94,7 +94,7 @@ int fill_pattern(const std::string& hatch) {
   for (const auto& [name, pattern] : kPatterns) {
     if (name == hatch) return pattern;
   }
-  return 3;  // solid
+  return 3;  // pattern of a solid fill
 }
 
 std::string valid_dash_type(const std::string& dash) {

@@ -4,8 +4,8 @@
 
 #include "transform/marginal.hpp"
 
-/// Parts of gnuplot scripts: texts in gnuplot's enhanced text and in LaTeX, data blocks, tics, point
-/// and dash types.
+/// Parts of gnuplot scripts: enhanced texts, LaTeX texts, data blocks, tics, point types and dash
+/// types.
 namespace fpkcheck::report {
 
 /// The rectangle of the axes of a panel, as fractions of the width and height of the picture.
@@ -37,12 +37,12 @@ PointTypes point_types(const std::string& symbol);
 /// The gnuplot fill pattern that is similar to a fill pattern of plotly.js.
 int fill_pattern(const std::string& hatch);
 
-/// Returns the dash type for gnuplot, or "solid" for an invalid dash type, which a file may
-/// contain.
+/// Returns the dash type if gnuplot accepts it, otherwise "solid". Dash types from files may be
+/// invalid.
 std::string valid_dash_type(const std::string& dash);
 
-/// Converts gnuplot's enhanced text, as used in these pictures, to LaTeX: italics to formulas,
-/// Greek letters, exponents; characters with a meaning in LaTeX are escaped.
+/// Converts gnuplot's enhanced text to LaTeX. Italics become formulas, Greek letters and exponents
+/// become LaTeX commands, and special characters of LaTeX are escaped.
 std::string enhanced_text_to_latex(const std::string& enhanced);
 
 /// Converts gnuplot's enhanced text to a string expression of a gnuplot script that is valid in all
@@ -50,8 +50,8 @@ std::string enhanced_text_to_latex(const std::string& enhanced);
 /// defines.
 std::string gnuplot_text(const std::string& enhanced);
 
-/// Converts a plain text to a string expression of a gnuplot script; the text appears literally in
-/// all figure formats.
+/// Converts a plain text to a string expression of a gnuplot script that shows the text literally
+/// in all figure formats.
 std::string gnuplot_literal(const std::string& text);
 
 /// Returns the symbol of a variable in plain text, "y" or "y′".

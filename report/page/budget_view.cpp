@@ -50,10 +50,10 @@ std::vector<MarginalBudget> marginal_budgets(const results::CaseResult& case_res
   return sides;
 }
 
-/// A function that makes the table cell of a part of the budget.
+/// Function that returns the table cell of a part of the error budget.
 using PartCell = std::function<std::string(const ErrorBudgetPart&)>;
 
-// The table columns of closures, total distances and parts of the budget.
+// Returns the table columns of closures, total distances and parts of the error budget.
 std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
                                             const std::function<std::string(double)>& text,
                                             double ErrorBudgetRow::*total, const PartCell& cell) {
@@ -73,8 +73,8 @@ std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
   return columns;
 }
 
-// A table column with a sampling error of the last part of the budget, the distance to the
-// simulation.
+// Returns a table column with a sampling error of the last budget part, which is the distance from
+// the simulation.
 HtmlColumn sampling_error_column(const MarginalBudget& marginal, const std::string& header,
                                  std::optional<double> ErrorBudgetPart::*member) {
   HtmlColumn column{header};

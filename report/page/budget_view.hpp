@@ -8,11 +8,11 @@
 /// distance between a closure and the reference of the budget.
 namespace fpkcheck::report {
 
-/// A paragraph that explains the figure and the tables of the error budget, and names the solution to
-/// which the total distances refer. The paragraph is empty if the case has no error budget.
+/// Returns a paragraph that explains the figure and tables of the error budget, and names the
+/// reference of the total distances. The paragraph is empty if the case has no error budget.
 std::string budget_introduction(const results::CaseResult& case_result);
 
-/// HTML tables of the L1 distances and the tail distances of the error budget.
+/// Returns HTML tables of the L1 distances and the tail distances in the error budget.
 std::string budget_tables(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

@@ -42,7 +42,7 @@ class SolutionsTable {
                 const std::function<std::string(const Solution&)>& cell) {
     columns_.push_back({header, Align::left});
     for (const auto& s : case_result_.solutions) {
-      // A solution without a row has an entry in the list of reasons.
+      // Solutions with the status `not_offered` have no row, but an entry in the list of reasons.
       if (s.status != transform::Status::not_offered) columns_.back().cells.push_back(cell(s));
     }
   }

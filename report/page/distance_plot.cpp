@@ -14,9 +14,9 @@ namespace {
 
 using transform::Solution;
 
-// Lengths in units of the SVG, which the page scales to the width of the page.
+// Lengths in SVG units; the SVG is scaled to the width of the page.
 constexpr double kWidth = 560, kNames = 132, kRight = 14, kTop = 22, kRow = 22, kBottom = 42;
-constexpr double kLeast = 1e-9;  // smaller distances are drawn here
+constexpr double kLeast = 1e-9;  // position of all smaller distances on the axis
 
 class DistancePlot {
  public:
@@ -146,7 +146,7 @@ class DistancePlot {
   const results::Run& run_;
   const std::vector<SolutionAgreements>& all_;
   bool any_ = false;
-  double from_ = 0, to_ = 0;    // decades
+  double from_ = 0, to_ = 0;    // ends of the axis in decades
   double reference_error_ = 0;  // largest error estimate of a reference
 };
 

@@ -25,8 +25,8 @@ bool is_repeated_option(const Metric& observation, const Solution& solution) {
          solution.options.end();
 }
 
-// Returns the group in the path of a metric: "support" for "support.edge_density"; empty without a
-// dot.
+// Returns the group in the path of a metric: "support" for "support.edge_density". The group is
+// empty for a path without a dot.
 std::string_view group_of(const std::string& path) {
   const auto dot = path.find('.');
   return std::string_view(path).substr(0, dot == std::string::npos ? 0 : dot);
@@ -64,10 +64,10 @@ std::string path_text(const std::string& path) {
   return text;
 }
 
-// Returns the text of the value of a metric. In a confined closure Q_n may rise although the whole
-// exponent decreases, because of the fixed confinement term. The radius from which Q_n rises would
-// wrongly appear to be the reason for the status `inadmissible`. The text therefore adds an
-// explanation.
+// Returns the text of the value of a metric. In a confined closure, the polynomial Q_n may increase
+// although the whole exponent decreases, because of the fixed confinement term. The radius from
+// which Q_n increases would then wrongly appear to be the reason for the status `inadmissible`. The
+// text therefore adds an explanation.
 std::string metric_value_text(const Solution& solution, const std::string& path) {
   const Metric* found = find_metric(solution.metrics, path);
   std::string text = value_text(found ? found->value : base::Value(), kDigits);

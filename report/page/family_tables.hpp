@@ -6,8 +6,8 @@
 
 namespace fpkcheck::report {
 
-/// Returns tables of the metrics of the solvers. The table of a family has a column for each
-/// solution and a row for each metric, with grouped metrics ("support.edge_density") last. The
+/// Returns tables of the metrics of the solvers. The table of a family of methods has a column for
+/// each solution and a row for each metric. Grouped metrics ("support.edge_density") come last. The
 /// tables omit lists (coefficients, quantiles), metrics without a value in the family, and metrics
 /// that repeat an option.
 std::string family_tables(const results::CaseResult& case_result);

@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Number of levels of a map's values, which limits the resolution of the colours and of the value
-// shown for a cell.
+// Number of levels of the values of a map, which limits the resolution of the colours and of the
+// displayed values.
 constexpr int kMapLevels = 127;
 
 std::vector<std::string> choices_of(const Figure& figure) {

@@ -98,7 +98,7 @@ std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns
 std::string encode_base64(std::span<const std::byte> bytes) {
   namespace it = boost::archive::iterators;
   using Encoder = it::base64_from_binary<it::transform_width<const char*, 6, 8>>;
-  // The base64 iterators read whole groups of three bytes: padding is necessary.
+  // The bytes are padded, since the base64 iterators read whole groups of three bytes.
   std::vector<char> padded((bytes.size() + 2) / 3 * 3, 0);
   std::ranges::transform(bytes, padded.begin(), [](std::byte b) { return static_cast<char>(b); });
   std::string text(Encoder(padded.data()), Encoder(padded.data() + padded.size()));

@@ -8,10 +8,10 @@
 
 #include "report/text/number_text.hpp"
 
-/// HTML elements and tables, and the data encoded in them.
+/// Functions that make HTML elements, HTML tables and the data encoded in the report page.
 namespace fpkcheck::report {
 
-/// Escapes a text for HTML, between tags and within a quoted attribute.
+/// Escapes a text for use in HTML between tags or within a quoted attribute.
 std::string escape_html(std::string_view text);
 
 std::string html_element(std::string_view tag, std::string_view text);
@@ -26,20 +26,20 @@ struct HtmlColumn {
   std::string header;
   Align align = Align::right;
   std::vector<std::string> cells = {};
-  /// Whether the cells are names of statuses, which have the colour of the status.
+  /// Whether the cells are names of statuses, which are shown in the colour of the status.
   bool is_status = false;
 };
 
 /// Returns an HTML table that scrolls on a narrow screen. The first column has the names of the
-/// rows. Columns without a value are omitted. The text is empty if the table has no rows, or no
+/// rows. Columns without any value are omitted. The text is empty if the table has no rows, or no
 /// column besides the names.
 std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns);
 
 /// Encodes bytes in base64 (RFC 4648).
 std::string encode_base64(std::span<const std::byte> bytes);
 
-/// Compresses a text by gzip (RFC 1952) and encodes the result in base64, which page.js decodes by
-/// DecompressionStream. Equal texts give equal results.
+/// Compresses a text by gzip (RFC 1952) and encodes the result in base64. The script page.js
+/// decodes the result by DecompressionStream.
 /// @throws std::bad_alloc
 std::string gzip_base64(std::string_view text);
 
@@ -49,8 +49,8 @@ struct TypedArray {
   std::string bdata;
 };
 
-/// Converts numbers to an array of 32-bit floating-point numbers. The array keeps seven digits in a
-/// third of the length of decimal text.
+/// Converts numbers to an array of 32-bit floating-point numbers. Encoded numbers keep seven digits
+/// and need a third of the length of decimal text.
 TypedArray float_array(std::span<const double> values);
 
 /// Converts an array to the JSON object {"dtype", "bdata"}; nlohmann::json calls this function.
@@ -59,7 +59,7 @@ void to_json(Json& json, const TypedArray& array) {
   json = {{"dtype", array.dtype}, {"bdata", array.bdata}};
 }
 
-// The source files of report.html are compiled into the program, which then needs no such file at
+// The source files of report.html are compiled into the program, which therefore needs no file at
 // run time.
 
 /// Returns the text of page.html with the placeholders {{title}}, {{style}}, {{body}}, {{plots}},

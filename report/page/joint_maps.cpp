@@ -20,8 +20,8 @@ using Json = nlohmann::ordered_json;
 using results::JointDensity;
 using transform::GridDensity;
 
-// Number of levels that resolves differences down to 1e-8 of the largest difference. Logarithmic
-// maps show ratios in the tails, where the densities exceed this resolution.
+// Number of quantisation levels, which resolves differences down to 1e-8 of the largest difference.
+// Logarithmic maps show ratios in the tails, where the densities exceed this resolution.
 constexpr int kLevels = 4096;
 
 double l1_distance(const GridDensity& a, const GridDensity& b) {
@@ -49,8 +49,8 @@ const JointDensity* find(const results::CaseResult& one, const std::string& solu
   return found == one.joints.end() ? nullptr : &*found;
 }
 
-// The ids of the closures that are ok, the closest closure first, then of the other solutions that
-// are ok.
+// Returns the ids of the `ok` closures, the closest closure first, then the ids of all other `ok`
+// solutions.
 std::vector<std::string> compared_solutions(const results::CaseResult& one,
                                             const std::string& reference) {
   std::vector<std::string> ids;
@@ -66,10 +66,10 @@ bool has_same_cells(const GridDensity& a, const GridDensity& b) {
   return a.y_edges == b.y_edges && a.v_edges == b.v_edges;
 }
 
-// The reference of the joint densities: the reference of the case. If the reference has no joint
-// density, or is a simulation with control variates, another solution of the full problem replaces
-// the reference if possible: control variates reduce the sampling error of smooth bins, by which
-// the case selects its reference, but not the sampling error of cells.
+// Returns the reference of the joint densities, usually the reference of the case. If this
+// reference has no joint density or is a simulation with control variates, another solution of the
+// full problem is preferred. Control variates reduce the sampling error of smooth bins, but not of
+// cells.
 const transform::Solution* joint_reference(const results::CaseResult& one) {
   const transform::Solution* selected = nullptr;
   for (const auto* solution : solutions_of_full_problem(one)) {
@@ -101,7 +101,7 @@ std::optional<JointMaps> joint_maps(const results::CaseResult& one) {
     const JointDensity* joint = find(one, id);
     if (joint == nullptr || !has_same_cells(joint->density, density)) continue;
     maps.differences.push_back(difference(*joint, *reference, window));
-    // The atoms are points of the phase plane, which the integral over the cells does not include.
+    // Rest atoms are points of the phase plane, which the integral over the cells does not include.
     maps.differences.back().l1 +=
         compare::rest_atom_l1_distance(transform::find_solution(one.solutions, id)->atoms,
                                        measure->atoms, transform::StateVariable::y);

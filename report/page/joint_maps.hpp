@@ -12,29 +12,30 @@ namespace fpkcheck::report {
 
 /// The difference between the joint density of a solution and the joint density of the reference.
 struct JointDifference {
-  std::string solution;  ///< id
-  double l1;             ///< L1 distance over all common cells, including atoms
-  SignedRoots values;    ///< differences over cells, in the order of reference_density
+  std::string solution;  ///< id of the solution
+  double l1;             ///< L1 distance from the reference over all common cells, including atoms
+  SignedRoots values;    ///< cell differences in the order of JointMaps::reference_density
 };
 
-/// The joint densities of a case, on those common cells in which the density of the reference is
-/// visible.
+/// The joint densities of a case on those common cells in which the reference density is large
+/// enough to be shown.
 struct JointMaps {
-  std::string reference;                     ///< id
-  std::vector<double> y_edges;               ///< ny + 1
-  std::vector<double> v_edges;               ///< nv + 1
-  std::vector<double> reference_density;     ///< rows of constant y', shape (nv, ny)
+  std::string reference;        ///< id of the reference
+  std::vector<double> y_edges;  ///< ny + 1 cell edges in y
+  std::vector<double> v_edges;  ///< nv + 1 cell edges in y'
+  /// Reference density in rows of constant y', shape (nv, ny).
+  std::vector<double> reference_density;
   std::array<double, 2> y_bulk, v_bulk;      ///< ranges in which the reference exceeds peak/500
-  std::vector<JointDifference> differences;  ///< closures (closest first), then the other solutions
+  std::vector<JointDifference> differences;  ///< closures (closest first), then all other solutions
 };
 
-/// @return nothing if the case has no reference, or no other `ok` solution
+/// @return nothing if the case has no reference, or no `ok` solution besides the reference
 std::optional<JointMaps> joint_maps(const results::CaseResult& case_result);
 
 /// Returns the HTML elements in which page.js draws the heat maps of joint densities.
 std::string joint_maps_html(const JointMaps& maps, const std::string& prefix);
 
-/// Returns the maps of joint densities in JSON, the input of page.js.
+/// Returns the heat maps of joint densities as JSON, the input of the script page.js.
 std::string joint_maps_json(const JointMaps& maps, const std::string& prefix);
 
 }  // namespace fpkcheck::report

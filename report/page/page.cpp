@@ -76,7 +76,7 @@ class CaseSection {
     begin("results", "Results");
     html_ += html_element("p", reference) + results_table(case_result) + reasons_html(case_result);
     auto sentences = findings(case_result);
-    std::erase(sentences, reference);  // already above the table
+    std::erase(sentences, reference);  // the sentence on the reference is already above the table
     if (const auto limits = results::limiting_errors_text(case_result); !limits.empty())
       sentences.push_back(limits);
     html_ += list_html(sentences);
@@ -146,8 +146,8 @@ std::string section_html(const PageSection& section) {
          html_element("h2", section.heading) + section.html + "</section>\n";
 }
 
-// Returns links to the sections of the page. A few cases have direct links; a menu has all cases
-// with their parameters and subsections.
+// Returns links to the sections of the page. If the run has few cases, the sections have direct
+// links. A menu lists all cases with their parameters and subsections.
 std::string navigation(const results::Run& run, const std::vector<CaseSection>& sections,
                        const std::vector<PageSection>& others) {
   constexpr std::size_t kMaxDirectLinks = 6;
@@ -180,8 +180,8 @@ std::string timings_section(const results::Run& run) {
              escape_html(run.program.command));
 }
 
-// Replaces the {{placeholders}} of the page frame in a single pass: placeholders within inserted
-// texts stay.
+// Replaces the {{placeholders}} of the page frame in a single pass, so that placeholders within
+// inserted texts are unchanged.
 std::string fill_template(std::string_view frame,
                           const std::map<std::string, std::string_view>& parts) {
   std::string page;

@@ -21,19 +21,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The position of the label beside a mark. The position differs between neighbouring marks of a
-// series and between series, so that fewer labels overlap.
+// Returns the position of the label beside a mark. The position differs between neighbouring marks
+// of a series and between series, so that fewer labels overlap.
 const char* label_position(std::size_t series, std::size_t point) {
   constexpr std::array kSides{"top center", "bottom center", "top left", "bottom right"};
   return kSides[(series + point) % kSides.size()];
 }
 
-// The name of an axis of a row in plotly.js: "x", "x2", ..
+// Returns the name of an axis of a plot row in plotly.js: "x", "x2", ..
 std::string axis_name(char letter, std::size_t row) {
   return row == 0 ? std::string(1, letter) : fmt::format("{}{}", letter, row + 1);
 }
 
-// The lengths of the intervals at points of a series, on both sides.
+// Returns the error bars of a series: the lengths of the intervals above and below each point.
 Json error_bars(const FigureSeries& series) {
   Json above = Json::array(), below = above;
   for (const auto& point : series.points) {
@@ -44,7 +44,8 @@ Json error_bars(const FigureSeries& series) {
           {"arrayminus", below}, {"thickness", 1},     {"width", 2}};
 }
 
-// The trace of bars, which the page draws horizontally, since the names of bars are long.
+// Returns the trace of a bar series. Bars are horizontal on the page, since the names of bars are
+// long.
 Json bar_trace(const FigureSeries& series) {
   constexpr double kPaleOpacity = 0.4;
   Json x = Json::array(), y = x, widths = x, names = x, opacities = x;
@@ -104,12 +105,13 @@ class PlotTraces {
     traces_.push_back(std::move(trace));
   }
 
-  // One coordinate of the points of a series. Long arrays are stored once and referred to by name.
+  // Returns one coordinate of the points of a series. Long arrays are stored once and referred to
+  // by name.
   Json coordinates(const FigureSeries& series, double FigurePoint::*member) {
     constexpr std::size_t kLong = 50;
     std::vector<double> values;
     for (const auto& point : series.points) values.push_back(point.*member);
-    if (values.size() < kLong) return values;  // NaN becomes null
+    if (values.size() < kLong) return values;  // the JSON library writes NaN as null
     const TypedArray array = float_array(values);
     const auto [found, is_new] = names_.try_emplace(array.bdata, fmt::format("{}", names_.size()));
     if (is_new) arrays_[found->second] = array;
@@ -117,7 +119,7 @@ class PlotTraces {
   }
 
   void add_band(const FigureSeries& series, const FigurePanel& panel, std::size_t row) {
-    // Far below a logarithmic axis; the logarithm of an end <= 0 does not exist.
+    // Ends of intervals <= 0 are replaced by a value far below the logarithmic axis.
     const double least =
         panel.y.is_logarithmic ? 1e-5 * panel.y.from : -std::numeric_limits<double>::infinity();
     for (const bool is_upper : {false, true}) {
@@ -151,7 +153,7 @@ class PlotTraces {
                                  [&](const FigurePoint& point) { return !(point.*text).empty(); });
     };
     const bool has_labels = any_has(&FigurePoint::label);
-    // Colours and the pointer distinguish lines on the page: sparse marks are unnecessary.
+    // Sparse marks are omitted, since colours and the mouse pointer distinguish lines on the page.
     const bool has_marks = !series.symbol.empty() && (series.dash.empty() || series.mark_step == 1);
     std::string mode = series.dash.empty() ? "" : "lines";
     if (has_marks) mode += mode.empty() ? "markers" : "+markers";
@@ -190,8 +192,9 @@ class PlotTraces {
   }
 
   Json traces_ = Json::array(), arrays_ = Json::object();
-  std::map<std::string, std::string> names_;  // by the numbers in base64
-  std::set<std::string> listed_;              // series that have an entry in the legend
+  // Names of arrays, by the base64 text of their numbers.
+  std::map<std::string, std::string> names_;
+  std::set<std::string> listed_;  // names of series that already have a legend entry
 };
 
 // @param is_zoomed whether readers zoom into the axis, which needs automatic steps of tics
@@ -225,13 +228,14 @@ bool has_named_points(const FigurePanel& panel) {
   });
 }
 
-// The layout of a plot whose rows are panels, from the lowest row.
+// Returns the plotly.js layout of a plot whose rows are panels, from the lowest row.
 Json layout_json(std::span<const FigurePanel> rows) {
-  constexpr double kGap = 0.07;  // between rows
+  constexpr double kGap = 0.07;  // gap between rows, as a fraction of the plot height
   const bool is_single = rows.size() == 1;
   const double height = (1 + kGap) / static_cast<double>(rows.size()) - kGap;
   Json layout = Json::object();
-  // Series without names at their points are curves: one label has the values of all curves.
+  // If the points of the series have no names, one label shows the values of all curves at an
+  // abscissa.
   if (std::ranges::any_of(rows, has_named_points)) layout["hovermode"] = "closest";
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const FigurePanel& panel = rows[row];

@@ -10,19 +10,19 @@ namespace fpkcheck::report {
 
 struct Plot {
   std::string id;       ///< id of the HTML element of the plot
-  std::string caption;  ///< plain text
+  std::string caption;  ///< caption of the plot, plain text
   /// JSON for plotly.js with the keys "data" (traces), "layout" and "arrays" (numbers that several
-  /// traces share). "@name" in a trace refers to the array of this name. The "height" of the plot
-  /// is in pixels, without the legend. Traces with the same "legendgroup" are hidden or shown
-  /// together in all plots of a case.
+  /// traces share). The text "@name" in a trace refers to the array with the key `name`. The
+  /// "height" of the plot, in pixels, excludes the legend. Traces with the same "legendgroup" are
+  /// hidden or shown together in all plots of a case.
   std::string figure;
 };
 
 /// Returns the HTML elements in which page.js draws the plots, side by side on a wide screen.
 std::string plots_html(const std::vector<Plot>& plots);
 
-/// Returns the plots of one case in JSON for page.js, with an element {"id", "figure"} for each
-/// plot.
+/// Returns the plots of one case as JSON for the script page.js, with an element {"id", "figure"}
+/// for each plot.
 std::string plots_json(const std::vector<Plot>& plots);
 
 /// Escapes a text for plotly.js, which interprets names, titles and labels as a subset of HTML.
@@ -35,8 +35,8 @@ std::string plotly_markup(std::string_view enhanced);
 /// Converts a dash type of gnuplot, such as "(10,4)", to a dash type of plotly.js, "10px,4px".
 std::string plotly_dash(const std::string& gnuplot_dash);
 
-/// Writes a figure for the page: a plot for each panel with an id. Consecutive panels with the same
-/// id are the rows of one plot.
+/// Converts a figure to plots of the report page. Each panel with an id gives a plot, and
+/// consecutive panels with the same id are the rows of one plot.
 /// @param prefix prefix of the ids of the plots
 std::vector<Plot> figure_plots(const Figure& figure, const std::string& prefix);
 

@@ -7,8 +7,8 @@
 
 namespace fpkcheck::report {
 
-/// Returns the problem in words, and an equation of motion with every term of at least one of the
-/// problems.
+/// Returns the problem in words and the equation of motion. The equation has every term that occurs
+/// in at least one of the problems.
 /// @param problems at least one problem
 std::string problem_statement(std::span<const problem::Problem* const> problems);
 

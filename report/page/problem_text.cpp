@@ -37,7 +37,7 @@ std::string term(std::string_view name, const std::string& meaning) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(name), escape_html(meaning));
 }
 
-/// Returns the first solution with each id over all cases.
+/// Returns one solution for each id that occurs in a run: the first solution with this id.
 std::vector<const Solution*> distinct_solutions(const results::Run& run) {
   std::vector<const Solution*> all;
   for (const auto& case_result : run.cases) {
@@ -93,7 +93,7 @@ std::string parts_html() {
   return html + kUncertainty + "</dl>\n";
 }
 
-// The value is empty if the other problem lacks the parameter.
+// Returns the value of a parameter in another problem; empty if this problem lacks the parameter.
 std::optional<base::Value> value_in(const Problem& other, const DisplayedParameter& parameter) {
   for (const auto& candidate : problem::displayed_parameters(other)) {
     if (candidate.section == parameter.section && candidate.name == parameter.name) {

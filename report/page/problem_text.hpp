@@ -8,7 +8,7 @@
 namespace fpkcheck::report {
 
 /// Returns the problem in words and formulas with its parameters. A sentence states the parameters
-/// that are equal in all cases, and a table shows the other parameters.
+/// that are equal in all cases, and a table shows the varying parameters.
 std::string problem_html(const results::Run& run);
 
 /// Returns the parameters of a case that differ between the cases of the run, as text: "μ = 1,

@@ -14,9 +14,9 @@ struct TextColumn {
   std::string group;  ///< common header above neighbouring columns of the same group
   std::string header;
   bool left_aligned;
-  int importance;  ///< columns of equal importance are omitted together
+  int importance;  ///< importance of the column; columns of equal importance are omitted together
   std::vector<std::string> cells = {};
-  /// Whether the cells are names of statuses, which have the colour of the status.
+  /// Whether the cells are names of statuses, which are shown in the colour of the status.
   bool is_status = false;
 
   std::size_t width() const;
@@ -37,8 +37,8 @@ std::vector<TextColumn> select_columns_to_fit(std::vector<TextColumn> columns,
 std::string omitted_column_names(const std::vector<TextColumn>& all,
                                  const std::vector<TextColumn>& shown);
 
-/// Returns the text of a table: the columns under their headers, with one line for each row. If the
-/// columns exceed the width, the least important columns are omitted.
+/// Returns the text of a table with column headers and one line for each row. If the columns exceed
+/// the width, the least important columns are omitted.
 std::string format_text_table(std::vector<TextColumn> columns, const TextFormat& format);
 
 }  // namespace fpkcheck::report

@@ -5,7 +5,7 @@
 namespace fpkcheck::report {
 
 struct TextFormat {
-  // The constructor is not explicit, since most callers set only the width.
+  // This constructor is not explicit, since most callers set only the text width.
   TextFormat(std::size_t characters = 100, bool with_colour = false)  // NOLINT
       : width(characters), colour(with_colour) {}
 

@@ -20,9 +20,9 @@ std::string without_padded_exponent(std::string text) {
   return text;
 }
 
-// Removes a decimal point without digits behind it. The format flag "#" keeps trailing zeros and
-// the point, to which some versions of fmt add a zero. With three digits both "150." and "150.0"
-// become "150".
+// Removes a decimal point that no digits follow. The format flag "#" keeps trailing zeros and the
+// decimal point, after which some versions of fmt add a zero. With three digits both "150." and
+// "150.0" become "150".
 std::string without_bare_point(std::string text, int digits) {
   const auto point = text.find('.');
   if (point == std::string::npos) return text;
@@ -65,15 +65,15 @@ std::string l1_text(double l1) {
 }
 
 IntervalText round_interval_outward(double lower, double upper) {
-  constexpr int kMostDecimals = 15;  // all digits of a double of order 1
+  constexpr int kMostDecimals = 15;  // number of decimals of a double of order 1
   const double width = upper - lower;
   if (!std::isfinite(width)) return {fmt::format("{}", lower), fmt::format("{}", upper)};
   const int decimals =
       width > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), 0, kMostDecimals)
                 : kMostDecimals;
   const double unit = std::pow(10.0, decimals);
-  // The exact product may be above or below the rounded product: fma gives the sign of the rounding
-  // error.
+  // The function fma gives the sign of the rounding error of the product, and thus the direction of
+  // the correction.
   double down = std::floor(lower * unit), up = std::ceil(upper * unit);
   if (down == lower * unit && std::fma(lower, unit, -down) < 0) down -= 1;
   if (up == upper * unit && std::fma(upper, unit, -up) > 0) up += 1;

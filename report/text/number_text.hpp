@@ -13,7 +13,7 @@ namespace fpkcheck::report {
 inline constexpr std::string_view kNoValue = "\u2013";
 
 /// Returns the text of a number with exactly `digits` significant digits, including trailing zeros:
-/// 0.4450, 1.2e-5. A number with one digit, such as a residual, always has a power of ten: 4e-4.
+/// 0.4450, 1.2e-5. If `digits` is 1, as for residuals, the text always has a power of ten: 4e-4.
 std::string number_text(const std::optional<double>& value, int digits);
 
 /// Returns the text of a parameter or metric. An integer has all digits, a number at most `digits`
@@ -33,8 +33,8 @@ std::string l1_text(double l1);
 struct IntervalText {
   std::string lower, upper;
 };
-/// Rounds the ends of an interval outwards to decimals. The number of decimals suffices for two
-/// significant digits of the interval width: the texts of both ends therefore differ.
+/// Rounds the ends of an interval outwards to decimals. The number of decimals gives the interval
+/// width two significant digits, so that the texts of the two ends differ.
 IntervalText round_interval_outward(double lower, double upper);
 
 }  // namespace fpkcheck::report

@@ -33,8 +33,8 @@ std::string_view status_meaning(Status status) {
   }
 }
 
-// Returns the largest distances over the cases with a given agreement: "L1 distance up to .. in 2
-// of 4 cases".
+// Returns a text on the largest L1 distances over the cases with a given agreement: "L1 distance up
+// to .. in 2 of 4 cases".
 std::string distance_text(const SolutionAgreements& row, Agreement agreement, const char* how,
                           int cases) {
   MarginalDistances most{};

@@ -21,7 +21,7 @@ std::string case_count_phrase(int count, int cases);
 
 /// Returns the outcome of a solution over the cases in words: "reproduced: .." with the largest L1
 /// distances, or "not reproduced: .." with the reason.
-/// @param reference name of the reference, or names if the references of the cases differ
+/// @param reference name of the reference, or several names if the references of the cases differ
 /// @param cases number of cases of the run
 std::string outcome_text(const SolutionAgreements& row, const std::string& reference, int cases);
 
@@ -29,12 +29,12 @@ std::string outcome_text(const SolutionAgreements& row, const std::string& refer
 /// found".
 std::string outcome_text_without_distances(const SolutionAgreements& row, int cases);
 
-/// Returns the mark beside the distances of a solution in the matrix. A mark indicates a status
-/// other than `ok`, or that the solution is indistinguishable from the reference. Other solutions
-/// have a blank as mark.
+/// Returns the mark beside the distances of a solution in the matrix of the verdict. A mark
+/// indicates a status other than `ok`, or that the solution is indistinguishable from the
+/// reference. For all other solutions the mark is a blank.
 char agreement_mark(const AgreementInCase& entry);
 
-/// Returns the meanings of the marks in the matrix rows, such as "~ inaccurate".
+/// Returns the marks in the matrix of the verdict with their meanings, such as "~ inaccurate".
 std::vector<std::string> agreement_mark_meanings(
     const std::vector<SolutionAgreements>& agreement_rows);
 

@@ -102,7 +102,7 @@ bool is_single_external_density(const SolutionAgreements& row) {
 
 // Returns the text of the orders that reproduce the references: "epc-gaussian (the paper's closure)
 // at n = 6, not at n = 2, 4, 8".
-// @param any set to whether at least one order reproduces the references
+// @param any receives whether at least one order reproduces the references
 std::string reproducing_orders_text(const std::vector<const SolutionAgreements*>& members,
                                     bool& any) {
   std::vector<const SolutionAgreements*> good, bad;

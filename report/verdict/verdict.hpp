@@ -10,19 +10,20 @@ namespace fpkcheck::report {
 /// One line of the verdict: the outcome of a method, or of one order of a closure.
 struct VerdictLine {
   std::string subject;  ///< id or family, such as "epc-gaussian-n6" or "epc-polar"
-  bool reproduced;      ///< whether the method reproduces the references of all its cases
+  bool reproduced;      ///< whether the method reproduces the reference in each of its cases
   std::string outcome;  ///< "reproduced: L1 distance at most 0.0061 in p(y) and 0.0051 in p(y')"
 };
 
 /// The main result of a run, printed before all tables.
 struct Verdict {
-  std::vector<SolutionAgreements> agreement_rows;  ///< rows of the matrix for all solutions
-  /// Paragraphs on contradictions with the guaranteed bounds, on the reference and its accuracy,
-  /// and on the solutions that reproduce the reference.
+  /// Rows of the matrix of the verdict, one for each solution.
+  std::vector<SolutionAgreements> agreement_rows;
+  /// Paragraphs on contradictions with the guaranteed bounds, on the accuracy of the reference, and
+  /// on the solutions that reproduce the reference.
   std::vector<std::string> answer;
-  /// Outcomes by method. Each order of the paper's closure (impact to first order in 1-r), each
-  /// other formulation, each approximate equation, and each external density or family has one
-  /// line.
+  /// Outcomes of the methods, one line each. Separate lines are for each order of the paper's
+  /// closure (impact to first order in 1-r), each further formulation, each approximate equation,
+  /// and each external density or family.
   std::vector<VerdictLine> lines;
   /// Sentences that recommend the solution for reference values and the fastest method of
   /// sufficient accuracy, with the reasons.

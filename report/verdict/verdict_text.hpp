@@ -13,8 +13,8 @@ std::string verdict_answer_text(const Verdict& run_verdict, const TextFormat& fo
 
 /// Returns the verdict as plain ASCII text. A run of several cases has a matrix with one row for
 /// each solution. The row of a solution has the L1 distances of p(y) and p(y') from the reference
-/// of each case, with as many cases side by side as fit. The meanings of the marks, the lines of
-/// the verdict and the recommendation follow.
+/// of each case. As many cases as fit are side by side. Below the matrix are the meanings of its
+/// marks, the lines of the verdict and the recommendation.
 std::string verdict_text(const results::Run& run, const Verdict& run_verdict,
                          const TextFormat& format);
 

@@ -11,7 +11,8 @@
 namespace fpkcheck::results {
 namespace {
 
-// All solutions of a case together have less than a million values.
+// Largest accepted number of values of a variable. All solutions of a case together have less than
+// a million values.
 constexpr std::size_t kMaxValues = std::size_t{1} << 24;
 constexpr std::size_t kMaxLabels = 10000;
 constexpr std::size_t kMaxAttributeLength = 10000;
@@ -89,7 +90,7 @@ std::size_t NetCdfReader::value_count(const std::string& name) {
     count *= length;
   }
   // A file of one kilobyte may declare any number of values, since unwritten values take no space.
-  // The limit kMaxValuesPerByte holds for single precision with the highest compression of deflate.
+  // The limit kMaxValuesPerByte is the highest compression of single-precision values by deflate.
   constexpr std::size_t kMaxValuesPerByte = 260;
   requested_values_ += count;
   if (requested_values_ > kMaxValuesPerByte * bytes_.size()) {

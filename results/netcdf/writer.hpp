@@ -13,7 +13,7 @@ namespace fpkcheck::results {
 /// and netCDF interprets some file names as network addresses.
 class NetCdfWriter {
  public:
-  /// Value in place of the id of a variable for global attributes of the file.
+  /// Value that replaces the id of a variable for global attributes of the file.
   static constexpr int kGlobal = -1;
 
   NetCdfWriter();
@@ -26,22 +26,23 @@ class NetCdfWriter {
 
   /// Writes a variable of double precision with the unit "1".
   /// @param dimensions ids of the dimensions
-  /// @param long_name description of the variable; if empty, the variable gets no attributes (CF
-  ///        cell bounds)
-  /// @param values row-major
+  /// @param long_name description of the variable; an empty text stands for CF cell bounds, which
+  /// have no attributes
+  /// @param values values of the variable, row-major
   /// @return the id of the variable
   int write_variable(const std::string& name, const std::vector<int>& dimensions,
                      const std::string& long_name, std::span<const double> values);
 
-  /// Defines the dimension `name` and writes its coordinate variable, the centres of cells. The
-  /// cell edges are the variable `name`_bounds.
+  /// Defines the dimension `name`. Writes the cell centres as its coordinate variable, and the cell
+  /// edges as the variable `name`_bounds.
   /// @param bounds id of a dimension of length 2
   /// @return the id of the dimension
   int write_cell_coordinate(const std::string& name, const std::string& long_name, int bounds,
                             std::span<const double> edges);
 
   /// Writes a compressed variable of single or double precision with the unit "1" and the fill
-  /// value NaN. Each chunk of a single-precision variable has one element of the first dimension.
+  /// value NaN. A chunk of a single-precision variable contains the values for one index of the
+  /// first dimension.
   /// @param dimensions ids of the dimensions
   /// @return the id of the variable
   template <class Number>

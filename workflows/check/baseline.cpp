@@ -26,8 +26,8 @@ void remove_solution(results::CaseResult& case_result, const std::string& id) {
   std::erase_if(case_result.curves, [&](const auto& curve) { return curve.solution == id; });
 }
 
-// Simulations are compared in units of their standard errors. A baseline needs complete simulations
-// with standard errors.
+// Requires that the simulations of a baseline are complete and have standard errors, since changes
+// of simulations are measured in standard errors.
 void require_complete_simulation(const Solution& solution) {
   const auto* interrupted = transform::find_metric(solution.metrics, kInterruptedMetric);
   if (interrupted != nullptr && interrupted->value == base::Value(true)) {

@@ -10,13 +10,13 @@
 
 namespace fpkcheck::check {
 
-/// Case of the baseline that is solved again, with the methods of its solutions.
+/// Case of the baseline that is solved again, and the methods of its solutions.
 struct CaseToRepeat {
   problem::Problem problem;
   std::vector<methods::Method> methods;
 };
 
-/// Saved run, with the problems and methods that repeat the run.
+/// A saved run, and the problems and methods that are needed to repeat the run.
 struct Baseline {
   results::Run run;  ///< saved run without the external densities
   bool has_marginals;
@@ -25,8 +25,8 @@ struct Baseline {
   std::vector<std::string> notes;
 };
 
-/// Reads a baseline from a directory with summary.json, or from a file with the same content. The
-/// marginal densities are read from marginals.csv in the same directory, if this file exists.
+/// Reads a baseline from a directory with summary.json, or from a summary file with another name.
+/// If marginals.csv exists in the same directory, the marginal densities are read from this file.
 /// @param option_overrides values of options, e.g. "threads", that replace the values of the saved
 ///        run
 /// @throws InputError with a message of one line if a file is invalid, or if a case or a solution

@@ -21,27 +21,27 @@ struct CheckResult {
 };
 
 /// Compares all quantities of two runs, and reports quantities that only one run has. Times,
-/// options and metrics of kind work or text are not compared, since these values describe the
-/// computation, not the solution.
-/// @param now new run by this program, in which each metric has a kind
+/// options and metrics of kind `work` or `text` are not compared, since they describe the
+/// computation instead of the solution.
+/// @param now new run by this program version, in which each metric has a kind
 /// @throws InputError if the new run lacks a case of the baseline
 CheckResult check(const results::Run& baseline, const results::Run& now,
                   const Tolerances& tolerances, bool with_marginals = true);
 
-/// Returns the changed quantities, the largest change within tolerance of each kind, and a closing
-/// sentence.
+/// Returns the quantities with changes above tolerance, the largest change within tolerance for
+/// each kind of quantity, and a closing sentence.
 std::string check_result_table(const CheckResult& check, const report::TextFormat& format);
 
 /// Returns the result of a check as JSON, the contents of check.json.
 std::string check_result_json(const CheckResult& check, const std::string& command,
                               const std::string& baseline);
 
-/// Number of compared quantities of one kind, and number of changes above the tolerance.
+/// Numbers of compared quantities and of changes above the tolerance, for one kind of quantity.
 struct QuantityKindSummary {
   QuantityKind kind;
   std::size_t count = 0;
   std::size_t moved = 0;
-  /// Change that is within its tolerance and closest to its tolerance.
+  /// Among the changes within their tolerances, the change closest to its tolerance.
   const QuantityChange* largest = nullptr;
 };
 

@@ -76,7 +76,8 @@ std::string value_text(const Value& value, int digits) {
   return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::text_of(value);
 }
 
-// The texts have few digits, or all digits if few digits would not show the change.
+// Returns the texts of the two compared values, with few digits, or with all digits if few digits
+// would not show the change.
 std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_change) {
   constexpr int kFewDigits = 8, kAllDigits = 15;
   std::pair few{value_text(quantity_change.baseline, kFewDigits),

@@ -25,7 +25,7 @@ bool has_finite_divergence(const results::CaseResult& case_result, const PairDis
 }
 
 void add_tail(const compare::Distances& d, const PartQuantityAppender& pair, double allowed) {
-  // The decades and their numbers of bins identify a tail. Tails over different bins are not
+  // Text of the decades and their numbers of bins. Tail distances over different bins are not
   // comparable.
   std::string bins;
   for (const auto& decade : d.log10_tail) {

@@ -43,8 +43,8 @@ double standard_error(const DensityCurve& curve, std::size_t k) {
   return (curve.upper[k] - curve.density[k]) / numerics::kNormal95;
 }
 
-// Returns the bin with the largest change. For simulations only bins that both runs resolve are
-// compared.
+// Returns the bin with the largest change. For simulations the comparison is limited to bins with
+// sufficiently narrow confidence intervals in both runs.
 QuantityChange compare_bins(QuantityChange quantity_change, const DensityCurve& was,
                             const DensityCurve& is, bool has_sampling_error,
                             const Tolerances& tolerances) {
@@ -116,7 +116,7 @@ std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline
     const DensityCurve* is = now.curve(was.solution, was.variable);
     if (is == nullptr || !has_same_bins(was, *is)) {
       changes.push_back(change_of_curve(was));
-      // A curve that only one run has is reported with the solution.
+      // If only one run has the curve, the quantities of the solution report this difference.
     } else if (one != nullptr && other != nullptr) {
       const bool has_sampling_error =
           one->standard_errors && !was.upper.empty() && !is->upper.empty();

@@ -16,20 +16,23 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Kind of a compared quantity, which determines the unit and the tolerance of a change.
 enum class QuantityKind {
-  status,  ///< status or another word; both runs must have the same word
-  moment,  ///< moment, relative change; E[y'] relative to at least 1e-3 standard deviations of y'
-  mass,    ///< mass of a density, absolute change
-  energy,  ///< energy residual (relative to the power input), absolute change
-  coefficient,     ///< coefficient of a closure, relative change
-  distance,        ///< distance between densities; unit: standard deviation of the variable
-  tail,            ///< mean |log10| difference in a decade of the tail, absolute change
-  detail,          ///< metric of one method, relative change, or absolute change of small values
-  budget,          ///< entry of the error budget, absolute change
-  marginal,        ///< bin of a marginal density with the largest change, relative to the peak
-  simulated,       ///< moment, mass, rate or quantile of a simulation, in standard errors
-  simulated_bin,   ///< bin of a simulated density with the largest change, in standard errors
-  simulated_l1,    ///< L1 distance between two simulations, or change of an L1 distance
-  simulated_error  ///< sampling error of a simulation; change: ratio of the runs minus 1
+  status,  ///< status or another word, which must be equal in the two runs
+  /// Moment, relative change; the change of E[y'] is divided by at least 1e-3 standard deviations
+  /// of y'.
+  moment,
+  mass,           ///< mass of a density, absolute change
+  energy,         ///< energy residual (relative to the power input), absolute change
+  coefficient,    ///< coefficient of a closure, relative change
+  distance,       ///< distance between densities; unit: standard deviation of the variable
+  tail,           ///< mean |log10| difference in a decade of the tail, absolute change
+  detail,         ///< metric of one method, relative change, or absolute change of small values
+  budget,         ///< entry of the error budget, absolute change
+  marginal,       ///< bin of a marginal density with the largest change, relative to the peak
+  simulated,      ///< moment, mass, rate or quantile of a simulation, in standard errors
+  simulated_bin,  ///< bin of a simulated density with the largest change, in standard errors
+  simulated_l1,   ///< L1 distance between two simulations, or change of an L1 distance
+  /// Sampling error of a simulation; the change is the ratio between the runs minus 1.
+  simulated_error
 };
 /// Label of each kind in tables and check.json, and unit of a change.
 inline constexpr base::EnumEntry<QuantityKind> kQuantityKindNames[] = {
@@ -60,7 +63,8 @@ struct QuantityChange {
   QuantityKind kind;
   base::Value baseline;  ///< value in the baseline: a number, a word, a flag, or empty
   base::Value now;
-  double change;  ///< nonnegative change in unit(kind); infinite if a comparison is impossible
+  /// Nonnegative change in the unit of the kind; infinite if the values cannot be compared.
+  double change;
   double allowed;
 
   bool exceeds_tolerance() const { return !(change <= allowed); }
@@ -72,16 +76,17 @@ struct Quantity {
   std::string name = {};
   QuantityKind kind = QuantityKind::status;
   base::Value value = {};
-  /// Tolerance; for `simulated_l1` in standard deviations above the expected L1.
+  /// Tolerance of the change; for the kind `simulated_l1` in standard deviations above the expected
+  /// L1 distance.
   double allowed = 0;
-  double scale = 1;  ///< divisor of changes
+  double scale = 1;  ///< number by which a change is divided
   /// For the kind `simulated`, `error` is the standard error, or NaN if the run states no standard
   /// error. For the kind `simulated_l1`, `error` is the expected L1 sampling error and
   /// `quantile_99` its 99 % quantile.
   double error = 0, quantile_99 = 0;
   std::string part = {};  ///< name of the part that contains the quantity, e.g. "peaks[3]"
-  /// Whether the quantity is the first of a part, and states the presence or the length of the
-  /// part. If the first quantity changes, the other quantities of the part are not compared.
+  /// Whether this first quantity of a part states the presence or the length of the part. If the
+  /// first quantity changes, the remaining quantities of the part are not compared.
   bool opens_part = false;
 };
 using Quantities = std::vector<Quantity>;
@@ -97,18 +102,18 @@ struct PartQuantityAppender {
   Quantities& quantities;
   std::string solution, name;
 
-  /// Appends the presence of the part, or a value that identifies the part, as first quantity. The
-  /// other quantities of a part must be appended after the call of begin().
+  /// Appends the first quantity of a part: the presence of the part, or a value that identifies the
+  /// part. Further quantities of the part must be appended after the call of begin().
   const PartQuantityAppender& begin(QuantityKind kind, const base::Value& what = "there",
                                     const std::string& outer = kWholeSolutionPart) const;
   void append_word(const std::string& of, const base::Value& value) const;
-  /// Appends a number, or an empty value if the number is not finite, as in files. The returned
-  /// reference is valid until the next quantity is appended.
+  /// Appends a number as a quantity; a number that is not finite becomes an empty value, as in
+  /// files. The returned reference is valid until the next quantity is appended.
   Quantity& append_number(const std::string& of, QuantityKind kind, double value, double allowed,
                           double scale = 1) const;
 };
 
-/// Returns the number in a value of type double or integer, or NaN without a finite number.
+/// Returns the finite number in a value of type double or integer, otherwise NaN.
 double finite_number_or_nan(const base::Value& value);
 
 /// Compares quantities with equal solution and name, and reports quantities that only one run has.

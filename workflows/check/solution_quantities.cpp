@@ -50,7 +50,7 @@ void add_density(const Solution& s, const Tolerances& tolerances,
 void add_stated_error(const Solution& s, const Tolerances& tolerances,
                       const PartQuantityAppender& stated) {
   const auto add = [&](const std::string& of, double error, double least) {
-    constexpr double kMinErrorScale = 0.1;  // equal to transform::Metric::min_scale
+    constexpr double kMinErrorScale = 0.1;  // default of transform::Metric::min_scale
     stated.append_number("error of " + of, QuantityKind::detail, error, tolerances.deterministic,
                          std::max({std::abs(error), least, kMinErrorScale}));
   };
@@ -102,7 +102,7 @@ Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) 
   if (s.sampling) add_sampling(*s.sampling, part("sampling L1"));
   if (s.smooth_sampling) add_sampling(*s.smooth_sampling, part("sampling L1 in smooth bins"));
   add_metric_quantities(s.metrics, tolerances, whole);
-  // Before the adjustment for multiple comparisons, `allowed` contains exponents
+  // Until the adjustment for multiple comparisons, the member `allowed` contains exponents
   // (add_metric_quantities).
   const auto errors =
       std::ranges::count(quantities, QuantityKind::simulated_error, &Quantity::kind);
@@ -178,8 +178,8 @@ class MetricQuantities {
   }
 
  private:
-  // The metrics of kind `result` with the same parent are the powers of the term, e.g. "a(4,2)" for
-  // x1^4 x2^2.
+  // Returns the name of a coefficient, e.g. "a(4,2)" for the term x1^4 x2^2. The powers are the
+  // metrics of kind `result` with the parent path of the coefficient.
   std::string coefficient_name(const Metric& o) const {
     std::vector<double> powers;
     for (const auto& sibling : metrics_) {
@@ -237,7 +237,7 @@ class MetricQuantities {
   const Tolerances& tolerances_;
   const PartQuantityAppender& whole_;
   std::set<std::string> standard_error_paths_, coefficient_terms_, opened_parts_;
-  /// Entries of each list, by the path of the list.
+  /// Entries of each list of metrics, by the path of the list.
   std::map<std::string, std::set<std::string>> list_entries_;
 };
 
@@ -254,8 +254,8 @@ Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
     if (o.kind == MetricKind::work || o.kind == MetricKind::text)
       ignored_paths.insert(without_indices(o.path));
   }
-  // A metric in a list is also ignored if the new run ignores the metric at another index, or
-  // ignores the whole list.
+  // A metric in a list is also ignored if the new run ignores the corresponding metric at another
+  // index of the list, or the whole list.
   const auto is_ignored = [&](const std::string& path) {
     for (auto end = path.find("[]"); end != std::string::npos; end = path.find("[]", end + 1)) {
       if (ignored_paths.contains(path.substr(0, end + 2))) return true;

@@ -52,8 +52,8 @@ bool differs_by_sampling(const Solution& one, const Solution& other) {
 
 double standard_error_of_mass(const Solution& solution) {
   // A histogram of n samples with bin probabilities p_b has the expected L1 error l1 = sqrt(2/(pi
-  // n)) sum sqrt(p_b (1 - p_b)). For many bins l1 exceeds sqrt(2/(pi n)), and therefore 1/n <= pi/2
-  // l1^2.
+  // n)) sum sqrt(p_b (1 - p_b)). For many bins this L1 error exceeds sqrt(2/(pi n)), and therefore
+  // 1/n <= pi/2 l1^2.
   const double l1 = solution.sampling ? solution.sampling->y.value_or(kNotANumber) : kNotANumber;
   const double one_sample = std::numbers::pi / 2 * l1 * l1;
   return std::sqrt((std::abs(1 - solution.mass) + one_sample) * one_sample);

@@ -6,40 +6,43 @@
 #include "transform/solution.hpp"
 #include "workflows/check/quantity.hpp"
 
-/// In this file, a simulation is any solution that states standard errors.
+/// Tolerances of a check. In this file, a simulation is any solution that states standard errors.
 namespace fpkcheck::check {
 
-/// The measurements from which the default tolerances follow are in docs/checking.md.
+/// Tolerances of changes between two runs. The default tolerances follow from the measurements in
+/// docs/checking.md.
 struct Tolerances {
-  /// Tolerance for deterministic quantities. The tolerance is relative for moments, absolute for
-  /// mass and energy residual, and relative to the peak for densities. For distances the unit of
-  /// the tolerance is the standard deviation of the variable. Rounding errors change deterministic
-  /// quantities by up to 6e-11.
+  /// Tolerance for deterministic quantities: relative for moments, absolute for mass and energy
+  /// residual, and as a fraction of the peak for densities. The tolerance of distances is in
+  /// standard deviations of the variable. Rounding errors change deterministic quantities by up to
+  /// 6e-11.
   double deterministic = 1e-8;
-  /// Tolerance for simulations, in standard errors of the difference between both runs. The
-  /// standard errors of both runs are combined in quadrature.
+  /// Tolerance for simulations, in standard errors of the difference between the two runs. The
+  /// standard errors of the two runs are combined in quadrature.
   double standard_errors = 4;
 
   /// Relative tolerance for the coefficients of a closure. Rounding errors change small
   /// coefficients of the formulation `moment` by up to 1.5e-7.
   double coefficient_tolerance() const { return 50 * deterministic; }
-  /// Absolute tolerance for the mean |log10| difference in a decade of the tail. For densities of
-  /// 1e-6 of the peak, rounding errors change the |log10| difference by up to 3e-8.
+  /// Absolute tolerance for tail distances, the mean |log10| differences in a decade of the tail.
+  /// For densities of 1e-6 of the peak, rounding errors change tail distances by up to 3e-8.
   double tail_tolerance() const { return 100 * deterministic; }
   /// Returns the Bonferroni-adjusted threshold for n comparisons. The largest of n standard normal
-  /// numbers exceeds the adjusted threshold as rarely as a single number exceeds `standard_errors`.
+  /// numbers exceeds the adjusted threshold with the probability that a single number exceeds
+  /// `standard_errors`.
   double bonferroni_threshold(std::size_t n) const;
 };
 
 /// @throws InputError with the name of the option whose value is not a positive number
 void validate(const Tolerances& tolerances);
 
-/// Paths of two metrics: number of independent streams, and whether the simulation was interrupted.
+/// Paths of two metrics of a simulation: the number of independent streams, and whether the
+/// simulation was interrupted.
 inline constexpr const char* kStreamsMetric = "streams";
 inline constexpr const char* kInterruptedMetric = "interrupted";
 
-/// Returns whether both solutions are simulations and differ in a moment or in the standard error
-/// of a moment. Two simulations with the same seed on the same machine are identical.
+/// Returns whether two solutions are simulations that differ in a moment or in the standard error
+/// of a moment. Simulations with the same seed on the same machine are identical.
 bool differs_by_sampling(const transform::Solution& one, const transform::Solution& other);
 
 /// Returns the standard error of the mass of a simulation, sqrt((q + 1/n) / n). Here q = 1 - mass
@@ -48,16 +51,17 @@ bool differs_by_sampling(const transform::Solution& one, const transform::Soluti
 /// the simulation states no sampling error.
 double standard_error_of_mass(const transform::Solution& solution);
 
-/// Changes the kind of a quantity to `simulated_l1`, with a tolerance that follows from the
-/// sampling error. Without a stated sampling error the quantity is unchanged.
+/// Changes the kind of a quantity to `simulated_l1` and derives the tolerance from the sampling
+/// error. If the sampling error is unknown, the quantity is unchanged.
 void set_sampling_tolerance(Quantity& quantity,
                             const std::optional<transform::SamplingError>& sampling,
                             transform::StateVariable variable, const Tolerances& tolerances);
 
-/// Returns the allowed change of error^power between two runs, as the ratio of both runs minus 1. A
+/// Returns the allowed change between two runs of error^power, expressed as the ratio minus 1. A
 /// standard error from n streams has the relative standard deviation 1 / sqrt(2 (n - 1)). The ratio
 /// of two standard errors from n streams has the relative standard deviation 1 / sqrt(n - 1).
-/// @param number_of_errors number of compared errors; the tolerance holds for their largest change
+/// @param number_of_errors number of compared standard errors; the tolerance applies to the largest
+/// of their changes
 double standard_error_change_tolerance(const transform::Solution& simulation,
                                        std::size_t number_of_errors, double power,
                                        const Tolerances& tolerances);

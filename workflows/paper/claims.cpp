@@ -29,7 +29,7 @@ std::string density(const Claim& claim) {
 
 }  // namespace
 
-// Columns: cases, panels, variables, n, relation, rival, quotation.
+// Each row has the cases, panels, variables, order n, relation, order of the rival, and quotation.
 const std::vector<Claim>& paper_claims() {
   using enum ClaimedRelation;
   static const std::vector<Claim> all{

@@ -7,10 +7,10 @@
 #include "base/options/enum_names.hpp"
 #include "transform/marginal.hpp"
 
-/// Claims of the paper whose method this project checks (*Stochastic response of a vibro-impact
-/// Duffing system under external Poisson impulses*). The claims are statements about the four cases
-/// in sections 3 and 4. The paper's EPC (n = 2), (n = 4), (n = 6) are the closures epc-gaussian-n2,
-/// -n4, -n6. The paper's MCS is a simulation.
+/// Claims of the paper *Stochastic response of a vibro-impact Duffing system under external Poisson
+/// impulses*, whose method this project checks. The claims concern the four cases in sections 3 and
+/// 4 of the paper. The paper's EPC (n = 2), (n = 4), (n = 6) are the closures epc-gaussian-n2, -n4,
+/// -n6. The paper's MCS is a simulation.
 namespace fpkcheck::paper {
 
 /// Relation between a closure and the simulation that a claim of the paper states.
@@ -26,7 +26,7 @@ enum class ClaimedRelation {
   is_linearisation,
   not_found
 };
-/// Name of each relation in files, and condition under which the relation holds.
+/// Name of each claimed relation in files, and the condition under which the relation holds.
 inline constexpr base::EnumEntry<ClaimedRelation> kRelationNames[] = {
     {ClaimedRelation::agrees, "agrees", "L1 and tail are both within the limits of agreement"},
     {ClaimedRelation::agrees_in_tail, "agrees_in_tail",
@@ -47,17 +47,20 @@ inline constexpr base::EnumEntry<ClaimedRelation> kRelationNames[] = {
 constexpr const auto& enumerator_names(ClaimedRelation) { return kRelationNames; }
 constexpr std::string_view name(ClaimedRelation relation) { return base::name_of(relation); }
 
-/// Statement of the paper that measured numbers can support or contradict.
+/// A statement of the paper that measured numbers can support or contradict.
 struct Claim {
-  std::vector<int> cases;  ///< cases in the paper's Table 1; the claim must hold in every case
-  std::string panels;      ///< panels of the case's figure, e.g. "ab"; empty for the text alone
-  std::vector<transform::StateVariable> variables;  ///< the claim must hold for every variable
-  int order;                                        ///< order n of the closure
+  /// Numbers of cases in the paper's Table 1; the claim must hold in every case.
+  std::vector<int> cases;
+  /// Panels of the paper's figure, e.g. "ab"; empty if no figure shows the claim.
+  std::string panels;
+  /// Variables, for each of which the claim must hold.
+  std::vector<transform::StateVariable> variables;
+  int order;  ///< order n of the closure
   ClaimedRelation relation;
-  int rival;          ///< order n of the other closure if the relation compares two; else 0
-  std::string quote;  ///< quotation from the paper; our additions are in [..]
+  int rival;          ///< order n of a second closure with which the relation compares; 0 if none
+  std::string quote;  ///< quotation from the paper, with additions in [..]
 
-  /// Returns the paper's figure (2 .. 5) that shows a case.
+  /// Returns the number (2 .. 5) of the paper's figure that shows a case.
   static int figure(int case_number) { return case_number + 1; }
 };
 
@@ -72,7 +75,7 @@ std::string paper_closure_id(int order);
 /// Methods that are required to judge all claims, in the syntax of SolverRegistry::select_methods.
 inline constexpr const char* kRequiredMethods =
     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-gaussian-n8,fd-kf,mcs";
-/// Returns the name of a case of the paper, as in problem/case_file.hpp.
+/// Returns the name of a case of the paper: "case1" .. "case4".
 std::string paper_case_name(int case_number);
 
 }  // namespace fpkcheck::paper

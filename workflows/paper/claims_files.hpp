@@ -11,11 +11,11 @@ namespace fpkcheck::paper {
 inline constexpr const char* kClaimsCsv = "claims.csv";
 inline constexpr const char* kClaimsJson = "claims.json";
 
-/// Returns the claims as CSV with a row for each claim. Absent values are empty.
+/// Returns the judged claims as CSV with a row for each claim. Missing values are empty fields.
 std::string claims_csv(std::span<const ClaimJudgement> judgements);
 
 /// Returns the contents of claims.json: the program, the criteria, and the list `claims`. Each
-/// element of the list has the fields of claims.csv, and the reason of the closure's status.
+/// element of `claims` has the fields of claims.csv and the reason for the status of the closure.
 std::string claims_json(std::span<const ClaimJudgement> judgements,
                         const results::ProgramInfo& program);
 

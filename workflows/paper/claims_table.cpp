@@ -56,8 +56,8 @@ std::string table_rows(std::span<const ClaimJudgement> judgements,
   return report::format_text_table(std::move(columns), format);
 }
 
-// Each claim occurs once, with the cases that have the given outcome, e.g. "n=6 agrees with MCS in
-// p(y) (case 1, 2)".
+// Returns the claims with a given outcome. Each claim occurs once, with the cases that have the
+// outcome, e.g. "n=6 agrees with MCS in p(y) (case 1, 2)".
 std::string claims_with_outcome(std::span<const ClaimJudgement> judgements, ClaimOutcome outcome) {
   std::vector<std::pair<std::string, std::string>> claims;
   for (const auto& judgement : judgements) {

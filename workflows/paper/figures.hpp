@@ -10,8 +10,8 @@ namespace fpkcheck::paper {
 
 /// Returns the paper's Figs. 2-5, one figure for each case, with the curves EPC (n = 2), (n = 4),
 /// (n = 6) and MCS. The panels are (a) p(y), (b) the logarithm of p(y), (c) p(y'), (d) the
-/// logarithm of p(y'). The name of a closure whose status is not `ok` includes the status. A case
-/// without any of the four densities has no figure.
+/// logarithm of p(y'). If the status of a closure is not `ok`, the legend states the status. A case
+/// without any of these four densities has no figure.
 std::vector<report::PictureScript> paper_figure_scripts(
     const results::Run& run, report::FigureWidth width = report::FigureWidth::screen);
 

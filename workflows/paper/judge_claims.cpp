@@ -45,7 +45,7 @@ class Judge {
     return nullptr;
   }
 
-  // The status of a claim is the status in the first case in which the closure is not ok.
+  // Stores the status of the closure in the first case in which this status is not `ok`.
   void record_status() {
     for (const int number : claim().cases) {
       const CaseResult* case_result = find_case(number);
@@ -64,7 +64,7 @@ class Judge {
     }
   }
 
-  // Returns the maximum of each number over the given cases and the variables of the claim.
+  // Returns the maximum of each distance over the given cases and the variables of the claim.
   std::optional<ClosureDistance> distance(int order, const std::vector<int>& cases) {
     ClosureDistance worst;
     for (const int number : cases) {
@@ -80,7 +80,7 @@ class Judge {
     return worst;
   }
 
-  // Sets the reason if the tail distance does not exist.
+  // Returns whether the tail distance exists, and otherwise sets the reason.
   bool has_tail(const ClosureDistance& distance) {
     if (!std::isnan(distance.tail)) return true;
     missing_reason_ = "no bin of the tail is positive and resolved in all solutions";

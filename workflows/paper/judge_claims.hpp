@@ -10,7 +10,7 @@
 namespace fpkcheck::paper {
 
 enum class ClaimOutcome { established, qualified, not_established, unjudged };
-/// Name of each outcome in files and tables, and meaning of the outcome.
+/// Name of each outcome of a claim in files and tables, and the meaning of the outcome.
 inline constexpr base::EnumEntry<ClaimOutcome> kOutcomeNames[] = {
     {ClaimOutcome::established, "established", "the run's numbers are as the claim states"},
     {ClaimOutcome::qualified, "established, but",
@@ -23,7 +23,7 @@ constexpr std::string_view name(ClaimOutcome outcome) { return base::name_of(out
 struct MeasuredNumber {
   std::optional<double> value{};
   std::optional<double> limit{};
-  /// Whether the value must exceed the limit; otherwise the value must not exceed the limit.
+  /// Whether the measured value must be above the limit, instead of at most the limit.
   bool above = false;
 
   bool satisfies_limit() const {
@@ -36,23 +36,24 @@ struct ClaimJudgement {
   Claim claim;
   /// Largest L1 distance between closure and simulation over the cases and variables of the claim.
   /// For the relation is_linearisation, `l1` is the L1 distance to the Gaussian of equivalent
-  /// linearisation. An L1 distance without a limit is shown in tables, but does not influence the
-  /// outcome of the claim.
+  /// linearisation. If `l1` has no limit, tables show the L1 distance, but it does not influence
+  /// the outcome of the claim.
   MeasuredNumber l1{};
   /// Tail distance compare::ErrorBudgetRow::total_tail: mean |log10 p - log10 MCS| over the bins
   /// with an MCS density of 1e-5 .. 1e-3. The tail distance is infinite if the closure is 0 in a
   /// bin of the tail.
   MeasuredNumber tail{};
-  /// Status of the closure in the first case in which the closure is not `ok`; otherwise `ok`.
+  /// Status of the closure in the first case in which this status is not `ok`; `ok` if no such case
+  /// exists.
   std::optional<transform::Status> status{};
-  std::string reason{};  ///< reason of a status of the closure other than `ok`
+  std::string reason{};  ///< reason for a status of the closure other than `ok`
   ClaimOutcome outcome = ClaimOutcome::unjudged;
-  std::string note{};  ///< explanation of the outcome; may be empty
+  std::string note{};  ///< explanation of the outcome of the claim; may be empty
 };
 
 /// Judges all claims of the paper by the total distances of the error budget.
-/// @param run run of the paper's cases by the methods kRequiredMethods; a claim without a required
-///        number has the outcome `unjudged`
+/// @param run run of the paper's cases by the methods kRequiredMethods. If a required number is
+/// missing, the outcome of the claim is `unjudged`.
 std::vector<ClaimJudgement> judge_claims(const results::Run& run);
 
 }  // namespace fpkcheck::paper

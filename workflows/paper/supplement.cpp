@@ -57,7 +57,7 @@ report::PageSection section(std::span<const ClaimJudgement> judgements, const re
                               .html = {},
                               .groups = paper_figure_plots(run)};
   auto sentences = outcome_summary(judgements);
-  sentences.erase(sentences.begin());  // the page already has the closing sentence at its beginning
+  sentences.erase(sentences.begin());  // the page begins with the closing sentence
   for (const auto& sentence : sentences) section.html += report::html_element("p", sentence);
   section.html += claims_table(judgements);
   for (const auto& sentence : criteria_sentences())

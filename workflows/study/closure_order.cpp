@@ -48,7 +48,8 @@ std::vector<MethodVariant> closures(const SolverRegistry& registry) {
   return all;
 }
 
-// Every closure satisfies an L1 error of 10, so that the study shows all closures.
+// Required accuracy that every closure satisfies, so that no closure is `inaccurate` and the study
+// shows all closures.
 constexpr double kUnlimitedError = 10;
 
 Method method_of_order(const SolverRegistry& registry, const MethodVariant& formulation,

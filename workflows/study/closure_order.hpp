@@ -13,7 +13,8 @@
 
 namespace fpkcheck::study {
 
-/// The study solves every combination of formulation and order n.
+/// Options of an order study, which solves a problem by every combination of closure formulation
+/// and order n.
 struct ClosureOrderStudyOptions {
   std::vector<std::string> formulations;
   std::vector<int> orders;
@@ -35,16 +36,18 @@ struct SolutionBranch {
   std::vector<Point> points;
 };
 
-/// Returns the branch in the metrics of a solution under the path "branch"; empty without a branch.
+/// Reads the solution branch from the metrics "branch" of a solution; empty if these metrics are
+/// missing.
 std::optional<SolutionBranch> read_solution_branch(const transform::Metrics& metrics);
 
 struct ClosureOrderRow {
   std::string formulation;
   int order = 0;
-  /// Whether the closure is a default variant that solves the full problem.
+  /// Whether the closure must converge, as a default variant that solves the full problem.
   bool must_converge = false;
   transform::Solution solution;
-  std::optional<MarginalL1Distances> l1 = {};  ///< L1 distances to the reference
+  /// L1 distances of p(y) and p(y') from the reference.
+  std::optional<MarginalL1Distances> l1 = {};
   /// Tail distances: mean |log10 p - log10 reference| over the bins with a reference density of
   /// 1e-5 .. 1e-4.
   std::optional<double> tail_y = {}, tail_ydot = {};
@@ -59,8 +62,8 @@ struct ClosureOrderStudy {
 };
 
 /// Solves a problem by the given closures and by the reference, the most trusted discretisation of
-/// the full problem. The methods run one after another, so that their wall-clock times are
-/// comparable.
+/// the full problem. The methods run one after another, since parallel runs would distort the
+/// wall-clock times.
 /// @throws InputError for an unknown formulation or order
 ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
                                        const ClosureOrderStudyOptions& options,
@@ -70,15 +73,16 @@ ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
 /// Returns whether the reference and every closure with `must_converge` have status ok.
 bool has_converged(const ClosureOrderStudy& study);
 
-/// Files and texts of an order study, from which make_study_report() makes a StudyReport. The row of a
-/// closure in the JSON has the keys of a solution in summary.json (except identity, options and
-/// moments).
+/// Files and texts of an order study, from which make_study_report() makes a StudyReport. In the
+/// JSON text the row of a closure has the keys of a solution in summary.json, except identity,
+/// options and moments.
 std::string json(const ClosureOrderStudy& study, const std::string& command);
 std::string csv(const ClosureOrderStudy& study);
-/// Returns the table of the closures, the reasons of closures that are not ok, the folds and the
+/// Returns the table of the closures, the reasons for statuses other than `ok`, the folds and the
 /// convergence.
 std::string table(const ClosureOrderStudy& study, const report::TextFormat& format);
-/// Returns panels of the L1 distances against the order n, and panels of the branches of solutions.
+/// Returns a figure with panels of the L1 distances against the order n and panels of the solution
+/// branches.
 report::Figure figure(const ClosureOrderStudy& study);
 
 StudyRecord make_record(const ClosureOrderRow& row);

@@ -31,7 +31,7 @@ StudyRecord make_record(const ClosureOrderRow& row) {
   record.push_back({"tail_y", transform::value_from_optional(row.tail_y)});
   record.push_back({"tail_ydot", transform::value_from_optional(row.tail_ydot)});
   for (const auto& observation : row.solution.metrics) {
-    // The record already has formulation and order.
+    // The record of the closure already has the formulation and the order.
     if (observation.path == "formulation" || observation.path == "order") continue;
     record.push_back({observation.path, observation.value});
   }
@@ -115,8 +115,8 @@ std::string branch_sentence(const ClosureOrderRow& row, const SolutionBranch& br
       100 * branch.largest_fraction, branch_end_text(branch.end));
 }
 
-// A convergent closure converges geometrically, so that a power of n does not describe the
-// convergence.
+// The sentence states a convergence factor instead of a power of n, since convergent closures
+// converge geometrically.
 std::string convergence_rate_sentence(const ClosureOrderRow& first, const ClosureOrderRow& last) {
   const double steps = (last.order - first.order) / 2.0;
   const auto factor = [&](double MarginalL1Distances::*of) {
@@ -126,7 +126,7 @@ std::string convergence_rate_sentence(const ClosureOrderRow& first, const Closur
                      factor(&MarginalL1Distances::y), factor(&MarginalL1Distances::ydot));
 }
 
-// @param good rows of the formulation with status ok
+// @param good rows of one formulation with status `ok`
 std::string convergence_sentence(const std::string& formulation,
                                  const std::vector<const ClosureOrderRow*>& good) {
   if (good.empty()) return fmt::format("{}: no order gives a density.", formulation);

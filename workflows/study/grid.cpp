@@ -18,8 +18,8 @@ namespace {
 using transform::GridLevel;
 using transform::Solution;
 
-// Largest density on the outer walls of the box, relative to the peak. At a wall density of 1e-9
-// the mass outside the box does not limit the convergence.
+// Largest density on the outer boundary of the grid, relative to the peak. With a boundary density
+// of 1e-9 the mass outside the grid does not limit the convergence.
 constexpr double kWallDensity = 1e-9;
 
 /// All grids and other methods have common comparison axes, options and progress listener.
@@ -57,7 +57,7 @@ class GridStudySolver {
     row.solution = std::move(found.solution);
     row.density = density(row.solution);
     if (row.density) {
-      // All grids use one box, so that the size of the box does not affect the convergence.
+      // All grids use one domain, so that the size of the domain does not affect the convergence.
       y_max_ = found.summary.x1_max;
       v_max_ = found.summary.x2_max;
     }
@@ -150,7 +150,8 @@ std::optional<MarginalL1Distances> l1(const std::optional<GridLevel>& one,
                              transform::l1(one->ydot, other->ydot)};
 }
 
-// The distance to the limit serves as error estimate of the solution on a single grid.
+// Sets the error estimate of the solution on a single grid to the distance from the Richardson
+// limit.
 void set_error_estimate(GridRow& row) {
   if (row.l1) {
     row.solution.error = transform::ErrorEstimate{.y_l1 = row.l1->y, .ydot_l1 = row.l1->ydot};
@@ -210,7 +211,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
     set_error_estimate(row);
   }
   for (auto& one : study.limits) one.l1 = l1(one.density, reference_limit);
-  if (!reference_limit) return study;  // the other methods would have no reference
+  if (!reference_limit) return study;  // without the limit the compared methods have no reference
   if (study.limits.size() > 1) study.limit_accuracy = study.limits.end()[-2].l1;
   for (const auto& method : others) {
     auto solution = solving.solve(method);

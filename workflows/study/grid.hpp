@@ -17,29 +17,30 @@ namespace fpkcheck::study {
 struct GridStudyOptions {
   problem::DensityEquation equation = problem::DensityEquation::kf;
   problem::ImpactCondition impact = problem::ImpactCondition::map;
-  std::vector<int> orders{3, 5, 7};  ///< orders of the scheme
-  int levels = 5;                    ///< number of grids for each order, at least 3
+  std::vector<int> orders{3, 5, 7};  ///< convergence orders of the finite-volume schemes
+  int levels = 5;                    ///< number of grids for each scheme, at least 3
   double coarsest = 0.5;             ///< refinement of the coarsest grid
-  /// Refinement towards the origin, as in fd_fpk::Options.
+  /// Refinement of the grids towards the origin, the option of fd_fpk::Options.
   std::optional<double> origin_refinement{};
-  /// Options of the simulation that is compared with the grids; other options have default values.
+  /// Options of the simulation that is compared with the grids; missing options have default
+  /// values.
   base::Values simulation{};
 };
 
-/// @throws InputError with the option, its value and its range
+/// @throws InputError that states the option, the value and the range
 void validate(const GridStudyOptions& options);
 
 struct GridRow {
-  int order = 0;  ///< order of the scheme
+  int order = 0;  ///< convergence order of the scheme
   int level = 1;
   double refinement = 1, origin_refinement = 1;
-  int nx = 0, nv = 0;  ///< numbers of cells in y and y'
+  int nx = 0, nv = 0;  ///< numbers of grid cells in y and y'
   transform::Solution solution;
-  /// Density on the grid; empty without a density.
+  /// Marginal densities and moments on the grid; empty if the solution has no density.
   std::optional<transform::GridLevel> density = {};
-  /// Observed orders of convergence, from this level and the two coarser levels.
+  /// Observed convergence orders, from this grid and the next two coarser grids.
   std::optional<transform::ObservedConvergenceOrders> observed = {};
-  std::optional<MarginalL1Distances> l1 = {};  ///< L1 distances to the Richardson limit
+  std::optional<MarginalL1Distances> l1 = {};  ///< L1 distances from the Richardson limit
 };
 
 /// Richardson limit of the grids of one scheme order, extrapolated from the three finest grids.
@@ -47,9 +48,10 @@ struct RichardsonLimit {
   int order = 0;
   std::string failure = {};  ///< reason why there is no limit; empty if the limit exists
   std::optional<transform::GridLevel> density = {};
-  /// Absolute differences of the moments between the limit and the finest grid.
+  /// Absolute differences of the moments between the Richardson limit and the finest grid.
   transform::Moments error = {};
-  std::optional<MarginalL1Distances> l1 = {};  ///< L1 distances to the limit of the highest order
+  /// L1 distances from the Richardson limit of the highest-order scheme.
+  std::optional<MarginalL1Distances> l1 = {};
 };
 
 struct ComparedMethodRow {
@@ -57,42 +59,45 @@ struct ComparedMethodRow {
   std::optional<MarginalL1Distances> l1 = {};
 };
 
-/// The Richardson limit at the highest order is the reference of all distances of a grid study.
+/// Results of a grid study. The Richardson limit of the highest-order scheme is the reference of
+/// all distances.
 struct GridStudy {
   static constexpr const char* kName = "grid";
   problem::Problem problem;
-  transform::SolutionIdentity grids;      ///< equation and impact condition of the finite volumes
-  std::vector<GridRow> rows;              ///< rows sorted by order, then by level
-  std::vector<RichardsonLimit> limits;    ///< Richardson limits sorted by order
-  std::vector<ComparedMethodRow> others;  ///< closures and simulations; empty without a limit
-  /// L1 distance of the limit at the highest order to the limit at the next lower order.
+  transform::SolutionIdentity grids;    ///< equation and impact condition of the finite volumes
+  std::vector<GridRow> rows;            ///< rows sorted by scheme order, then by grid level
+  std::vector<RichardsonLimit> limits;  ///< Richardson limits sorted by scheme order
+  /// Closures and simulations; empty without a Richardson limit.
+  std::vector<ComparedMethodRow> others;
+  /// L1 distance between the Richardson limits of the highest and the next lower scheme order.
   std::optional<MarginalL1Distances> limit_accuracy = {};
 
   const RichardsonLimit& reference_limit() const { return limits.back(); }
 };
 
 /// Solves a problem by finite volumes on grids of every order and level, one grid after another.
-/// All grids use the box of the first grid, and the null vector of the discrete operator as
+/// All grids use the domain of the first grid, and the null vector of the discrete operator as
 /// density. A Richardson limit exists if the three finest grids have densities and the finest
 /// solution is ok. For a Richardson limit the observed order must also satisfy
-/// transform::has_richardson_limit(). If the limit at the highest order exists, the methods of
-/// methods_compared_with_grids() also solve the problem.
-/// @throws InputError in the same cases as validate()
+/// transform::has_richardson_limit(). If the Richardson limit of the highest-order scheme exists,
+/// the methods of methods_compared_with_grids() also solve the problem.
+/// @throws the exceptions of validate()
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
                      const methods::SolverRegistry& registry,
                      const methods::ProgressListener& listener);
 
-/// Returns whether the Richardson limit exists and no solver failed on the finest grid of an order.
-/// Solutions on coarser grids may fail.
+/// Returns whether the Richardson limit exists and no solver failed on the finest grid of a scheme.
+/// Failures on coarser grids are ignored.
 bool has_converged(const GridStudy& study);
 
 /// Files and texts of a grid study, from which make_study_report() makes a StudyReport.
 std::string json(const GridStudy& study, const std::string& command);
 std::string csv(const GridStudy& study);
-/// Returns the tables of grids, limits and other methods, and the fastest method for each accuracy.
+/// Returns the tables of grids, Richardson limits and compared methods, and the fastest method for
+/// each accuracy.
 std::string table(const GridStudy& study, const report::TextFormat& format);
-/// Returns panels of the L1 distances against the grid refinement, and against the wall-clock time
-/// of all methods. The figure has no panels if no distance is known.
+/// Returns a figure with panels of the L1 distances against the grid refinement and against the
+/// wall-clock time of all methods. The figure has no panels if no distance is known.
 report::Figure figure(const GridStudy& study);
 
 StudyRecord make_record(const GridRow& row);

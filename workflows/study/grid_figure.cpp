@@ -55,7 +55,8 @@ std::string method_label(const ComparedMethodRow& row) {
                      identity.order ? ", n = 2, 4, .." : "");
 }
 
-// A dashed line through the first point of each scheme has the slope of the scheme's nominal order.
+// Returns for each scheme a dashed line through its first point with the slope of the nominal
+// order.
 std::vector<FigureSeries> order_slopes(const GridStudy& study, Distance distance) {
   std::vector<FigureSeries> slopes;
   for (auto row = study.rows.begin(); row != study.rows.end();) {

@@ -28,7 +28,8 @@ std::optional<Method> find_method(const SolverRegistry& registry, const std::str
   }
 }
 
-// The variants that differ from a default member by one option follow the default members.
+// Returns the default members of a family, then the variants that differ from a default member by
+// one option.
 std::vector<Method> members_and_variants(const SolverRegistry& registry,
                                          const methods::Solver& solver,
                                          const std::vector<std::string>& usual) {
@@ -91,7 +92,7 @@ std::vector<Method> methods_compared_with_grids(const SolverRegistry& registry,
                                                 DensityEquation equation, ImpactCondition impact,
                                                 const base::Values& simulation) {
   std::vector<Method> all;
-  std::set<std::string> families;  // families with a variant in `all`; default variants come first
+  std::set<std::string> families;  // families that have a variant in `all`
   for (const auto& variant : method_variants(registry, SolutionRole::closure)) {
     const SolutionIdentity& identity = variant.identity();
     const bool approximates_full_problem =

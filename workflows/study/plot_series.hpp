@@ -8,8 +8,8 @@
 
 namespace fpkcheck::study {
 
-/// Makes a plot series from each group of neighbouring rows with the same name(row), with the
-/// points point(row). The plot style of the series is the style of the group's middle row.
+/// Makes a plot series from each group of neighbouring rows with equal name(row). The series has
+/// the points point(row) and the plot style of the middle row of the group.
 template <class Row, class Name, class Point>
 std::vector<report::FigureSeries> make_series(const std::vector<Row>& rows, Name name,
                                               Point point) {

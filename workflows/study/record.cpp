@@ -24,7 +24,8 @@ Value value_at(const StudyRecord& record, const std::string& path) {
   return found == record.end() ? Value() : found->value;
 }
 
-// Only numbers that are not integers have the given format; an absent value is "".
+// Returns the text of a value. The argument `format` applies to non-integer numbers. A missing
+// value gives an empty text.
 std::string text(const Value& value, const char* format) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
@@ -65,7 +66,7 @@ std::string csv_text(const std::vector<StudyRecord>& rows, const std::string& co
   std::istringstream words(columns);
   for (std::string word; words >> word;) {
     headers.push_back(word.substr(0, word.find('=')));
-    paths.push_back(word.substr(word.find('=') + 1));  // a word without '=' is header and path
+    paths.push_back(word.substr(word.find('=') + 1));  // a word without '=' is both header and path
   }
   std::string lines = fmt::format("{}\n", fmt::join(headers, ","));
   for (const auto& row : rows) {

@@ -16,7 +16,7 @@ struct MarginalL1Distances {
   double y, ydot;
 };
 
-/// Row of a study for files and tables; the values have paths such as "observed_order.l1".
+/// Row of a study for files and tables. Each value has a path such as "observed_order.l1".
 using StudyRecord = base::Values;
 
 template <class Owner>
@@ -28,10 +28,10 @@ base::Value value(const std::optional<Owner>& owner, double Owner::*member) {
 void add_solution_outcome(const transform::Solution& solution,
                           const std::optional<MarginalL1Distances>& l1, StudyRecord& record);
 
-/// Column of a table, with the values under one path.
+/// Column of a table, which shows the values of one path.
 struct TableColumn {
   std::string group, header, path;
-  const char* format;  ///< fmt format of numbers
+  const char* format;  ///< format of numbers for the library fmt
   int importance = report::kAlwaysShown;
   bool left_aligned = false;
 };
@@ -43,11 +43,12 @@ std::string table_text(const std::vector<StudyRecord>& rows,
 
 /// Returns the records as CSV with a header. Absent values and numbers that are not finite are
 /// empty.
-/// @param columns paths separated by blanks; NAME=PATH for a column whose header differs from the
-///        path
+/// @param columns paths of the columns, separated by blanks; NAME=PATH if the header of a column
+/// differs from its path
 std::string csv_text(const std::vector<StudyRecord>& rows, const std::string& columns);
 
-/// Returns the JSON of a study, with the values of the study as a whole in `study_values`.
+/// Returns the JSON of a study. The argument `study_values` has values of the whole study, such as
+/// its options.
 std::string study_json(const std::string& study, const problem::Problem& problem,
                        const std::string& command, const StudyRecord& study_values,
                        const std::vector<std::pair<std::string, std::vector<StudyRecord>>>& lists);
@@ -59,14 +60,14 @@ std::vector<StudyRecord> records(const std::vector<Row>& rows) {
   return all;
 }
 
-/// Returns the text of a number; a dash if the number is absent or not finite.
+/// Returns the text of a number, or a dash if the number is missing or not finite.
 /// @param format format for fmt, e.g. "{:.1e}"
 std::string number_text(const std::optional<double>& number, const char* format);
 
 /// Joins texts to an enumeration such as "2, 4 and 6".
 std::string join_with_and(const std::vector<std::string>& items);
 
-/// Returns name, status and reason of a solution that is not ok as wrapped lines; otherwise "".
+/// Returns the name, status and reason of a solution as wrapped lines; empty for status `ok`.
 std::string status_reason_text(const std::string& name, const transform::Solution& solution,
                                std::size_t width);
 

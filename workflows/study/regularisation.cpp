@@ -68,7 +68,7 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
 StudyRecord make_record(const RegularisationSchemeResult& row) {
   StudyRecord record{{"scheme", row.scheme},
                      {"step", row.step},
-                     // The scheme `pade` has no length.
+                     // The scheme `pade` has no length of the fourth difference.
                      {"length", row.length > 0 ? Value(row.length) : Value()},
                      {"nx", value_from_count(row.nx)},
                      {"nv", value_from_count(row.nv)},
@@ -102,7 +102,7 @@ namespace {
 
 using report::wrap_text;
 
-// If no wave grows the growth rate is 0, since the rate of long waves tends to 0.
+// If no wave grows, the largest growth rate is 0, the limit for long waves.
 std::string symbol_text(const RegularisationSchemeResult& row,
                         double fd_fpk::FastestGrowingWave::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");

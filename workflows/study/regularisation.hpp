@@ -22,23 +22,23 @@ struct RegularisationSchemeResult : fd_fpk::RegularisationSchemeResult {
 struct RegularisationStudy {
   static constexpr const char* kName = "regularisation";
   problem::Problem problem;
-  /// Steps of the fourth difference, as in fd_fpk::RegularisationStudy.
+  /// Default and shortest step of the fourth difference (fd_fpk::RegularisationStudy).
   double default_length, shortest_length;
   std::vector<RegularisationSchemeResult> rows;
 };
 
-/// Runs fd_fpk::study_regularisation(), and adds a growth rate to each row.
+/// Runs fd_fpk::study_regularisation(), and adds a growth rate of disturbances to each row.
 RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const methods::ProgressListener& listener);
 RegularisationStudy add_growth_rates(const problem::Problem& problem,
                                      const fd_fpk::RegularisationStudy& fd_study);
 
-/// Returns whether the scheme with the default length has a density and no growing disturbance at
+/// Returns whether the scheme with the default length gives a density and no growing disturbance at
 /// the smallest step.
 bool has_converged(const RegularisationStudy& study);
 
-/// Files and texts of a regularisation study, from which make_study_report() makes a StudyReport. In the
-/// JSON `growth_rate` is null if no disturbance grows.
+/// Files and texts of a regularisation study, from which make_study_report() makes a StudyReport.
+/// The JSON key `growth_rate` is null if no disturbance grows.
 std::string json(const RegularisationStudy& study, const std::string& command);
 std::string csv(const RegularisationStudy& study);
 std::string table(const RegularisationStudy& study, const report::TextFormat& format);

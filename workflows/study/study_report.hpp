@@ -9,14 +9,14 @@ namespace fpkcheck::study {
 
 struct StudyReport {
   std::string file_stem;      ///< stem of the file names, e.g. "study-order"
-  std::string json;           ///< contents of STEM.json, with null for missing numbers
+  std::string json;           ///< contents of STEM.json; missing numbers are null
   std::string csv;            ///< contents of STEM.csv with a header; missing numbers are empty
-  std::string text;           ///< tables, and sentences that summarise the numbers
+  std::string text;           ///< tables with sentences that summarise their numbers
   std::string figure_script;  ///< gnuplot script that draws STEM.png; empty without a figure
 };
 
-/// Makes the report of a study. Less important columns are omitted if table rows exceed the width
-/// of `format`.
+/// Makes the report of a study. If table rows exceed the width of `format`, the least important
+/// columns are omitted.
 template <class Study>
 StudyReport make_study_report(const Study& study, const std::string& command,
                               const report::TextFormat& format,

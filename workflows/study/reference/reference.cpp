@@ -39,7 +39,7 @@ fd_fpk::Options fifth_order_options(const ReferenceOptions& options) {
 }
 
 mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOptions& options) {
-  constexpr double kTime = 1e7;  // time in decay times of the slowest mode
+  constexpr double kTime = 1e7;  // default simulated time, in decay times of the slowest mode
   const auto axes = compare::comparison_axes(problem);
   mcs::Options simulation;
   simulation.time =
@@ -96,7 +96,7 @@ double covered_fraction(const Solution& exact, const transform::Marginal& simula
 int ReferenceValue::agreed_digits(int most) const {
   const double difference = std::abs(seventh - fifth) / std::abs(seventh);
   const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
-  // The number of digits is a double, since the number may be infinite, or NaN from 0/0.
+  // The number of digits is compared as a double, since it may be infinite, or NaN from 0/0.
   return digits > 1 ? static_cast<int>(std::min<double>(digits, most)) : 1;
 }
 
@@ -142,7 +142,7 @@ namespace {
 constexpr int kMomentDigits = 7;
 constexpr int kDensityDigits = 5;
 
-// Trailing zeros count as significant digits of the text.
+// Returns the text of a number with trailing zeros, which count as significant digits.
 std::string digits(double x, int significant) {
   if (x == 0) return "0";
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));

@@ -11,19 +11,21 @@
 namespace fpkcheck::study {
 
 struct ReferenceOptions {
-  /// Refinement of the seventh-order grids; the fifth-order grids are finer by sqrt(2).
+  /// Grid refinement for the seventh-order scheme. Grids for the fifth-order scheme have cells
+  /// smaller by a factor sqrt(2).
   double refinement = 2;
   /// Simulated time; the default is 1e7 decay times of the slowest mode.
   std::optional<double> simulation_time{};
   std::uint64_t seed = 1;
 };
 
-/// Values from seventh and fifth order: both are Richardson limits, or both come from the finest
-/// grid.
+/// Reference value by the seventh-order and by the fifth-order scheme: two Richardson limits, or
+/// two values on the finest grids.
 struct ReferenceValue {
   double seventh;
   double fifth;
-  /// Returns the number of significant digits to which both values agree, at most `most`.
+  /// Returns the number of significant digits to which the values of the two schemes agree, at most
+  /// `most`.
   int agreed_digits(int most) const;
 };
 
@@ -47,19 +49,20 @@ struct Reference {
   std::vector<ReferencePoint> y, ydot;  ///< 20 points each of p(y) and p(y')
   double energy_residual = 0;           ///< energy residual of the solution of seventh order
   double simulated_time = 0;
-  /// Fraction of the simulation's bins whose 95 % interval contains the reference density.
+  /// Fraction of the bins of the simulation whose 95 % confidence interval contains the reference
+  /// density.
   double y_coverage = 0, ydot_coverage = 0;
 };
 
 /// @throws InputError with a message of one line
 void validate(const problem::Problem& problem, const ReferenceOptions& options);
 
-/// Solves a problem by two discretisations and a simulation. Each discretisation uses three grids
-/// that are refined towards the origin.
+/// Solves a problem by a fifth-order scheme, a seventh-order scheme and a simulation. Each scheme
+/// uses three grids that are refined towards the origin.
 Reference compute_reference(const problem::Problem& problem, const ReferenceOptions& options);
 
 /// The CSV has the header case,quantity,abscissa,value,uncertainty. The uncertainty of a reference
-/// value is the difference between the values of both discretisations.
+/// value is the difference between the seventh-order and the fifth-order value.
 std::string reference_markdown(const std::vector<Reference>& references,
                                const std::string& command);
 std::string reference_csv(const std::vector<Reference>& references);

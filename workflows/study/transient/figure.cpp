@@ -15,7 +15,7 @@ namespace {
 
 using fd_fpk::DensitySnapshot;
 
-// Numbers of pixels of a colour map, equal to the resolution of the drawn figure.
+// Largest numbers of pixels of a colour map, equal to the resolution of the drawn figure.
 constexpr int kMaxColumns = 400;
 constexpr int kPixelRows = 200;
 
@@ -33,7 +33,7 @@ double interpolate(std::span<const double> edges, std::span<const double> averag
 report::FigurePanel density_panel(const TransientRun& run, const char* title,
                                   const std::string& symbol, const std::vector<double>& edges,
                                   std::vector<double> DensitySnapshot::*marginal) {
-  // Fraction of the largest density above which densities are drawn.
+  // Smallest drawn density, as a fraction of the largest density.
   constexpr double kVisible = 2e-3;
   const auto& snapshots = run.result.snapshots;
   double largest = 0, from = edges.back(), to = edges.front();

@@ -10,7 +10,8 @@
 
 namespace fpkcheck::study {
 
-/// Density over time with its problem and options, from which files, figures and tables are made.
+/// A density over time with its problem and options. Files, figures and tables are made from this
+/// struct.
 struct TransientRun {
   std::string command;
   problem::Problem problem;
@@ -21,16 +22,16 @@ struct TransientRun {
 
 inline constexpr int kTransientSchema = 1;
 
-/// Returns the JSON of a density over time, without the marginal densities.
+/// Returns the JSON text of a density over time, without the marginal densities.
 std::string transient_json(const TransientRun& run);
 
-/// Returns the table of a density over time in ASCII, with a row for each snapshot, or for evenly
-/// selected snapshots.
+/// Returns the table of a density over time in ASCII. The rows are all snapshots, or a selection of
+/// evenly spaced snapshots.
 /// @param width characters per line of the sentences; the rows of the table always have 78
 ///        characters
 std::string transient_table(const TransientRun& run, std::size_t width);
 
-/// Returns maps of the densities p(y, t) and p(y', t) over time.
+/// Returns a figure with heat maps of the densities p(y, t) and p(y', t) over time.
 /// @pre the run has at least two snapshots
 report::Figure transient_figure(const TransientRun& run);
 
@@ -43,18 +44,18 @@ report::Figure transient_figure(const TransientRun& run);
 ///     over time    y1, y2, y4, v1, v2, v4 (moments as in summary.json), yv = E[y y'], energy,
 ///                  power, power_residual, impact_rate, mass, min_density
 ///
-/// The attributes of the netCDF file are command, case, options, initial state and status. All
+/// Global attributes of the netCDF file are command, case, options, initial state and status. All
 /// quantities are non-dimensional. The netCDF file is either written completely or left unchanged.
 /// @pre the run has at least one snapshot
 /// @throws std::runtime_error with a message of one line if the file cannot be written
 void write_transient_netcdf(const std::filesystem::path& file, const TransientRun& run);
 
-/// Returns the stem of the file names of a case's figure of the density over time.
+/// Returns the stem of the file names for the figure of a density over time.
 std::string transient_figure_file_stem(const std::string& case_name);
 
 /// Writes transient.nc, the script figures/transient-CASE.gp and the pictures of this script into a
-/// prepared directory. Each file is complete or absent. A file of an earlier run of the case is
-/// removed if the new run has no data for the file.
+/// prepared directory. Each of these files is complete or absent. A file of an earlier run of the
+/// case is removed if the new run has no data for the file.
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_transient_files(const std::filesystem::path& directory,

@@ -17,7 +17,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-constexpr double kMinSeconds = 1e-6;  // lower bound, so that the logarithm of the time exists
+constexpr double kMinSeconds = 1e-6;  // lower bound of a time, whose logarithm must exist
 
 /// Values of the basis functions of the quadratic polynomial at a point.
 class BasisFunctions {
@@ -88,8 +88,8 @@ CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
     right += row * std::log(std::max(seconds, kMinSeconds));
   }
   const Eigen::VectorXd coefficients = normal.ldlt().solve(right);
-  // The exponential of the fitted mean logarithm underestimates the mean, and is scaled to the
-  // measured times.
+  // The exponential of the fitted mean logarithm underestimates the mean time, and is therefore
+  // scaled to the measured times.
   double sum = 0, fitted = 0;
   for (const auto& [point, seconds] : measured) {
     sum += seconds;
@@ -118,7 +118,7 @@ std::vector<std::size_t> evenly_spread_sample(const std::vector<std::size_t>& ca
 
 namespace {
 
-// Number of points in the sample: sufficient for the fit, but small relative to the plan.
+// Limits of the number of points in the sample, which must suffice for the fit of the cost model.
 constexpr std::size_t kMinSample = 24, kMaxSample = 64;
 constexpr double kSampleFraction = 0.06;
 

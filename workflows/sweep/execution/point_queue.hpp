@@ -18,26 +18,28 @@
 
 namespace fpkcheck::sweep {
 
-/// Thread-safe queue of the points to solve. The first points are a sample from all regions of the
-/// plan. When the measured times of the sample suffice for predictions, the queue is sorted by
-/// decreasing expected time. The sorting prevents long points at the end of the sweep, on which all
-/// other threads would wait.
+/// Thread-safe queue of the points to solve. The first points of the queue are a sample from all
+/// regions of the plan. When the measured times of the sample suffice for predictions, the queue is
+/// sorted by decreasing expected time. Threads therefore do not wait for a single long point at the
+/// end of the sweep.
 class PointQueue {
  public:
   struct State {
-    std::size_t done = 0, total = 0;  ///< numbers of solved and of all points of the queue
-    /// Sum of the expected seconds of all unsolved points; empty until enough points are measured.
+    std::size_t done = 0,
+                total = 0;  ///< number of solved points and number of all points of the queue
+    /// Total expected seconds of all unsolved points; empty until enough points are measured.
     std::optional<double> remaining_seconds = {};
   };
 
   /// @param own_points points of this queue, in increasing order
-  /// @param solved points that were solved before; the cost model also uses points of other queues
+  /// @param solved points that were solved before, for the cost model; points of other queues are
+  /// allowed
   PointQueue(const Plan& plan, const std::vector<std::size_t>& own_points,
              const std::vector<PointResult>& solved);
 
-  /// Removes the next point from the queue and returns this point; empty if the queue is empty.
+  /// Removes and returns the next point; empty if no point remains.
   std::optional<std::size_t> take_next_point();
-  /// Records the wall-clock time of a solved point; must be called for every solved point.
+  /// Records the wall-clock time of a solved point. The caller must record every solved point.
   void record_solve_time(std::size_t point, double seconds);
 
   State state() const;
@@ -49,19 +51,20 @@ class PointQueue {
   mutable std::mutex mutex_;
   std::size_t total_;
   std::vector<CostModel::Measurement> measured_;
-  std::vector<std::size_t> waiting_;  // points in reverse order: the next point is the last element
+  // Waiting points in reverse order: the next point is the last element.
+  std::vector<std::size_t> waiting_;
   // Expected seconds of each point; empty until enough points are measured.
   std::vector<double> expected_;
   std::size_t unfinished_;
   double remaining_seconds_ = 0;
 };
 
-/// Thread-safe source of the points that remain to be solved, which receives the results of these
-/// points.
+/// Thread-safe source of the unsolved points, which also receives the results of these points.
 class PointSource {
  public:
   virtual ~PointSource() = default;
-  /// Removes the next point, and waits for this point if another process assigns the points.
+  /// Removes and returns the next point. If another process assigns the points, the function waits
+  /// for the assignment.
   /// @return the next point; empty if no point remains, after a stop request, and after close()
   virtual std::optional<std::size_t> take_next_point() = 0;
   virtual void store(SolvedPoint&& solved) = 0;
@@ -69,14 +72,14 @@ class PointSource {
   virtual void close() = 0;
 };
 
-/// Threads call the listener with the state of the queue after each solved point, but never
-/// concurrently. An exception of the listener ends the sweep.
+/// Listener that receives the state of the queue after each solved point. Several threads call the
+/// listener, but never at the same time. An exception of the listener ends the sweep.
 using QueueStateListener = std::function<void(const PointQueue::State&)>;
 
 /// Journal of a sweep, with a queue of the points that the journal lacks.
 class JournaledPointQueue final : public PointSource {
  public:
-  /// Opens or creates the journal in the directory.
+  /// Opens or creates the journal of a sweep in the directory.
   /// @throws the exceptions of Journal's constructor
   JournaledPointQueue(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
                       QueueStateListener listener);
@@ -86,10 +89,10 @@ class JournaledPointQueue final : public PointSource {
   void close() override { closed_ = true; }
 
   PointQueue::State state() const { return queue_.state(); }
-  /// Returns the numbers of solved points, remaining points and damaged lines of a resumed sweep as
-  /// a line of text; "" for a new journal.
+  /// Returns a line of text with the numbers of solved points, remaining points and damaged lines
+  /// of a resumed sweep. The text is empty for a new journal.
   std::string resumption_text() const;
-  /// Returns the results of all solved points; points of earlier runs come first.
+  /// Returns the results of all solved points, first the points of earlier runs.
   std::vector<PointResult> points() const { return points_; }
 
  private:

@@ -12,12 +12,12 @@
 
 namespace fpkcheck::sweep {
 
-/// Subset of the points of a plan that is solved independently of the other shards.
+/// A shard: a subset of the points of a plan, solved independently of all other shards.
 struct Shard {
-  std::size_t number = 1, of = 1;  ///< number of this shard (1 .. of), and number of all shards
+  std::size_t number = 1, of = 1;  ///< number of this shard (1 .. of), and number of shards
 
-  /// Neighbouring points, which have similar times, are in different shards: a shard has every
-  /// `of`-th point.
+  /// Returns every `of`-th point of the plan. Neighbouring points, which have similar times, are
+  /// therefore in different shards.
   std::vector<std::size_t> points(std::size_t total) const;
   /// Returns the shard that contains a point, if the plan is divided into `of` shards.
   static Shard containing(std::size_t point, std::size_t of) { return {point % of + 1, of}; }
@@ -28,7 +28,7 @@ struct Shard {
 /// Returns the shard whose journal has the given file name; empty for other names.
 std::optional<Shard> shard_of_journal(std::string_view name);
 
-/// Parses the text i/N of a shard.
+/// Parses a shard in the form i/N, shard i of N shards.
 /// @throws InputError if the text has another form
 Shard parse_shard(std::string_view text);
 

@@ -68,7 +68,7 @@ class BackgroundSolver {
   bool is_running() const {
     return solving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
   }
-  /// Joins the threads, and rethrows their first exception.
+  /// Joins the solver threads, and rethrows their first exception.
   void join() { solving_.get(); }
 
  private:
@@ -126,9 +126,9 @@ class AssignedPoints final : public PointSource {
 
 // Replies to messages until each worker has sent its final message and the solver threads of this
 // rank have ended.
-// @param points source of points; a null pointer if no point can be assigned
-// @param solver solver threads of this rank; a null pointer without solver threads
-// @return first failure of a worker or of the journal; a null pointer without a failure
+// @param points source of points; null if no point can be assigned
+// @param solver solver threads of this rank; null without solver threads
+// @return first failure of a worker or of the journal; null without a failure
 std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
                                  const BackgroundSolver* solver) {
   std::exception_ptr failure;

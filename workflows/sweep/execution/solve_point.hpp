@@ -11,7 +11,7 @@ namespace fpkcheck::sweep {
 
 struct SolvedPoint {
   PointResult result;
-  /// Marginal densities; empty unless the plan stores marginal densities.
+  /// Marginal densities of the point; empty unless the plan requests their storage.
   std::vector<results::DensityCurve> curves;
 };
 

@@ -16,8 +16,8 @@ struct MapNeighbour {
   const ValidityMapPoint* point;
 };
 
-// The neighbours have the impulse law and the relative mean of the problem; the closest point comes
-// first.
+// Returns the map points with the impulse law and the relative mean of the problem, the closest
+// point first.
 std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
                                             const ValidityMap& map) {
   std::vector<MapNeighbour> neighbours;

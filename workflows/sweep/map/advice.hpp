@@ -8,26 +8,27 @@
 
 namespace fpkcheck::sweep {
 
-/// Largest map_distance() between a problem and a point of the validity map that counts as nearby.
+/// Largest distance map_distance() from a problem at which a point of the validity map is nearby.
 inline constexpr double kNearbyDistance = 1;
 /// Smallest number of map points for the assessment of a method. If fewer points are nearby, the
-/// assessment uses the closest points at any distance.
+/// assessment uses the closest points of the map, even beyond kNearbyDistance.
 inline constexpr std::size_t kMinNearbyPoints = 4;
 
-/// Results of a method at the points of the validity map closest to a problem. Points at which the
-/// method was not tried are omitted. The other points within kNearbyDistance are used, and at least
-/// kMinNearbyPoints points.
+/// Results of a method at the points of the validity map closest to a problem. Points without a
+/// result of the method are omitted. All remaining points within kNearbyDistance are used, and at
+/// least kMinNearbyPoints points.
 struct NearbyMethodResults {
   std::string id;
   std::size_t points = 0, ok = 0;
-  /// Points with an underestimated error and an L1 distance above the accuracy.
+  /// Number of points with an underestimated error and an L1 distance above the requested accuracy.
   std::size_t underestimated = 0;
-  /// Largest L1 distance over the results with status `ok` or `inaccurate`.
+  /// Largest L1 distance from the reference over the results with status `ok` or `inaccurate`.
   std::optional<double> worst_l1 = {};
-  double seconds = 0;  ///< median of the wall-clock times
-  /// Whether the method is expected to be sufficiently accurate. At each used point the status is
-  /// `ok`, and the L1 distance plus the error estimate of the reference is below the accuracy. At
-  /// least kMinNearbyPoints points are used, and the closest point is within kNearbyDistance.
+  double seconds = 0;  ///< median of the wall-clock times at the used points
+  /// Whether the method is expected to be sufficiently accurate. Sufficient accuracy is expected if
+  /// at each used map point the status is `ok`, and the L1 distance plus the error estimate of the
+  /// reference is below the requested accuracy. At least kMinNearbyPoints map points must be used,
+  /// and the closest map point must be within kNearbyDistance.
   bool promised = false;
 };
 
@@ -36,16 +37,18 @@ struct NearbyMethodResults {
 struct MethodRecommendation {
   MapCoordinates coordinates;
   double accuracy;
-  /// Distance of the closest point with the same impulse law and relative mean; infinite without
-  /// such a point.
+  /// Distance of the closest map point with the impulse law and relative mean of the problem;
+  /// infinite if no such point exists.
   double nearest_distance;
-  std::size_t nearby_points = 0;  ///< number of points within kNearbyDistance
-  /// The methods with `promised` come first, by increasing time. However, the first method is the
-  /// most accurate promised method that takes at most 1.5 times as long as the fastest method.
+  std::size_t nearby_points = 0;  ///< number of map points within kNearbyDistance
+  /// Methods with `promised` come first, by increasing time. An exception is the first method: the
+  /// most accurate promised method that takes at most 1.5 times as long as the fastest promised
+  /// method.
   std::vector<NearbyMethodResults> methods{};
 
   bool is_outside_map() const { return nearest_distance > kNearbyDistance; }
-  /// Returns the results of the methods with `promised`; the recommended method comes first.
+  /// Returns the results of all methods that are expected to be sufficiently accurate, the
+  /// recommended method first.
   std::vector<NearbyMethodResults> sufficiently_accurate_methods() const;
 };
 

@@ -63,7 +63,7 @@ std::vector<std::string_view> split_at(std::string_view text, char separator) {
                                base::in_quotes(text)));
 }
 
-// All numbers of the map are fractions, ratios, distances or times, and therefore not negative.
+// Parses a nonnegative number: all numbers of the map are fractions, ratios, distances or times.
 double parse_number(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -105,7 +105,7 @@ ValidityMapPoint parse_point(std::string_view line, std::size_t methods) {
   for (std::size_t m = 0; m < methods; ++m) {
     point.method_results.push_back(parse_result(cells[kCoordinateColumns.size() + m]));
   }
-  // The last method is the reference, which must have an error estimate.
+  // The last method of the map is the reference, which must have an error estimate at every point.
   if (!point.method_results.back() || !point.method_results.back()->l1) refuse(line);
   return point;
 }

@@ -10,14 +10,15 @@
 
 namespace fpkcheck::sweep {
 
-/// In the base class (problem/problem_features.hpp), the groups, the restitution coefficient and the
-/// amplitude law determine the density up to units. Problems outside the base class have more
-/// dimensionless groups.
+/// Dimensionless groups of a problem. In the base class of problems (problem/problem_features.hpp),
+/// these groups, the restitution coefficient and the amplitude law determine the density up to
+/// units.
 struct DimensionlessGroups {
-  double impulses_per_decay_time;  ///< lambda / kappa (problem::impulses_per_decay_time)
-  double damping_ratio;            ///< c / (2 sqrt(k_eq)), with k_eq of equivalent linearisation
-  /// Cubic fraction of the stiffness, 1 - k / k_eq: 0 for a linear spring, 1 for a purely cubic
-  /// spring, NaN for problems outside the base class.
+  double impulses_per_decay_time;  ///< ratio lambda / kappa (problem::impulses_per_decay_time)
+  double damping_ratio;            ///< ratio c / (2 sqrt(k_eq)), with the equivalent stiffness k_eq
+  /// Cubic fraction of the stiffness, 1 - k / k_eq, where k_eq is the equivalent stiffness. The
+  /// fraction is 0 for a linear spring, 1 for a purely cubic spring, and NaN for problems outside
+  /// the base class.
   double cubic_share;
 };
 
@@ -28,7 +29,7 @@ struct MapCoordinates {
   DimensionlessGroups groups;
   double restitution;
   std::string law;
-  double relative_mean;  ///< E[Y] / sqrt(E[Y^2]) of the impulses
+  double relative_mean;  ///< relative mean E[Y] / sqrt(E[Y^2]) of the impulses
 };
 
 MapCoordinates map_coordinates(const problem::Problem& problem);
@@ -39,18 +40,18 @@ MapCoordinates map_coordinates(const problem::Problem& problem);
 ///
 /// where N is the number of impulses per decay time, zeta the damping ratio, r the restitution
 /// coefficient, and s the cubic fraction of the stiffness. A distance of 1 corresponds to a factor
-/// e in N or zeta, to 0.1 in r, or to 0.2 in s. The effect of changes of the groups on the errors
-/// is in docs/validity.md. The distance is infinite if the laws or the relative means of the
-/// impulse amplitudes differ.
+/// e in N or zeta, to 0.1 in r, or to 0.2 in s. The distance is infinite if the laws or the
+/// relative means of the impulse amplitudes differ. The effect of changes of N, zeta, r and s on
+/// the errors is in docs/validity.md.
 double map_distance(const MapCoordinates& one, const MapCoordinates& other);
 
 struct ValidityMapResult {
   transform::Status status;
-  /// Larger of the L1 distances of both marginal densities to the reference; for the reference, its
-  /// error estimate. The L1 distance is empty if the method gives no density.
+  /// Larger of the L1 distances of p(y) and p(y') from the reference; for the reference itself, its
+  /// error estimate. The distance is empty if the method gives no density.
   std::optional<double> l1;
-  /// Whether the method underestimates its error. An error is underestimated if the status is `ok`,
-  /// but the L1 distance exceeds twice the stated error plus the error estimate of the reference.
+  /// Whether the method underestimates its error: the status is `ok`, but the L1 distance exceeds
+  /// twice the stated error plus the error estimate of the reference.
   bool underestimated;
   double seconds;
 
@@ -59,8 +60,8 @@ struct ValidityMapResult {
 
 struct ValidityMapPoint {
   MapCoordinates coordinates;
-  /// Result of each method, in the order of ValidityMap::methods; empty if the method was not
-  /// tried.
+  /// Result of each method, in the order of ValidityMap::methods; empty for a method without a
+  /// result.
   std::vector<std::optional<ValidityMapResult>> method_results;
 };
 
@@ -77,8 +78,9 @@ struct ValidityMap {
 ///
 /// Each following line is a point. The cell under the id of a method has the L1 distance, the
 /// letter of the status, and milliseconds, e.g. ".0042o310", or "i5.1" without a density. The cell
-/// is empty if the method was not tried. The letters are o ok, x ok but error underestimated, i
-/// inaccurate, a inadmissible, n not_converged, p ill_posed, f failed, u not_offered.
+/// is empty if the method was not used at the point. The letters are o ok, x ok but error
+/// underestimated, i inaccurate, a inadmissible, n not_converged, p ill_posed, f failed, u
+/// not_offered.
 /// @throws InputError with a message of one line
 ValidityMap read_validity_map(std::string_view text);
 

@@ -22,8 +22,8 @@ using base::Value;
 constexpr std::size_t kMaxValues = 1'000'000;
 constexpr std::string_view kLogarithmic = "log:";
 
-// A rounded value, e.g. 0.57, is easier to read than 0.5700000000000001. Twelve digits are more
-// accurate than every solver.
+// Rounds a number, since 0.57 is easier to read than 0.5700000000000001. Twelve digits exceed the
+// accuracy of every solver.
 double round_to_twelve_digits(double number) {
   double rounded = number;
   const std::string text = fmt::format("{:.12g}", number);
@@ -137,7 +137,8 @@ Axis parse_axis(std::string_view key, std::string_view values, const std::string
     }
   };
   if (axis.spacing != AxisSpacing::listed) {
-    // A range is sorted; a copy of a million values would take 40 MB.
+    // The values of a range are sorted and need no sorted copy, which would take 40 MB for a
+    // million values.
     require_distinct(axis.values);
   } else {
     auto sorted = axis.values;

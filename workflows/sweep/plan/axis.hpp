@@ -16,16 +16,16 @@ inline constexpr base::EnumEntry<AxisSpacing> kSpacingNames[] = {{AxisSpacing::l
 constexpr const auto& enumerator_names(AxisSpacing) { return kSpacingNames; }
 constexpr std::string_view name(AxisSpacing spacing) { return base::name_of(spacing); }
 
-/// Key of case files that the sweep varies, with the values of this key.
+/// A key of case files that the sweep varies, and the values of this key.
 struct Axis {
   std::string key;  ///< varied key, e.g. "system.restitution"
   AxisSpacing spacing = AxisSpacing::listed;
-  double from = 0, to = 0;  ///< ends of a range
-  /// Values of the key: numbers or words ("gaussian"). A range without a number of points, for a
-  /// Sobol sequence, has no values.
+  double from = 0, to = 0;  ///< ends of the range of a numerical key
+  /// Values of the key: numbers, or words such as "gaussian". The list is empty for a range of a
+  /// Sobol sequence.
   std::vector<base::Value> values = {};
 
-  /// Returns the value at a relative position in the range, rounded to 12 digits.
+  /// Returns the value of the key at a relative position in the range, rounded to 12 digits.
   /// @param part relative position, 0 <= part <= 1
   double value_at_fraction(double part) const;
   /// Returns the axis as text, e.g. "system.restitution = 0.5:0.99:50".

@@ -65,8 +65,8 @@ PlanPoints list(const std::vector<Axis>& axes) {
   return points;
 }
 
-// The first point of the Sobol sequence, a corner of the box, is omitted (Sobol 1967; direction
-// numbers of Joe and Kuo 2008).
+// Returns points of the Sobol sequence (Sobol 1967; direction numbers of Joe and Kuo 2008). The
+// first point of the sequence, a corner of the box of ranges, is omitted.
 PlanPoints sobol(const std::vector<Axis>& axes, std::size_t count) {
   if (count == 0) {
     throw InputError("the design sobol has no number of points (give --points N)");

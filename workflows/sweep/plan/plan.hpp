@@ -29,7 +29,7 @@ constexpr std::string_view name(PlanDesign design) { return base::name_of(design
 
 inline constexpr std::size_t kMaxPoints = 1'000'000;
 
-/// Each point of a plan has a value of each axis, in the order of the axes.
+/// Points of a plan. Each point has one value for each axis, in the order of the axes.
 using PlanPoints = std::vector<std::vector<base::Value>>;
 
 /// @param sobol_points number of points for the design sobol; 0 for other designs
@@ -38,15 +38,16 @@ using PlanPoints = std::vector<std::vector<base::Value>>;
 PlanPoints make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points);
 
 enum class ClosureErrorSource {
-  reference,  ///< distance to the point's reference, plus the error estimate of the reference
-  residuals   ///< residuals in the backward equation, as in a run; no reference is required
+  /// Distance from the reference of the point, plus the error estimate of the reference.
+  reference,
+  residuals  ///< residual-based error estimates, which need no reference
 };
 inline constexpr base::EnumEntry<ClosureErrorSource> kClosureErrorSourceNames[] = {
     {ClosureErrorSource::reference, "reference"}, {ClosureErrorSource::residuals, "residuals"}};
 constexpr const auto& enumerator_names(ClosureErrorSource) { return kClosureErrorSourceNames; }
 constexpr std::string_view name(ClosureErrorSource errors) { return base::name_of(errors); }
 
-/// Base case, varied keys with their values, and methods that solve each point of a sweep.
+/// Plan of a sweep: base case, varied keys with their values, and methods that solve each point.
 struct Plan {
   problem::Problem base;
   std::vector<Axis> axes;
@@ -55,13 +56,13 @@ struct Plan {
   std::vector<methods::Method> methods{};  ///< methods of the plan by increasing trust
   bool marginals = false;                  ///< whether the marginal densities are stored
   ClosureErrorSource closure_errors = ClosureErrorSource::reference;
-  PlanPoints points{};  ///< points that make_points() makes from the axes
+  PlanPoints points{};  ///< points of the plan, computed by make_points()
 
   /// @throws InputError if the values of the point are inconsistent
   problem::Problem problem_at(std::size_t point) const;
 };
 
-/// Parsed plan with the names of methods, from which a registry makes the methods.
+/// Parsed plan in which the methods are given by names, as input for a registry of solvers.
 struct ParsedPlan {
   problem::Problem base;
   std::vector<Axis> axes{};
@@ -69,11 +70,11 @@ struct ParsedPlan {
   std::optional<ClosureErrorSource> closure_errors{};
   std::optional<std::size_t> points{};
   std::optional<std::string> methods{};
-  std::vector<base::IniSetting> options{};  ///< options of the methods: all other lines of [sweep]
+  std::vector<base::IniSetting> options{};  ///< options of the methods, from section [sweep]
 };
 
-/// Reads a case (as problem::load_case) or a plan. A plan is a case file with the additional
-/// sections [sweep] and [vary]:
+/// Reads a case file or a plan of a sweep. A plan is a case file with the additional sections
+/// [sweep] and [vary]:
 ///
 ///     [sweep]
 ///     case = case1            ; instead of [system] and [impulse]

@@ -65,9 +65,9 @@ std::string nearby_table(const std::vector<NearbyMethodResults>& methods,
   return report::format_text_table({id, points, ok, worst, seconds}, format);
 }
 
-// The status `ok` of a method refers to the method's own equation and impact condition. The text
-// states the equation and the impact condition, e.g. "fd-white (solves white/map, error up to 0.11
-// at 31 of 31 points)".
+// Returns a sentence on methods with underestimated errors. The sentence states the equation and
+// impact condition of the method, to which the status `ok` refers, e.g. "fd-white (solves
+// white/map, error up to 0.11 at 31 of 31 points)".
 std::string underestimated_sentence(const MethodRecommendation& advice,
                                     const methods::SolverRegistry& registry) {
   std::vector<std::string> items;

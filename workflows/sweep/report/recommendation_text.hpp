@@ -11,15 +11,15 @@ namespace fpkcheck::sweep {
 
 struct RecommendationContext {
   std::string name;  ///< name of the problem
-  /// Returns the command for the id of a method.
+  /// Function that returns the command line for a method with the given id.
   std::function<std::string(const std::string& id)> command;
-  /// Commands for methods with error estimates; shown if no method is recommended.
+  /// Command lines that use methods with error estimates, shown if no method is recommended.
   std::vector<std::string> fallback_commands;
   const methods::SolverRegistry& registry;
 };
 
-/// Returns the recommended command, the results at nearby points of the validity map, and warnings
-/// as text.
+/// Returns a text with the recommended command, the results at nearby points of the validity map,
+/// and warnings.
 std::string recommendation_text(const MethodRecommendation& advice,
                                 const RecommendationContext& context,
                                 const report::TextFormat& format);

@@ -53,7 +53,7 @@ std::vector<std::string> write_report(const fs::path& directory, const SweepResu
   const auto pictures = sweep_figures(results, options.width);
   const fs::path figures = directory / "figures";
   report::FigureOptions drawn = options;
-  // The page needs PNG and SVG.
+  // PNG and SVG files are always drawn, since the page needs them.
   for (const auto format : {report::FigureFormat::png, report::FigureFormat::svg}) {
     if (std::ranges::count(drawn.formats, format) == 0) drawn.formats.push_back(format);
   }

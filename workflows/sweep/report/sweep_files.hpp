@@ -9,8 +9,8 @@
 
 namespace fpkcheck::sweep {
 
-/// Writes sweep.csv and sweep.nc, either both files or none. The page of an earlier sweep is
-/// removed, since its numbers may differ.
+/// Writes sweep.csv and sweep.nc in one transaction. The page of an earlier sweep is removed, since
+/// its numbers may differ from the new files.
 /// @throws std::runtime_error with a message of one line
 void write_sweep_tables(const std::filesystem::path& directory, const SweepResults& results,
                         const std::string& command);

@@ -16,7 +16,7 @@ using report::TextColumn;
 
 struct MethodSummary {
   std::map<transform::Status, int> statuses{};
-  std::vector<double> l1{};  // larger L1 distance of both marginals for each `ok` solution, sorted
+  std::vector<double> l1{};  // larger L1 distance of p(y) and p(y') of each `ok` solution, sorted
   int references = 0;
   double seconds = 0;
 };

@@ -12,13 +12,13 @@
 
 namespace fpkcheck::sweep {
 
-/// Returns columns with the numbers of solutions of each status, the L1 distances of `ok` solutions
-/// to the references, and the wall-clock time. Each method has a row.
+/// Returns table columns with one row for each method: the number of solutions with each status,
+/// the L1 distances of `ok` solutions from the references, and the wall-clock time.
 std::vector<report::TextColumn> method_table_columns(const SweepResults& results);
 
 const char* method_table_legend();
 
-/// Returns the varied keys, and a table with a row for each method, as text for the terminal.
+/// Returns the terminal text of a sweep: the varied keys and a table with one row for each method.
 std::string table(const SweepResults& results, const report::TextFormat& format);
 
 /// Returns the text of a duration, e.g. "40 s", "12 min", "3.5 h".
@@ -26,7 +26,7 @@ std::string duration_text(double seconds);
 
 /// Returns the expected wall-clock times of a plan as text, the output of --dry-run.
 /// @param threads number of threads on this machine
-/// @param ranks numbers of single-threaded processes for the rows of the table
+/// @param ranks numbers of single-threaded processes, one for each row of the table
 std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_t threads,
                           const std::vector<int>& ranks, const report::TextFormat& format);
 

@@ -12,10 +12,10 @@
 namespace fpkcheck::sweep {
 
 struct JournalContent {
-  std::string plan;  ///< JSON text of the plan (plan_json); empty for a new journal
+  std::string plan;  ///< JSON text of the plan by plan_json(); empty for a new journal
   /// Results of the points in the order of their solution, without duplicates.
   std::vector<PointResult> points{};
-  std::size_t damaged = 0;  ///< number of damaged lines, which are ignored
+  std::size_t damaged = 0;  ///< number of damaged journal lines, which are ignored
 };
 
 /// Reads the journal of a sweep. No process may write to the journal while read_journal() reads the
@@ -26,9 +26,9 @@ JournalContent read_journal(const std::filesystem::path& file);
 ///         plan
 JournalContent read_journal(const std::filesystem::path& file, const Plan& plan);
 
-/// File from which an interrupted sweep is resumed. The first line contains the plan; each solved
-/// point adds a line with a CRC-32 checksum. If the process is killed, at most the last line of the
-/// journal is incomplete. An incomplete line is ignored, and its point is solved again.
+/// Journal file from which an interrupted sweep is resumed. The first line contains the plan, and
+/// each solved point adds a line with a CRC-32 checksum. If the process is killed, at most the last
+/// line of the journal is incomplete. An incomplete line is ignored, and its point is solved again.
 class Journal {
  public:
   /// Opens or creates the journal.
@@ -37,11 +37,11 @@ class Journal {
   /// @throws std::runtime_error if the file cannot be written
   Journal(const std::filesystem::path& file, const Plan& plan);
 
-  /// Returns the content that the journal had when the journal was opened.
+  /// Returns the content of the journal at the time of opening.
   const JournalContent& initial_content() const { return initial_content_; }
 
-  /// Appends the result of a point; the line is written completely or not at all. The file is
-  /// flushed if the last flush was more than 1 s ago. append() is not thread-safe.
+  /// Appends the result of a point as one complete line, or leaves the file unchanged. The file is
+  /// flushed if the last flush was more than 1 s ago. The function is not thread-safe.
   /// @throws std::runtime_error with a message of one line
   void append(const PointResult& result);
 

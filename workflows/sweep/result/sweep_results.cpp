@@ -19,12 +19,12 @@
 namespace fpkcheck::sweep {
 namespace {
 
-/// Column of sweep.csv and variable of sweep.nc: a number of each method's result.
+/// A number of a method's result, which is a column of sweep.csv and a variable of sweep.nc.
 struct ResultColumn {
   std::string header;    ///< header of the column of sweep.csv
   std::string variable;  ///< name of the variable of sweep.nc
   std::string meaning;   ///< description of the variable of sweep.nc
-  /// Returns the number of a result; empty if the result has no such number.
+  /// Function that returns the number of a result; empty if the result has no such number.
   std::function<std::optional<double>(const MethodResult&)> number;
 };
 
@@ -39,7 +39,7 @@ std::vector<ResultColumn> moment_columns() {
   return columns;
 }
 
-// @param header, variable names with "{}" in place of the variable y or ydot
+// @param header, variable names in which "{}" stands for y or ydot
 std::vector<ResultColumn> marginal_columns(
     const std::string& header, const std::string& variable, const std::string& meaning,
     const std::function<std::optional<MarginalL1Values>(const MethodResult&)>& pair) {
@@ -64,7 +64,8 @@ std::vector<ResultColumn> error_columns(const SweepResults& results) {
   auto columns = marginal_columns("error_{}", "error_{}", "L1 error estimate",
                                   [](const MethodResult& one) { return one.error; });
   for (const auto& part : results.error_budget_part_names()) {
-    // "closure + impact" becomes "closure_and_impact" in sweep.csv, "closure___impact" in sweep.nc.
+    // The part name "closure + impact" becomes "closure_and_impact" in sweep.csv and
+    // "closure___impact" in sweep.nc.
     std::string header = part, variable = part;
     for (std::size_t at = header.find(" + "); at != header.npos; at = header.find(" + ")) {
       header.replace(at, 3, "_and_");
@@ -222,7 +223,7 @@ std::string csv(const SweepResults& results) {
       const MethodResult& method = point.methods[m];
       std::vector<std::string> cells{plan.methods[m].id(), std::string(name(method.status)),
                                      results::quote_csv_field(method.reason)};
-      // Ten digits exceed the accuracy of every solver, and keep the file small.
+      // Numbers have ten digits, which exceed the accuracy of every solver and keep the file small.
       const auto add_cells = [&](const std::vector<ResultColumn>& columns) {
         for (const auto& column : columns) {
           const auto number = column.number(method);

@@ -10,14 +10,14 @@
 
 namespace fpkcheck::sweep {
 
-/// L1 distances or L1 errors of both marginal densities.
+/// L1 distances or L1 errors of the marginal densities p(y) and p(y').
 struct MarginalL1Values {
   double y, ydot;
 
   bool operator==(const MarginalL1Values&) const = default;
 };
 
-/// L1 contribution of one part of the error budget (compare/error_budget.hpp).
+/// One part of an error budget (compare/error_budget.hpp) and its L1 distance.
 struct BudgetContribution {
   std::string part;  ///< name of the part (compare::ErrorBudgetPart::name)
   MarginalL1Values l1;
@@ -27,10 +27,10 @@ struct BudgetContribution {
 
 struct MethodResult {
   transform::Status status = transform::Status::failed;
-  std::string reason = {};  ///< reason of a status other than ok; empty for ok
+  std::string reason = {};  ///< reason for a status other than `ok`; empty for `ok`
   double seconds = 0;
   std::optional<transform::Moments> moments = {};
-  std::optional<MarginalL1Values> l1 = {};     ///< L1 distances to the point's reference
+  std::optional<MarginalL1Values> l1 = {};     ///< L1 distances from the reference of the point
   std::optional<MarginalL1Values> error = {};  ///< L1 error estimates, or expected sampling errors
   std::vector<BudgetContribution> budget = {};
 };
@@ -38,14 +38,14 @@ struct MethodResult {
 struct PointResult {
   std::size_t point = 0;
   double seconds = 0;  ///< wall-clock time of all methods and comparisons
-  /// Id of the reference; empty without a solution of the full problem.
+  /// Id of the reference of the point; empty if no solution of the full problem exists.
   std::string reference = {};
   std::vector<MethodResult> methods{};  ///< results in the order of the plan's methods
 };
 
 struct SweepResults {
   Plan plan;
-  std::vector<PointResult> points;  ///< solved points by number, without duplicates
+  std::vector<PointResult> points;  ///< solved points by increasing number, without duplicates
 
   bool is_complete() const { return points.size() == plan.points.size(); }
   /// Returns the names of all parts of error budgets, in the order of their first occurrence.
@@ -58,12 +58,13 @@ SweepResults make_sweep_results(Plan plan, std::vector<PointResult> points);
 /// Returns the contents of sweep.csv, with a row for each point and method.
 std::string csv(const SweepResults& results);
 
-/// Returns the contents of sweep.nc, with the values of sweep.csv. For the design product the
-/// varied keys are the dimensions; for other designs the dimension is `point`. Missing points have
-/// NaN and the status -1.
+/// Returns the contents of sweep.nc, with the values of sweep.csv. For the design `product` the
+/// varied keys are the dimensions. For other designs the only dimension is `point`. Unsolved points
+/// have the value NaN and the status -1.
 std::string netcdf(const SweepResults& results, const std::string& command);
 
-/// Returns the output of --json: the plan, and each point with the values of the varied keys.
+/// Returns the output of --json: the plan, and the results of each point with the values of its
+/// varied keys.
 std::string json(const SweepResults& results, const std::string& command);
 
 }  // namespace fpkcheck::sweep

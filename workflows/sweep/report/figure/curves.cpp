@@ -32,12 +32,12 @@ double value_of(const MarginalL1Values& pair, StateVariable variable) {
 
 /// Slice of a plan: the points of one row of panels, in the order of the key on the abscissa.
 struct PlanSlice {
-  std::string name;  ///< value of the other key, e.g. "gaussian"; may be empty
+  std::string name;  ///< value of the second key, e.g. "gaussian"; may be empty
   std::vector<std::size_t> points;
 };
 
-/// If a plan has two keys, the curves are along the numeric key, with a slice for each value of the
-/// other key.
+/// Curves of a sweep along a varied key. If a plan has two keys, the abscissa is the numerical key,
+/// and each value of the second key has a slice.
 class SweepCurves {
  public:
   explicit SweepCurves(const SweepView& view)
@@ -69,7 +69,8 @@ class SweepCurves {
   double abscissa(std::size_t point) const {
     return along_.coordinate(view_.plan().points[point][place_]);
   }
-  /// On a categorical axis the methods are side by side at each category.
+  /// Returns the abscissa of a point for a method. On a categorical axis the methods are side by
+  /// side at each category.
   double abscissa(std::size_t point, std::size_t m) const {
     // Width over which the methods of a category are spread, relative to the category.
     constexpr double kSpread = 0.7;
@@ -93,11 +94,11 @@ class SweepCurves {
     return figure;
   }
 
-  /// On a categorical axis a curve has marks without a line.
+  /// Returns the curve of a method. On a categorical axis the curve has marks without a line.
   /// @param value function that returns the optional ordinate of a method's result
   template <class Value>
   FigureSeries curve(const PlanSlice& slice, std::size_t m, Value value) const {
-    // Limits of the line width, since wide neighbouring curves would overlap.
+    // Limits of the line width, since neighbouring curves with wide lines would overlap.
     constexpr double kThin = 1.5, kBroad = 2.5;
     const auto& identity = view_.plan().methods[m].identity;
     FigureSeries series = report::make_series(identity.id, identity.plot_style);
@@ -150,7 +151,8 @@ class DistanceSeries {
     return value_of(*result.l1, variable_);
   }
 
-  // On a categorical axis each category has its own bar, which nearly touches the next bar.
+  // Returns the area of the error estimate of the reference. On a categorical axis each category
+  // has its own bar.
   FigureSeries reference_error() const {
     FigureSeries series{.name = "error of the reference",
                         .colour = "#AAAAAA",
@@ -172,7 +174,8 @@ class DistanceSeries {
     return series;
   }
 
-  // On a categorical axis a line connects the L1 distance and the error estimate of a method.
+  // Returns the error estimates of a method as a line. On a categorical axis a line connects the L1
+  // distance and the error estimate.
   FigureSeries error_estimate(std::size_t m, const FigureSeries& distances) const {
     FigureSeries series{.name = "error estimate",
                         .colour = distances.colour,
@@ -227,7 +230,7 @@ std::vector<FigureSeries> no_density_series(const SweepView& view, const SweepCu
   return all;
 }
 
-// The axis contains the solutions that are ok, since outliers among other solutions would compress
+// The axis range contains only `ok` solutions, since outliers among other solutions would compress
 // the curves.
 report::FigureAxis moment_axis(const std::string& label,
                                const std::vector<const FigurePanel*>& panels) {

@@ -15,7 +15,7 @@ using base::Value;
 
 constexpr std::size_t kMaxTics = 6;
 
-// Tics are multiples of 1, 2 or 5 times a power of ten; there are at least kMaxTics / 2 tics.
+// Returns tic positions: multiples of 1, 2 or 5 times a power of ten, at least kMaxTics / 2 tics.
 std::vector<double> round_numbers(double low, double high) {
   const double rough = (high - low) / static_cast<double>(kMaxTics);
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -45,7 +45,8 @@ std::vector<double> round_numbers_by_decades(double low, double high) {
   return numbers.size() < 2 ? round_numbers(low, high) : numbers;
 }
 
-// Listed values that differ by a factor above 20 are drawn on a logarithmic axis.
+// Returns whether listed values are drawn on a logarithmic axis, because they differ by a factor
+// above 20.
 bool spans_decades(const std::vector<Value>& sorted) {
   constexpr double kDecadeRatio = 20;
   const double low = std::get<double>(sorted.front()), high = std::get<double>(sorted.back());
@@ -94,7 +95,7 @@ double KeyAxis::relative_coordinate(const Value& value) const {
 report::FigureAxis KeyAxis::axis() const {
   if (is_words_) return cell_axis();
   const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
-  constexpr double kRoom = 0.03;  // margin for the marks on both ends, as a fraction of the range
+  constexpr double kRoom = 0.03;  // margin for marks at each end, as a fraction of the range
   if (is_logarithmic_) {
     const double room = low == high ? 2 : std::pow(high / low, kRoom);
     report::FigureAxis axis{label_, low / room, high * room, true};

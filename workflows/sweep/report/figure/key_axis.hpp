@@ -9,8 +9,8 @@
 
 namespace fpkcheck::sweep {
 
-/// Varied key as an axis of figures. The axis is logarithmic if the values are spaced
-/// logarithmically, and categorical with equidistant positions if the values are words.
+/// Figure axis of a varied key. The axis is logarithmic if the values of the key are spaced
+/// logarithmically, and has equidistant categories if the values are words.
 class KeyAxis {
  public:
   /// @param axis_index index of the key in the plan's axes
@@ -19,18 +19,19 @@ class KeyAxis {
   const std::string& key() const { return key_; }
   bool is_categorical() const { return is_words_; }
   bool is_logarithmic() const { return is_logarithmic_; }
-  /// Returns the distinct values over all points: numbers in increasing order, words in the order
-  /// of the list.
+  /// Returns the distinct values of the key over all points: numbers in increasing order, words in
+  /// the order of the plan.
   const std::vector<base::Value>& values() const { return values_; }
   /// Returns the text of a value on the axis, e.g. "0.8" or "gaussian".
   static std::string value_text(const base::Value& value);
 
   double coordinate(const base::Value& value) const;
-  /// Returns the position of a value on the axis: 0 for the first of values(), 1 for the last.
+  /// Returns the relative position of a value on the axis: 0 for the first value, 1 for the last
+  /// value.
   double relative_coordinate(const base::Value& value) const;
   report::FigureAxis axis() const;
 
-  /// Returns the position of the value's cell in a map with cells of equal width.
+  /// Returns the index of the cell of a value in a map with cells of equal width.
   std::size_t cell_index(const base::Value& value) const;
   /// Returns the axis of a map with cells of equal width.
   report::FigureAxis cell_axis() const;

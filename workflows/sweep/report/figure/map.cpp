@@ -20,7 +20,7 @@ using report::FigureSeries;
 using transform::Status;
 
 constexpr double kNoDistance = std::numeric_limits<double>::quiet_NaN();
-// Smallest L1 distance with its own colour; all smaller distances have the colour of this distance.
+// Smallest L1 distance with its own colour. All smaller distances share its colour.
 constexpr double kMinColourDistance = 1e-4;
 
 struct ContourLevel {
@@ -31,7 +31,7 @@ struct ContourLevel {
 };
 constexpr ContourLevel kContourLevels[] = {{0.01, "1 %", 2, "solid"}, {0.05, "5 %", 2.6, "(8,5)"}};
 
-/// Marks show a status other than ok, or the reference, which has no distance to itself. The
+/// Marks show a status other than `ok`, or the reference, which has no distance from itself. The
 /// symbols differ in shape, so that grey print distinguishes the symbols.
 struct StatusMark {
   const char* symbol;
@@ -67,8 +67,8 @@ std::vector<StatusMark> status_marks() {
   return marks;
 }
 
-/// The map of the design product has cells, with the indices of the values as coordinates. The map
-/// of another design has discs at the points.
+/// Map of the results of one method. For the design `product` the map has cells, whose coordinates
+/// are the indices of the values. For all other designs the map has discs at the points.
 class MethodMap {
  public:
   MethodMap(const SweepView& view, std::size_t m)
@@ -117,7 +117,7 @@ class MethodMap {
     return std::clamp(36 / std::sqrt(points), 0.5, 1.6);
   }
 
-  // The distance has a lower bound, so that its logarithm is finite.
+  // Returns the larger L1 distance, with a positive lower bound, so that its logarithm is finite.
   double distance(std::size_t point) const {
     const auto l1 = view_.larger_marginal_l1(point, m_);
     return l1 ? std::max(*l1, kMinColourDistance / 10) : kNoDistance;
@@ -149,8 +149,8 @@ class MethodMap {
     return map;
   }
 
-  // The plane is divided into tiles with at most one mark, since overlapping marks are illegible. A
-  // map with few points shows all marks.
+  // Returns marks of one kind. The plane is divided into tiles with at most one mark, since
+  // overlapping marks are illegible. A map with few points shows all marks.
   FigureSeries marks(const StatusMark& mark, std::size_t tiles_across, std::size_t tiles_up,
                      double size) const {
     constexpr std::size_t kFewPoints = 300;
@@ -190,7 +190,7 @@ class MethodMap {
     series.points.push_back({to[0], kNoDistance});
   }
 
-  // Returns the borders between cells that are ok and cells that are not ok.
+  // Returns the border lines between cells with status `ok` and cells with another status.
   FigureSeries outline() const {
     FigureSeries series{
         .name = "outline: not ok", .colour = "#000000", .dash = "solid", .line_width = 0.8};
@@ -213,8 +213,8 @@ class MethodMap {
     return series;
   }
 
-  // Marching squares: the logarithms of the distances are interpolated linearly along the edges of
-  // squares of four neighbouring cells.
+  // Returns a contour by marching squares. The logarithms of the distances are interpolated
+  // linearly along the edges of squares of four neighbouring cells.
   FigureSeries contour(const ContourLevel& level) const {
     FigureSeries series{.name = level.name,
                         .colour = "#08306B",
@@ -224,7 +224,7 @@ class MethodMap {
     constexpr std::array<std::array<std::size_t, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     for (std::size_t i = 0; i + 1 < columns(); ++i) {
       for (std::size_t j = 0; j + 1 < rows(); ++j) {
-        std::array<double, 4> above;  // logarithm of the distance relative to the level
+        std::array<double, 4> above;  // logarithm of the ratio of distance and contour level
         for (std::size_t k = 0; k < above.size(); ++k) {
           above[k] =
               std::log10(distance(cells_[i + kCorners[k][0]][j + kCorners[k][1]]) / level.l1);
@@ -252,7 +252,7 @@ class MethodMap {
   const SweepView& view_;
   std::size_t m_;
   KeyAxis x_, y_;
-  std::vector<std::vector<std::size_t>> cells_;  // point of each cell, by x and y
+  std::vector<std::vector<std::size_t>> cells_;  // number of the point in each cell, by x and y
 };
 
 }  // namespace

@@ -18,12 +18,14 @@ namespace {
 using report::FigureSeries;
 
 constexpr std::size_t kMaxBins = 8;
-// Smallest number of points for the median in a section of a range.
+// Smallest number of points for which a section of a range has a median.
 constexpr std::size_t kMinPointsForMedian = 3;
-// Width over which the methods of a word are spread, relative to the word.
+// Width over which the methods at a categorical value are spread, relative to the distance of the
+// categories.
 constexpr double kWordSpread = 0.6;
 
-/// The bins of medians are single values if the key has few values, else sections of the range.
+/// Bins of a key for medians: single values if the key has few values, otherwise sections of its
+/// range.
 class BinnedKey {
  public:
   BinnedKey(const Plan& plan, std::size_t place) : axis_(plan, place), place_(place) {
@@ -62,7 +64,8 @@ class BinnedKey {
   std::size_t sections_ = 0;  // number of sections; 0 if each value is a bin
 };
 
-// Returns the results of a method, with open marks if not ok, and the medians over the bins.
+// Returns two series of a method: the results, with open marks for statuses other than `ok`, and
+// the medians over the bins.
 std::vector<FigureSeries> method_series(const SweepView& view, const BinnedKey& key, std::size_t m,
                                         double offset) {
   const auto& identity = view.plan().methods[m].identity;

@@ -84,7 +84,7 @@ std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures
     warnings.push_back(fmt::format(
         "no pictures: {} (install gnuplot, then the same command draws them)", missing.what()));
   }
-  // A picture that a stop request interrupted gives no warning.
+  // After a stop request, a missing picture gives no warning.
   return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 

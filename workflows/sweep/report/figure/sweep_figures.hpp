@@ -15,12 +15,13 @@ struct SweepFigure {
   std::string script;
 };
 
-/// Returns curves for one varied key, maps for two varied keys, and scatter plots for more keys.
+/// Returns the figures of a sweep: curves for one varied key, maps for two keys, and scatter plots
+/// for three or more keys.
 std::vector<SweepFigure> sweep_figures(const SweepResults& results,
                                        report::FigureWidth width = report::FigureWidth::screen);
 
-/// Writes the script STEM.gp of each figure, draws the figure, and removes the figures of other
-/// plans.
+/// Writes the script STEM.gp of each figure, draws the figure, and removes figures that belong to
+/// another plan.
 /// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing
 std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures,
                                             const std::vector<SweepFigure>& pictures,

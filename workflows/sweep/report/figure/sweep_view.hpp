@@ -8,7 +8,7 @@
 
 namespace fpkcheck::sweep {
 
-/// Results of a sweep with the queries that the figures need. A SweepView keeps a reference to the
+/// View of the results of a sweep with queries for figures. A SweepView keeps a reference to the
 /// results.
 class SweepView {
  public:
@@ -23,10 +23,10 @@ class SweepView {
   }
   const MethodResult* method_result(std::size_t point_number, std::size_t method_index) const;
   bool is_reference(std::size_t point_number, std::size_t method_index) const;
-  /// Returns the error estimate of a point's reference; empty if the reference has no error
+  /// Returns the error estimate of the reference of a point; empty if the reference has no error
   /// estimate.
   std::optional<MarginalL1Values> reference_error(std::size_t point_number) const;
-  /// Returns the larger of the L1 distances of both marginal densities to the point's reference.
+  /// Returns the larger of the L1 distances of p(y) and p(y') from the reference of the point.
   std::optional<double> larger_marginal_l1(std::size_t point_number,
                                            std::size_t method_index) const;
 
@@ -38,7 +38,7 @@ class SweepView {
   /// Returns the indices of all methods except a method that is always the reference.
   std::vector<std::size_t> compared_method_indices() const;
 
-  /// Returns the parts of a figure's title: the parameters that are not varied.
+  /// Returns the parts of the title of a figure: the parameters that are equal at all points.
   std::vector<std::string> title() const;
 
  private:

@@ -11,7 +11,7 @@ namespace fpkcheck::sweep {
 
 struct EmbeddedPicture {
   std::string caption;
-  std::string media_type;  ///< media type, e.g. "image/svg+xml"
+  std::string media_type;  ///< media type of the picture, e.g. "image/svg+xml"
   std::string bytes;
 };
 
@@ -19,21 +19,21 @@ struct EmbeddedPicture {
 std::string sweep_page(const SweepResults& results, const std::vector<EmbeddedPicture>& pictures,
                        const std::string& command);
 
-/// Results of one method that are not ok for the same reason. Reasons that differ only in numbers
-/// are regarded as equal.
+/// Results of one method that are not `ok` for the same reason. Reasons that differ only in numbers
+/// count as equal.
 struct ReasonGroup {
   std::size_t method;
   transform::Status status;
   std::size_t count = 0;
   std::size_t point = 0;  ///< number of the first point of the group
-  std::string reason;     ///< reason of the method's result at the first point
+  std::string reason;     ///< reason for the status of the result at the first point
 };
 
-/// Returns the groups of results with the same reason; the most frequent reason comes first.
+/// Returns the groups of results with equal reasons, the most frequent reason first.
 std::vector<ReasonGroup> reason_groups(const SweepResults& results);
 
-/// Replaces numbers by dots, e.g. "residual ... after ... steps", but not numbers within words
-/// ("km4").
+/// Replaces numbers in a reason by dots, e.g. "residual ... after ... steps". Digits within words
+/// ("km4") are kept.
 std::string replace_numbers_by_dots(const std::string& reason);
 
 }  // namespace fpkcheck::sweep
