@@ -2,7 +2,7 @@
 // has a command and appears in all tables.
 #include <cmath>
 #include <fpkcheck/cli/program.hpp>
-#include <fpkcheck/methods/builtin.hpp>
+#include <fpkcheck/methods/builtin_solvers.hpp>
 #include <fpkcheck/problem/equivalent_linearisation.hpp>
 #include <fpkcheck/transform/marginal.hpp>
 #include <numbers>
