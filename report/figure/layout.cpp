@@ -127,7 +127,7 @@ std::string gnuplot_output_commands(const std::string& file_stem, const FigureSi
 }
 
 FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size) {
-  constexpr int kLine = 24, kFirstLine = 36;
+  constexpr int kTitleLine = 24, kFirstLine = 36;
   // The font is smaller on paper, to save space.
   const int points = size.medium == FigureWidth::screen ? 14 : 11;
   const double letter = 0.6 * points * 96 / kPointsPerInch;
@@ -145,7 +145,7 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
   }
   return {
       fmt::format("set multiplot title {} font ',{}'\n\n", fmt::join(shown, ".\"\\n\"."), points),
-      kFirstLine + static_cast<int>(lines.size() - 1) * kLine};
+      kFirstLine + static_cast<int>(lines.size() - 1) * kTitleLine};
 }
 
 // All text is upright, without italics, since viewers of SVG drop the spaces beside a change of
