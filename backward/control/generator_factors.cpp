@@ -53,6 +53,8 @@ std::vector<double> non_smooth_impact_speeds(const numerics::QuinticBSplines& sp
     if (0 < speed && speed <= end) breaks.push_back(speed);
   }
   std::ranges::sort(breaks);
+  // At an elastic wall, the breaks of incoming and outgoing velocities are the same speeds.
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
 }
 

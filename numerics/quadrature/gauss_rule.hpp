@@ -50,18 +50,20 @@ struct QuadratureRule {
 
 /// Returns the composite Gauss-Legendre rule with N points on each panel, for panels of different
 /// widths.
-/// @param panel_ends increasing ends of the panels, at least two
+/// @param panel_ends ends of the panels in increasing order, at least two; equal ends are allowed
 template <unsigned N>
 QuadratureRule composite_gauss_rule(std::span<const double> panel_ends) {
   QuadratureRule rule;
   rule.weights.resize(static_cast<Eigen::Index>(N * (panel_ends.size() - 1)));
   for (std::size_t panel = 0; panel + 1 < panel_ends.size(); ++panel) {
+    if (panel_ends[panel] == panel_ends[panel + 1]) continue;
     for (const auto& [at, weight] :
          composite_gauss_points<N>(panel_ends[panel], panel_ends[panel + 1], 1)) {
       rule.weights(static_cast<Eigen::Index>(rule.points.size())) = weight;
       rule.points.push_back(at);
     }
   }
+  rule.weights.conservativeResize(static_cast<Eigen::Index>(rule.points.size()));
   return rule;
 }
 

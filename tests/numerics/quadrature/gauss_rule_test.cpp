@@ -82,6 +82,15 @@ TEST(GaussRules, LegendreRuleIntegratesPolynomialsUpToDegree2NMinus1) {
   EXPECT_GT(std::abs(beyond - 2.0 / 7), 1e-2);
 }
 
+// Breaks of splines contain equal values.
+TEST(GaussRules, CompositeRuleHasNoPointsBetweenEqualEnds) {
+  const std::vector<double> ends{-1, 0, 0, 0, 2};
+  const QuadratureRule rule = composite_gauss_rule<3>(ends);
+  ASSERT_EQ(rule.weights.size(), static_cast<Eigen::Index>(rule.points.size()));
+  EXPECT_EQ(rule.size(), 6);
+  EXPECT_NEAR(rule.weights.dot(rule.point_vector().array().pow(5).matrix()), 63.0 / 6, 1e-13);
+}
+
 TEST(GaussRules, ExponentialRuleGivesTheFactorials) {
   for (const int degree : {1, 6, 25}) {
     const QuadratureRule rule = gauss_laguerre_rule(degree);
