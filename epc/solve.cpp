@@ -67,6 +67,7 @@ std::string gaussian_unsupported_reason(const problem::ProblemFeatures& features
 }  // namespace
 
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
+  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
   const problem::ProblemFeatures features = problem::features(problem);
   if (problem::has_equivalent_linearisation(problem)) return "";
   switch (options.formulation) {

@@ -44,6 +44,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 }
 
 std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options) {
+  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
   const auto features = problem::features(problem);
   if (features.rests_in_contact && !has_diffusion(features, options)) {
     return "the mass comes to rest in contact with a wall: differences do not represent this atom; "
@@ -59,6 +60,9 @@ bool can_use_characteristics(const Options& options) {
 }
 
 std::string characteristics_unsupported_reason(const problem::Problem& problem) {
+  if (!problem.system.has_polynomial_force()) {
+    return "characteristics need a polynomial force; use transport upwind";
+  }
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses) {
     return "characteristics: impulses alone must excite the oscillator; use transport upwind";

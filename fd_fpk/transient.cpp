@@ -59,8 +59,8 @@ Gaussian initial_density(const problem::Problem& problem, const problem::MotionS
 
 // Returns the largest energy v^2/2 + V(y) between the walls, on the ellipse of
 // kInitialBoxDeviations standard deviations of the initial density.
-double max_initial_energy(const problem::System& system, const numerics::Polynomial& potential,
-                          const Gaussian& start) {
+double max_initial_energy(const problem::System& system,
+                          const problem::EffectivePotential& potential, const Gaussian& start) {
   constexpr int kDirections = 120;
   double most = -HUGE_VAL;
   for (int n = 0; n < kDirections; ++n) {

@@ -9,6 +9,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   // For a Duffing oscillator at a wall, solve() itself reports an inelastic collapse as a failed
   // solution.
   if (is_duffing_at_wall(problem)) return "";
+  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
   if (options.tails) {
     std::string why = unsupported_splitting_reason(problem, options);
     if (!why.empty()) return why;

@@ -37,7 +37,7 @@ numerics::Polynomial splitting_potential(const problem::Problem& problem,
                                          const SimulationPlan& plan) {
   if (plan.oscillator.is_duffing_at_wall()) return problem.system.potential();
   const problem::UndampedOrbits orbits(problem);
-  auto coefficients = orbits.potential().coefficients();
+  auto coefficients = orbits.potential().polynomial()->coefficients();
   coefficients[0] -= orbits.lowest_potential();
   return numerics::Polynomial(coefficients);
 }

@@ -35,7 +35,7 @@ BalanceEquation virial_balance(const Problem& problem, const VirialBalanceTerms&
   const System& system = problem.system;
   double right =
       terms.mean_virial - problem.impulses.rate_times_moment(1) * terms.mean_displacement;
-  if (system.rayleigh_coefficient() != 0)
+  if (system.has_polynomial_force() && system.rayleigh_coefficient() != 0)
     right += system.rayleigh_coefficient() * terms.mean_y_cubed_velocity;
   if (const auto& wall = system.right_wall()) {
     right += (1 + wall->restitution) * wall->position * terms.right_momentum;
@@ -46,7 +46,7 @@ BalanceEquation virial_balance(const Problem& problem, const VirialBalanceTerms&
 BalanceEquation momentum_balance(const Problem& problem, const MomentumBalanceTerms& terms) {
   const System& system = problem.system;
   double taken = terms.mean_force;
-  if (system.rayleigh_coefficient() != 0)
+  if (system.has_polynomial_force() && system.rayleigh_coefficient() != 0)
     taken += system.rayleigh_coefficient() * terms.mean_cubed_velocity;
   double given = 0, from_walls = 0;
   if (system.left_wall()) given += (1 + system.restitution()) * terms.impact_momentum;

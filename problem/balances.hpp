@@ -69,7 +69,8 @@ struct BalanceEquation {
 struct VirialBalanceTerms {
   double mean_displacement;
   double mean_square_velocity;
-  double mean_virial;                ///< mean virial E[y g(y)]
+  /// Mean virial E[y g(y)], or E[y (f + g)] for the formula of a force.
+  double mean_virial;
   double right_momentum = 0;         ///< momentum rate int_{u>0} u^2 p(b,u) du at wall b
   double mean_y_cubed_velocity = 0;  ///< E[y v^3]; used where c_vv is not 0
 };
@@ -80,6 +81,7 @@ struct VirialBalanceTerms {
 BalanceEquation virial_balance(const Problem& problem, const VirialBalanceTerms& terms);
 
 struct MomentumBalanceTerms {
+  /// Mean force E[g(y)], or E[f + g] for the formula of a force.
   double mean_force;
   double impact_momentum;     ///< int_{u>0} u^2 p(0,-u) du, the incoming momentum per unit time
   double right_momentum = 0;  ///< momentum rate int_{u>0} u^2 p(b,u) du at wall b

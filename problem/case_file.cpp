@@ -24,7 +24,19 @@ namespace fpkcheck::problem {
 using base::in_quotes;
 using base::sanitise;
 
+namespace {
+constexpr std::string_view kParameters = "parameters.";
+constexpr const char* kForce = "system.force";
+}  // namespace
+
 const base::Parameter& case_parameter(std::string_view key, const std::string& where) {
+  if (key.starts_with(kParameters)) {
+    try {
+      return named_constant_parameter(key.substr(kParameters.size()));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", where, error.what()));
+    }
+  }
   std::vector<std::string> known;  // known keys, grouped by section: "wall.{left, right}"
   for (const base::DescriptionBase* section : case_section_descriptions()) {
     std::vector<std::string_view> names;
@@ -76,6 +88,13 @@ void apply_overrides(const std::vector<std::string>& overrides, const std::strin
     }
     settings[key] = {boost::algorithm::trim_copy(pair.substr(equals + 1)), where};
   }
+  // A formula of the force replaces the coefficients of the file.
+  if (set.contains(kForce)) {
+    std::erase_if(settings, [&](const auto& setting) {
+      const std::string& key = setting.first;
+      return key.starts_with("system.") && key != "system.restitution" && !set.contains(key);
+    });
+  }
 }
 
 constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = "impulse.mean",
@@ -122,17 +141,32 @@ std::optional<CaseFileSection> section(const base::DescriptionBase& description,
       settings, [&](const auto& setting) { return setting.first.starts_with(prefix); });
   if (!named && &description != &system_parameter_description()) return std::nullopt;
   CaseFileSection section{prefix.substr(0, prefix.size() - 1), {}};
+  const bool has_formula =
+      &description == &system_parameter_description() && settings.contains(kForce);
   for (const auto& parameter : description.parameters()) {
     const std::string key = prefix + parameter.name;
     const auto found = settings.find(key);
     if (found != settings.end()) {
       section.values.push_back(
           {parameter.name, base::parse_value(parameter, found->second.text, key + " =")});
-    } else if (!parameter.default_value) {
+    } else if (!parameter.default_value && !has_formula) {
       throw InputError(
           fmt::format("key '{}' is missing; add it, or give --set {}=VALUE", key, key));
     }
   }
+  return section;
+}
+
+// Parses the settings of [parameters], if there are any.
+std::optional<CaseFileSection> parameters_section(const Settings& settings) {
+  CaseFileSection section{std::string(kParameters.substr(0, kParameters.size() - 1)), {}};
+  for (const auto& [key, setting] : settings) {
+    if (!key.starts_with(kParameters)) continue;
+    section.values.push_back(
+        {key.substr(kParameters.size()),
+         base::parse_value(case_parameter(key, key), setting.text, key + " =")});
+  }
+  if (section.values.empty()) return std::nullopt;
   return section;
 }
 
@@ -225,6 +259,7 @@ Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const 
     for (const base::DescriptionBase* description : case_section_descriptions()) {
       if (auto one = section(*description, settings)) sections.push_back(std::move(*one));
     }
+    if (auto one = parameters_section(settings)) sections.push_back(std::move(*one));
     Problem problem = problem_from_sections(name, sections);
     if (naming == CaseNaming::with_overrides) problem.name += changes_text(from_file, problem);
     return problem;

@@ -64,7 +64,7 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
       // The slope dPhi/dh is also checked at much larger energies, where a damping term that
       // supplies energy may dominate.
       for (double farther = 1e4 * above; farther < kLargest; farther *= 1e4) {
-        if (slope_at(farther).value_or(0) >= 0) continue;
+        if (!(slope_at(farther).value_or(0) < 0)) continue;
         unconfined_reason_ = kNoDissipation;
         return false;
       }

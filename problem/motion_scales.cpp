@@ -34,7 +34,7 @@ double overdamped_relaxation_rate(const Problem& problem, const MotionScales& sc
                                   double damping) {
   constexpr std::size_t kCells = 200;
   const double diffusion = total_intensity(problem) / 2;
-  const numerics::Polynomial potential = effective_potential(problem);
+  const EffectivePotential potential(problem);
   const double step = (scales.y_high - scales.y_low) / kCells;
   const double over = diffusion / (damping * damping) / (step * step);
   std::vector<double> level(kCells), y(kCells);

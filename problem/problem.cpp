@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
 #include "problem/energy_averaging.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/parameter_ranges.hpp"
@@ -26,6 +27,39 @@ Owner read_section(const std::vector<CaseFileSection>& sections, const std::stri
   return section == nullptr ? Owner{} : description.read(section->values, name);
 }
 
+constexpr const char *kSystem = "system", *kParameters = "parameters", *kForce = "force";
+
+// Reads [system]. A formula of the force replaces all coefficients.
+SystemCoefficients read_system(base::Values values) {
+  if (base::contains(values, kForce)) {
+    for (const auto& parameter : system_parameter_description().parameters()) {
+      const bool is_coefficient = parameter.name != kForce && parameter.name != "restitution";
+      if (!is_coefficient) continue;
+      if (base::contains(values, parameter.name)) {
+        throw InputError(
+            fmt::format("system.{} and system.force are both given; keep one", parameter.name));
+      }
+      values.push_back({parameter.name, 0.0});
+    }
+  }
+  return system_parameter_description().read(values, kSystem);
+}
+
+NamedConstants read_constants(const std::vector<CaseFileSection>& sections) {
+  NamedConstants constants;
+  if (const CaseFileSection* section = section_of(sections, kParameters)) {
+    for (const auto& [name, value] : section->values) {
+      const auto number = named_constant_parameter(name).convert_to_parameter_type(value);
+      if (!number) {
+        throw InputError(
+            fmt::format("parameters.{} = {} (must be a number)", name, base::text_of(value)));
+      }
+      constants.emplace(name, std::get<double>(*number));
+    }
+  }
+  return constants;
+}
+
 std::string number_text(const base::Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:g}", *number) : std::get<std::string>(value);
@@ -44,9 +78,36 @@ const std::vector<const base::DescriptionBase*>& case_section_descriptions() {
   return all;
 }
 
+const base::Parameter& named_constant_parameter(std::string_view name) {
+  static const base::Parameter parameter{.name = "NAME",
+                                         .help = "named constant of the formulas",
+                                         .type = base::ParameterType::number,
+                                         .range = base::finite_numbers()};
+  if (!is_name_of_constant(name)) {
+    throw InputError(fmt::format(
+        "parameters.{} is not a name of a constant; use letters, digits and '_', but not y, v, pi "
+        "or the name of a function",
+        base::sanitise(name)));
+  }
+  return parameter;
+}
+
 std::vector<CaseFileSection> sections(const Problem& problem) {
-  std::vector<CaseFileSection> all{
-      {"system", system_parameter_description().stored_values(problem.system.coefficients())}};
+  const System& system = problem.system;
+  base::Values values = system_parameter_description().stored_values(system.coefficients());
+  if (system.coefficients().force) {
+    std::erase_if(values, [](const base::NamedParameterValue& one) {
+      return one.name != kForce && one.name != "restitution";
+    });
+  }
+  std::vector<CaseFileSection> all{{kSystem, std::move(values)}};
+  if (!system.named_constants().empty()) {
+    CaseFileSection constants{kParameters, {}};
+    for (const auto& [name, value] : system.named_constants()) {
+      constants.values.push_back({name, value});
+    }
+    all.push_back(std::move(constants));
+  }
   const WallParameters& walls = problem.system.wall_parameters();
   if (!walls.empty()) all.push_back({"wall", wall_parameter_description().stored_values(walls)});
   if (problem.impulses.is_present()) {
@@ -61,7 +122,7 @@ std::vector<CaseFileSection> sections(const Problem& problem) {
 
 Problem problem_from_sections(const std::string& name,
                               const std::vector<CaseFileSection>& sections) {
-  const CaseFileSection* system = section_of(sections, "system");
+  const CaseFileSection* system = section_of(sections, kSystem);
   if (system == nullptr) {
     throw InputError(
         "system is missing: the file may be from another version of the program; run again");
@@ -70,8 +131,9 @@ Problem problem_from_sections(const std::string& name,
   noise_parameter_description().validate(noise);
   require_magnitudes_in_range(noise_parameter_description(), noise);
   Problem problem{.name = name,
-                  .system = System(system_parameter_description().read(system->values, "system"),
-                                   read_section(sections, "wall", wall_parameter_description())),
+                  .system = System(read_system(system->values),
+                                   read_section(sections, "wall", wall_parameter_description()),
+                                   read_constants(sections)),
                   .impulses = {},
                   .noise = noise};
   if (const CaseFileSection* impulse = section_of(sections, "impulse")) {
@@ -91,6 +153,13 @@ base::Value display_value(const base::Parameter& parameter, const base::Value& v
 std::vector<DisplayedParameter> displayed_parameters(const Problem& problem) {
   std::vector<DisplayedParameter> displayed;
   for (const CaseFileSection& section : sections(problem)) {
+    if (section.name == kParameters) {
+      for (const auto& [name, value] : section.values) {
+        displayed.push_back(
+            {section.name, name, name, name, named_constant_parameter(name).help, value, false});
+      }
+      continue;
+    }
     const auto description = std::ranges::find(case_section_descriptions(), section.name + '.',
                                                &base::DescriptionBase::prefix);
     for (const auto& [name, value] : section.values) {
@@ -106,7 +175,7 @@ std::string parameters_text(const Problem& problem, bool typeset) {
   std::vector<std::string> of_system, of_excitation;
   for (const auto& p : displayed_parameters(problem)) {
     if (p.is_default) continue;
-    const bool moves = p.section == "system" || p.section == "wall";
+    const bool moves = p.section == kSystem || p.section == kParameters || p.section == "wall";
     auto& part = moves ? of_system : of_excitation;
     const auto& symbol = typeset ? p.typeset : p.symbol;
     if (std::holds_alternative<bool>(p.value)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/options/parameter.hpp"
@@ -30,6 +31,10 @@ struct CaseFileSection {
 };
 
 const std::vector<const base::DescriptionBase*>& case_section_descriptions();
+
+/// Returns the description of a named constant, a parameter of the section [parameters].
+/// @throws InputError if formulas cannot use the name
+const base::Parameter& named_constant_parameter(std::string_view name);
 
 /// Returns the sections of a case file for the problem: [system] and, if required, [wall],
 /// [impulse] and [noise].

@@ -22,10 +22,11 @@ ProblemFeatures features(const Problem& problem) {
                          .constant_damping = system.has_constant_damping()};
   const auto& c = system.coefficients();
   result.negative_damping = c.damping < 0 || c.van_der_pol < 0 || c.rayleigh < 0;
+  result.polynomial_force = system.has_polynomial_force();
   const auto inspect_wall = [&](const std::optional<Wall>& wall, double towards) {
     if (!wall) return;
     // The force on the mass is -g, which presses the mass against a left wall if g > 0 at the wall.
-    const double pressing = -towards * system.restoring_force()(wall->position);
+    const double pressing = -towards * system.force(wall->position, 0);
     if (pressing > 0 && wall->restitution < 1 && !result.noise) result.rests_in_contact = true;
     if (result.noise && wall->restitution <= kCollapseRestitution) result.collapse = true;
   };
@@ -34,6 +35,11 @@ ProblemFeatures features(const Problem& problem) {
   if (!has_equivalent_linearisation(problem))
     result.wells = static_cast<int>(UndampedOrbits(problem).minima().size());
   return result;
+}
+
+std::string polynomial_required_reason(const Problem& problem) {
+  if (problem.system.has_polynomial_force()) return "";
+  return "the force is not one of the polynomials that this method supports; use fd";
 }
 
 std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation) {
@@ -58,7 +64,6 @@ const std::vector<UnsupportedFeature>& unsupported_features() {
       {"impulses other than a Poisson process", {"renewal", "arrivals", "interarrival", "levy"}},
       {"two or more degrees of freedom", {"dof", "freedom", "coupling", "oscillators"}},
       {"hysteresis, delay or fractional damping", {"hysteresis", "delay", "fractional"}},
-      {"forces other than polynomials", {"force", "potential", "expression"}},
       {"soft or moving walls", {"contact", "compliance", "moving"}},
       {"first passages", {"passage", "survival", "reliability", "exceedance"}},
       {"spectra", {"spectrum", "spectra", "psd", "autocorrelation"}},

@@ -1,5 +1,7 @@
 #include "problem/system.hpp"
 
+#include <algorithm>
+
 #include "problem/parameter_ranges.hpp"
 
 namespace fpkcheck::problem {
@@ -33,6 +35,10 @@ const Description<SystemCoefficients>& system_parameter_description() {
           .add("quintic", &C::quintic, {"K5", "quintic stiffness"}, finite_numbers())
           .with_symbol("k5", "k₅")
           .with_default_omitted_from_files(0.0)
+          .add("force", &C::force,
+               {"F", "force f(y, v) as a formula, in place of the coefficients"})
+          .with_symbol("f", "f")
+          .with_default_omitted_from_files(Value())
           .add("restitution", &C::restitution, {"R", "coefficient of restitution"},
                restitution_range())
           .with_symbol("r", "r")
@@ -42,22 +48,69 @@ const Description<SystemCoefficients>& system_parameter_description() {
 
 namespace {
 
-const SystemCoefficients& validated_coefficients(const SystemCoefficients& coefficients) {
+struct Monomial {
+  int y_power, v_power;
+  double SystemCoefficients::*coefficient;
+};
+
+/// The monomials y^i v^j of the force, with their coefficients.
+constexpr Monomial kMonomials[] = {
+    {0, 0, &SystemCoefficients::constant},    {1, 0, &SystemCoefficients::stiffness},
+    {2, 0, &SystemCoefficients::quadratic},   {3, 0, &SystemCoefficients::cubic},
+    {5, 0, &SystemCoefficients::quintic},     {0, 1, &SystemCoefficients::damping},
+    {2, 1, &SystemCoefficients::van_der_pol}, {0, 3, &SystemCoefficients::rayleigh}};
+
+// Sets the coefficients of a polynomial formula. Returns false if the formula has another term.
+bool set_coefficients_of_formula(const Expression& formula, SystemCoefficients& c) {
+  for (const Monomial& term : kMonomials) c.*term.coefficient = 0;
+  const auto polynomial = formula.polynomial_coefficients();
+  if (!polynomial) return false;
+  SystemCoefficients of_formula = c;
+  for (const auto& [exponents, coefficient] : *polynomial) {
+    const auto term = std::ranges::find_if(kMonomials, [&](const Monomial& known) {
+      return std::pair(known.y_power, known.v_power) == exponents;
+    });
+    if (term == std::end(kMonomials)) return false;
+    of_formula.*term->coefficient = coefficient;
+  }
+  c = of_formula;
+  return true;
+}
+
+void validate_coefficients(const SystemCoefficients& coefficients) {
   system_parameter_description().validate(coefficients);
   require_magnitudes_in_range(system_parameter_description(), coefficients);
-  return coefficients;
 }
 
 }  // namespace
 
-System::System(const SystemCoefficients& coefficients, const WallParameters& walls)
-    : c_(validated_coefficients(coefficients)),
+System::System(const SystemCoefficients& coefficients, const WallParameters& walls,
+               const NamedConstants& constants)
+    : c_(coefficients),
       wall_parameters_(walls),
-      walls_(make_walls(walls, coefficients.restitution)),
-      force_({c_.constant, c_.stiffness, c_.quadratic, c_.cubic, 0, c_.quintic}),
-      tangent_(force_.derivative()),
-      potential_(force_.antiderivative()),
-      damping_({c_.damping, 0, c_.van_der_pol}) {}
+      constants_(constants),
+      walls_(make_walls(walls, coefficients.restitution)) {
+  if (c_.force) {
+    Expression formula = Expression::parse(*c_.force, constants_, "system.force");
+    if (!set_coefficients_of_formula(formula, c_)) {
+      formula_ = std::make_shared<const Expression>(std::move(formula));
+    }
+  }
+  validate_coefficients(c_);
+  force_ = numerics::Polynomial({c_.constant, c_.stiffness, c_.quadratic, c_.cubic, 0, c_.quintic});
+  tangent_ = force_.derivative();
+  potential_ = force_.antiderivative();
+  damping_ = numerics::Polynomial({c_.damping, 0, c_.van_der_pol});
+}
+
+std::vector<double> System::kinks_in_y(double low, double high) const {
+  if (!formula_) return {};
+  const double first = origin_ + sign_ * low, last = origin_ + sign_ * high;
+  std::vector<double> kinks = formula_->kinks_in_y(std::min(first, last), std::max(first, last));
+  for (double& kink : kinks) kink = sign_ * (kink - origin_);
+  std::ranges::sort(kinks);
+  return kinks;
+}
 
 System System::to_wall_coordinates(const WallFrame& frame) const {
   if (frame.is_identity()) return *this;
@@ -73,6 +126,8 @@ System System::to_wall_coordinates(const WallFrame& frame) const {
   transformed.tangent_ = transformed.force_.derivative();
   transformed.potential_ = transformed.force_.antiderivative();
   transformed.damping_ = damping_.compose_affine(frame.origin, frame.sign());
+  transformed.origin_ = frame.origin;
+  transformed.sign_ = frame.sign();
   return transformed;
 }
 

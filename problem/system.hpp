@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cassert>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/options/description.hpp"
 #include "numerics/polynomials/polynomial.hpp"
+#include "problem/expression/expression.hpp"
 #include "problem/walls.hpp"
 
 namespace fpkcheck::problem {
@@ -19,6 +23,8 @@ struct SystemCoefficients {
   double quadratic = 0;    ///< stiffness coefficient of y^2
   double cubic = 0;        ///< cubic stiffness mu, coefficient of y^3
   double quintic = 0;      ///< stiffness coefficient of y^5
+  /// Formula of the force f + g (Expression); the coefficients above are then those of the formula.
+  std::optional<std::string> force = {};
   /// Restitution coefficient r, 0 < r <= 1, of a wall at y = 0 on the left; absent if the section
   /// [wall] defines the walls.
   std::optional<double> restitution = {};
@@ -38,20 +44,58 @@ const base::Description<SystemCoefficients>& system_parameter_description();
 /// -g(-z).
 class System {
  public:
-  /// @throws InputError that states the invalid coefficient, its value and the allowed range
-  explicit System(const SystemCoefficients& coefficients, const WallParameters& walls = {});
+  /// @param constants the named constants of the formula of the force, section [parameters]
+  /// @throws InputError that states the invalid coefficient, its value and the allowed range; or
+  /// the invalid part of the formula, with its column
+  explicit System(const SystemCoefficients& coefficients, const WallParameters& walls = {},
+                  const NamedConstants& constants = {});
 
-  /// Returns the coefficients of the case file in physical coordinates, even for a system in wall
-  /// coordinates.
+  /// Returns the coefficients of the case file or of its formula in physical coordinates, even for a
+  /// system in wall coordinates.
   const SystemCoefficients& coefficients() const { return c_; }
   const WallParameters& wall_parameters() const { return wall_parameters_; }
+  const NamedConstants& named_constants() const { return constants_; }
+
+  /// Returns whether force and damping are the polynomials of the class comment, given by their
+  /// coefficients or by a formula. Otherwise only force() describes the force.
+  bool has_polynomial_force() const { return !formula_; }
+  /// Returns the total force f(y, v) + g(y).
+  double force(double y, double v) const {
+    if (formula_) return sign_ * (*formula_)(origin_ + sign_ * y, sign_ * v);
+    return damping_force(y, v) + force_(y);
+  }
+  /// Returns the part f(y, v) of the force that vanishes at v = 0.
+  double damping_force(double y, double v) const {
+    if (formula_) return force(y, v) - force(y, 0);
+    return v * (damping_(y) + c_.rayleigh * v * v);
+  }
+  /// Returns the formula of the force. @pre !has_polynomial_force()
+  const Expression& formula() const {
+    assert(formula_);
+    return *formula_;
+  }
+  /// Returns the values of y in (low, high) at which the force or its slope jumps, increasing.
+  std::vector<double> kinks_in_y(double low, double high) const;
+
+  // The following polynomials exist if has_polynomial_force().
 
   /// Returns the damping coefficient c(0), which is the only damping coefficient for constant
   /// damping.
-  double damping() const { return damping_.coefficient(0); }
-  const numerics::Polynomial& damping_polynomial() const { return damping_; }
-  double rayleigh_coefficient() const { return c_.rayleigh; }
-  bool has_constant_damping() const { return damping_.degree() == 0 && c_.rayleigh == 0; }
+  double damping() const {
+    assert(has_polynomial_force());
+    return damping_.coefficient(0);
+  }
+  const numerics::Polynomial& damping_polynomial() const {
+    assert(has_polynomial_force());
+    return damping_;
+  }
+  double rayleigh_coefficient() const {
+    assert(has_polynomial_force());
+    return c_.rayleigh;
+  }
+  bool has_constant_damping() const {
+    return !formula_ && damping_.degree() == 0 && c_.rayleigh == 0;
+  }
 
   const Walls& walls() const { return walls_; }
   const std::optional<Wall>& left_wall() const { return walls_.left; }
@@ -59,11 +103,22 @@ class System {
   /// Returns the restitution coefficient of the left wall, or 1 without a left wall.
   double restitution() const { return walls_.left ? walls_.left->restitution : 1; }
 
-  const numerics::Polynomial& restoring_force() const { return force_; }
-  const numerics::Polynomial& tangent_stiffness() const { return tangent_; }
+  const numerics::Polynomial& restoring_force() const {
+    assert(has_polynomial_force());
+    return force_;
+  }
+  const numerics::Polynomial& tangent_stiffness() const {
+    assert(has_polynomial_force());
+    return tangent_;
+  }
   /// Returns the potential U(y), the integral of g from 0 to y.
-  const numerics::Polynomial& potential() const { return potential_; }
-  bool has_linear_force() const { return force_.degree() <= 1 && force_.coefficient(0) == 0; }
+  const numerics::Polynomial& potential() const {
+    assert(has_polynomial_force());
+    return potential_;
+  }
+  bool has_linear_force() const {
+    return !formula_ && force_.degree() <= 1 && force_.coefficient(0) == 0;
+  }
   /// Returns the stiffness k = g'(0).
   double stiffness() const { return tangent_.coefficient(0); }
 
@@ -75,8 +130,11 @@ class System {
  private:
   SystemCoefficients c_;
   WallParameters wall_parameters_;
+  NamedConstants constants_;
   Walls walls_;
-  numerics::Polynomial force_, tangent_, potential_, damping_;
+  numerics::Polynomial force_{{}}, tangent_{{}}, potential_{{}}, damping_{{}};
+  std::shared_ptr<const Expression> formula_;  // force that is no such polynomial
+  double origin_ = 0, sign_ = 1;               // wall coordinates of the formula
 };
 
 }  // namespace fpkcheck::problem

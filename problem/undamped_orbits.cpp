@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/polynomials/polynomial.hpp"
 #include "numerics/roots/bracketed_root.hpp"
 
 namespace fpkcheck::problem {
@@ -14,60 +13,39 @@ namespace {
 
 constexpr int kRootBits = 50;  // number of correct bits of turning points
 
-struct SearchInterval {
-  double low, high;
-};
-
-// Returns the interval in which the roots of a polynomial are searched. The ends of the search
-// interval are the walls. On a side without a wall, the end is a bound of all roots.
-SearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
-  const double bound = 2 * numerics::root_modulus_bound(polynomial) + 1;
-  return {.low = system.left_wall() ? system.left_wall()->position : -bound,
-          .high = system.right_wall() ? system.right_wall()->position : bound};
+// Returns the damping coefficient that both directions of the motion have on average at the speed
+// v: the odd part of the damping force, divided by v.
+double mean_damping(const System& system, double y, double v) {
+  if (system.has_polynomial_force()) {
+    return system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v;
+  }
+  return v > 0 ? (system.force(y, v) - system.force(y, -v)) / (2 * v) : 0;
 }
 
 }  // namespace
 
-std::vector<double> sign_change_points_between_walls(const numerics::Polynomial& polynomial,
-                                                     const System& system) {
-  const auto [low, high] = search_interval(polynomial, system);
-  return low < high ? numerics::sign_change_points(polynomial, low, high) : std::vector<double>{};
-}
-
-numerics::Polynomial effective_potential(const Problem& problem) {
-  auto coefficients = problem.system.potential().coefficients();
-  coefficients[1] -= problem.impulses.rate_times_moment(1);
-  return numerics::Polynomial(coefficients);
-}
-
 UndampedOrbits::UndampedOrbits(const Problem& problem)
-    : system_(problem.system), potential_(effective_potential(problem)) {
-  const numerics::Polynomial slope = potential_.derivative();
-  const auto [low, high] = search_interval(slope, system_);
-  extrema_ = sign_change_points_between_walls(slope, system_);
-  // The potential V is monotone between neighbouring knots, so that the slope of V after a knot
-  // decides whether the knot is a minimum.
-  std::vector<double> knots{low};
-  knots.insert(knots.end(), extrema_.begin(), extrema_.end());
-  knots.push_back(high);
+    : system_(problem.system), potential_(problem) {
+  // V is monotone between neighbouring knots. The slope of V after a knot decides whether the knot
+  // is a minimum.
+  std::vector<double> knots{potential_.low()};
+  knots.insert(knots.end(), potential_.extrema().begin(), potential_.extrema().end());
+  knots.push_back(potential_.high());
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
-    const double after = slope((knots[n] + knots[n + 1]) / 2);
+    const double after = potential_.slope((knots[n] + knots[n + 1]) / 2);
     const bool is_turn = n > 0;
     if (is_turn ? after > 0 : system_.left_wall() && after >= 0) minima_.push_back(knots[n]);
     const bool last = n + 2 == knots.size();
-    if (last && system_.right_wall() && after < 0) minima_.push_back(high);
+    if (last && system_.right_wall() && after < 0) minima_.push_back(potential_.high());
   }
 }
 
 bool UndampedOrbits::is_confining_on_right() const {
-  const numerics::Polynomial slope = potential_.derivative();
-  return system_.right_wall() || slope.coefficient(slope.degree()) > 0;
+  return system_.right_wall() || potential_.rises_on_right();
 }
 
 bool UndampedOrbits::is_confining_on_left() const {
-  const numerics::Polynomial slope = potential_.derivative();
-  const double sign = slope.degree() % 2 == 0 ? 1 : -1;
-  return system_.left_wall() || sign * slope.coefficient(slope.degree()) < 0;
+  return system_.left_wall() || potential_.rises_on_left();
 }
 
 double UndampedOrbits::deepest_minimum() const {
@@ -89,7 +67,7 @@ double UndampedOrbits::half_cycle_end(double knot, double outwards, double energ
 
 std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
   assert(is_confining());
-  std::vector<double> knots = extrema_;
+  std::vector<double> knots = potential_.extrema();
   if (system_.left_wall()) knots.insert(knots.begin(), system_.left_wall()->position);
   if (system_.right_wall()) knots.push_back(system_.right_wall()->position);
   if (knots.empty()) return {};
@@ -138,7 +116,7 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     // The factor 2 counts both half-cycles of the period.
     const double dy = 2 * weight * half * std::cos(phase);
     const double v = speed(y);
-    const double damping = system_.damping_polynomial()(y) + system_.rayleigh_coefficient() * v * v;
+    const double damping = mean_damping(system_, y, v);
     orbit.action += v * dy;
     orbit.loss += damping * v * dy;
     if (v <= 0) return;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "problem/problem.hpp"
+#include "problem/effective_potential.hpp"
 
 namespace fpkcheck::problem {
 
@@ -25,21 +25,13 @@ struct OrbitIntegrals {
   double time_integral_damping = 0;  ///< period T times the orbit mean of c(y) + c_vv v^2
 };
 
-/// Returns the effective potential V = U - lambda E[Y] y of the spring and of the mean force of the
-/// impulses.
-numerics::Polynomial effective_potential(const Problem& problem);
-
-/// Returns the points between the walls where a polynomial changes its sign, in increasing order.
-std::vector<double> sign_change_points_between_walls(const numerics::Polynomial& polynomial,
-                                                     const System& system);
-
 /// The orbits of the undamped motion in the effective potential, without noise and with elastic
 /// impacts at the walls.
 class UndampedOrbits {
  public:
   explicit UndampedOrbits(const Problem& problem);
 
-  const numerics::Polynomial& potential() const { return potential_; }
+  const EffectivePotential& potential() const { return potential_; }
   /// Returns the positions of the minima of the effective potential V, in increasing order. A wall
   /// against which the effective force presses the mass is also a minimum.
   const std::vector<double>& minima() const { return minima_; }
@@ -63,8 +55,7 @@ class UndampedOrbits {
   double half_cycle_end(double knot, double outwards, double energy) const;
 
   const System system_;
-  numerics::Polynomial potential_;
-  std::vector<double> extrema_;  // extrema of the effective potential V, increasing
+  EffectivePotential potential_;
   std::vector<double> minima_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "backward/generator/impulse_mean_table.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::backward {
 namespace {
@@ -74,6 +75,7 @@ double ResidualWeight::operator()(double y, double v) const {
 }
 
 std::string bounds_unsupported_reason(const problem::Problem& problem) {
+  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
   const problem::System& system = problem.system;
   const auto& g = system.restoring_force().coefficients();
   const auto &left = system.left_wall(), &right = system.right_wall();

@@ -175,7 +175,7 @@ ControlFitProblem control_function_fit(const problem::Problem& problem,
       problem::features(problem).wells > 1 ? kWellWeightTemperature : kWeightTemperature;
   const double temperature =
       temperature_factor * std::pow(box_widening(problem, scales) * scales.velocity_deviation, 2);
-  const numerics::Polynomial potential = problem::effective_potential(problem);
+  const numerics::Polynomial potential = problem::effective_potential_polynomial(problem);
   double least = std::numeric_limits<double>::infinity();
   for (const double at : y.breaks()) least = std::min(least, potential(at));
   return {.problem = problem,

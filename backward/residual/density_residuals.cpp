@@ -137,6 +137,7 @@ Eigen::MatrixXd DensityResiduals::contributions_per_cell(const Eigen::MatrixXd& 
 }
 
 std::string residuals_unsupported_reason(const problem::Problem& problem) {
+  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
   const problem::ProblemFeatures features = problem::features(problem);
   if (features.rests_in_contact) {
     return "the mass comes to rest at a wall: residuals of a density do not contain the atom";

@@ -33,8 +33,8 @@ class EnergyAveragedExponent {
   const Band& nearest_band(double y, double energy) const;
   double slope_of_exponent_above(const Band& band) const;
 
-  numerics::Polynomial potential_;
-  double bottom_;  // minimum of the potential energy
+  problem::EffectivePotential potential_;
+  double bottom_;  // minimum of the potential
   std::vector<Band> bands_;
   std::vector<std::size_t> levels_;  // index of the first band of each energy, then the end
   double step_;                      // difference of successive energies of the bands

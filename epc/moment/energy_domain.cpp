@@ -21,7 +21,7 @@ constexpr double kQuarterTurn = std::numbers::pi / 2;
 }  // namespace
 
 EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
-    : potential_(problem::effective_potential(problem)),
+    : potential_(problem),
       level_(level),
       wall_low_(problem.system.left_wall() ? problem.system.left_wall()->position : -kInfinity),
       wall_high_(problem.system.right_wall() ? problem.system.right_wall()->position : kInfinity) {

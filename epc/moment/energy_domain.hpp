@@ -67,7 +67,7 @@ class EnergyDomain {
   double turning_point_behind_wall(double wall, double far) const;
   SineMap sine_map_of(const problem::HalfCycle& part) const;
 
-  numerics::Polynomial potential_;
+  problem::EffectivePotential potential_;  // potential V
   double level_;
   double lowest_potential_;
   double wall_low_, wall_high_;

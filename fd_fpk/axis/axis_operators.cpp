@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -133,6 +134,24 @@ AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
     append_stencil(entries, axis, i, first,
                    exact_weights(axis, first, stencil_size, axis.cell_centre(i), axis.cell_width(i),
                                  functional));
+  }
+  return assemble(axis.cell_count(), axis.cell_count(), entries);
+}
+
+AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
+                                       const std::function<double(double)>& weight,
+                                       std::optional<int> barrier) {
+  using Gauss = boost::math::quadrature::gauss<double, 10>;
+  Triplets entries;
+  for (int i = 0; i < axis.cell_count(); ++i) {
+    const int first = first_stencil_cell(axis, i, stencil_size, barrier);
+    const double centre = axis.cell_centre(i), width = axis.cell_width(i);
+    const auto functional = [&](int a) {
+      return Gauss::integrate(
+          [&](double xi) { return weight(centre + width * xi) * std::pow(xi, a); }, -0.5, 0.5);
+    };
+    append_stencil(entries, axis, i, first,
+                   exact_weights(axis, first, stencil_size, centre, width, functional));
   }
   return assemble(axis.cell_count(), axis.cell_count(), entries);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -36,6 +37,12 @@ AxisOperator end_value_operator(const Axis& axis, AxisEnd end, int stencil_size)
 /// `barrier`.
 AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
                                        const numerics::Polynomial& weight,
+                                       std::optional<int> barrier = {});
+
+/// Returns the same matrix for a weight that is no polynomial. The integrals over a cell are exact
+/// for polynomials of degree 19 minus the degree of the reconstruction.
+AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
+                                       const std::function<double(double)>& weight,
                                        std::optional<int> barrier = {});
 
 /// Returns the matrix that maps cell averages to point values inside the cells, shape (n cells,

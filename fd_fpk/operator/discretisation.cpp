@@ -236,6 +236,8 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   const double length = box.x1_max - box.x1_min;
   std::vector<RefinementPoint> points;
   if (graded.at_left_wall) points.push_back({box.x1_min, graded.x1});
+  // Faces at the kinks of the force keep the order of the averages over cells.
+  for (const double kink : system.kinks_in_y(box.x1_min, box.x1_max)) points.push_back({kink, {}});
   if (graded.at_right_wall) points.push_back({box.x1_max, graded.x1});
   const double least = fewest_cells(options);
   // The call value_or() would convert the double to int.

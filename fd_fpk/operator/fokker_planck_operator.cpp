@@ -100,10 +100,42 @@ AxisOperator power_divergence_matrix(const Axis& x2, int power, const AxisOperat
   return divergence_operator(x2) * AxisOperator(factor * values);
 }
 
+// Returns the matrix of the term d/dx2 [ f(x1, x2) p ] for the formula f of a force, by fluxes
+// through the inner faces of x2. At each face, f is a weight of the averages over cells of x1.
+SparseColumnMatrix formula_force_matrix(const problem::System& system, const Grid& grid,
+                                        int scheme_order, int weight_points) {
+  const Axis& x2 = grid.x2;
+  const int nv = grid.nv();
+  const AxisOperator values =
+      face_value_operator(x2, centred_stencil_size(scheme_order), UpstreamSide::left);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int face = 1; face < nv; ++face) {
+    const double at = x2.face_position(face);
+    const AxisOperator force = weighted_average_operator(
+        grid.x1, weight_points, [&](double x1) { return system.force(x1, at); });
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (AxisOperator::InnerIterator of_x1(force, i); of_x1; ++of_x1) {
+        for (AxisOperator::InnerIterator of_x2(values, face); of_x2; ++of_x2) {
+          const double flux = of_x1.value() * of_x2.value();
+          const auto column = of_x1.col() * nv + of_x2.col();
+          entries.emplace_back(i * nv + face - 1, column, flux / x2.cell_width(face - 1));
+          entries.emplace_back(i * nv + face, column, -flux / x2.cell_width(face));
+        }
+      }
+    }
+  }
+  SparseColumnMatrix matrix(grid.nx() * nv, grid.nx() * nv);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
 // Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
 // inner faces of x2.
 SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const Grid& grid,
                                             int scheme_order, int weight_points) {
+  if (!system.has_polynomial_force()) {
+    return formula_force_matrix(system, grid, scheme_order, weight_points);
+  }
   const Axis& x2 = grid.x2;
   const AxisOperator values =
       face_value_operator(x2, centred_stencil_size(scheme_order), UpstreamSide::left);
@@ -141,10 +173,7 @@ SparseColumnMatrix upwind_correction_matrix(const problem::System& system, const
     for (SparseColumnMatrix::InnerIterator e(flux, column); e; ++e) {
       const double x1_at = x1.cell_centre(static_cast<int>(e.row()) / faces);
       const double x2_at = x2.face_position(static_cast<int>(e.row()) % faces);
-      const double damping =
-          (system.damping_polynomial()(x1_at) + system.rayleigh_coefficient() * x2_at * x2_at) *
-          x2_at;
-      e.valueRef() *= -0.5 * std::abs(damping + system.restoring_force()(x1_at));
+      e.valueRef() *= -0.5 * std::abs(system.force(x1_at, x2_at));
     }
   }
   return kronecker_product(columns, divergence_operator(x2)) * flux;

@@ -75,11 +75,7 @@ class TestFunctionBalance {
     return {averages.data(), grid_.nv(), grid_.nx()};
   }
 
-  double force(double x, double v) const {
-    return system_.restoring_force()(x) +
-           v * (system_.damping_polynomial()(x) + system_.rayleigh_coefficient() * v * v) -
-           excitation_.drift;
-  }
+  double force(double x, double v) const { return system_.force(x, v) - excitation_.drift; }
 
   // Returns the integral of weight times p over the plane, from the cell averages of p.
   template <class Weight>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -37,6 +38,41 @@ double integrate_joint_density(const Grid& grid, const Eigen::VectorXd& averages
   const Eigen::RowVectorXd x =
       grid.x1.cell_widths().transpose() * weighted_average_operator(grid.x1, points, of_x1);
   return v * p * x.transpose();
+}
+
+// Returns the integral of a function of x1 and x2 times the joint density, by Gauss points in the
+// cells.
+template <class Function>
+double integrate_function(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                          const Function& f) {
+  using Gauss = boost::math::quadrature::gauss<double, 3>;
+  // Nodes and weights of the rule with three points, on the unit interval.
+  const double end = Gauss::abscissa()[1] / 2;
+  const std::array fractions{0.5 - end, 0.5, 0.5 + end};
+  const std::array weights{Gauss::weights()[1] / 2, Gauss::weights()[0] / 2,
+                           Gauss::weights()[1] / 2};
+  const int points = averaging_stencil_size(scheme_order);
+  const AxisOperator of_x1 = point_value_operator(grid.x1, points, fractions),
+                     of_x2 = point_value_operator(grid.x2, points, fractions);
+  const Eigen::MatrixXd p =
+      of_x2 * Eigen::Map<const Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) *
+      of_x1.transpose();
+  const auto place = [&](const Axis& axis, Eigen::Index n) {
+    const auto cell = static_cast<int>(n / 3);
+    return axis.face_position(cell) + fractions[n % 3] * axis.cell_width(cell);
+  };
+  const auto weight = [&](const Axis& axis, Eigen::Index n) {
+    return weights[n % 3] * axis.cell_width(static_cast<int>(n / 3));
+  };
+  double sum = 0;
+  for (Eigen::Index i = 0; i < p.cols(); ++i) {
+    double of_column = 0;
+    for (Eigen::Index j = 0; j < p.rows(); ++j) {
+      of_column += weight(grid.x2, j) * p(j, i) * f(place(grid.x1, i), place(grid.x2, j));
+    }
+    sum += weight(grid.x1, i) * of_column;
+  }
+  return sum;
 }
 
 Eigen::VectorXd normal_cell_averages(const Axis& axis, double deviation, double centre) {
@@ -195,6 +231,11 @@ double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int 
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
                           const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
   if (system.has_constant_damping()) return system.damping() * moments.v2;
+  if (!system.has_polynomial_force()) {
+    return integrate_function(grid, averages, scheme_order, [&](double x1, double x2) {
+      return x2 * system.damping_force(x1, x2);
+    });
+  }
   return integrate_joint_density(grid, averages, scheme_order, system.damping_polynomial(),
                                  monomial(2)) +
          system.rayleigh_coefficient() * moments.v4;
@@ -225,27 +266,37 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
                                               const Eigen::VectorXd& averages, int scheme_order,
                                               const WallMomentumTransfer& walls) {
   const auto [y, v] = marginals(grid, averages);
-  const auto& force = problem.system.restoring_force();
   const problem::System& system = problem.system;
   problem::VirialBalanceTerms for_virial{
       .mean_displacement =
           integrate_marginal(grid.x1, y, scheme_order, monomial(1)) + walls.displacement_at_rest,
       .mean_square_velocity = integrate_marginal(grid.x2, v, scheme_order, monomial(2)),
-      .mean_virial = integrate_marginal(grid.x1, y, scheme_order, force.multiplied_by_argument())};
-  problem::MomentumBalanceTerms for_momentum{
-      .mean_force = integrate_marginal(grid.x1, y, scheme_order, force),
-      .impact_momentum = walls.left_momentum};
+      .mean_virial = 0};
+  problem::MomentumBalanceTerms for_momentum{.mean_force = 0,
+                                             .impact_momentum = walls.left_momentum};
   for_virial.right_momentum = for_momentum.right_momentum = walls.right_momentum;
-  if (system.rayleigh_coefficient() != 0) {
-    for_virial.mean_y_cubed_velocity =
-        integrate_joint_density(grid, averages, scheme_order, monomial(1), monomial(3));
-    for_momentum.mean_cubed_velocity = integrate_marginal(grid.x2, v, scheme_order, monomial(3));
+  if (system.has_polynomial_force()) {
+    const auto& force = system.restoring_force();
+    for_virial.mean_virial =
+        integrate_marginal(grid.x1, y, scheme_order, force.multiplied_by_argument());
+    for_momentum.mean_force = integrate_marginal(grid.x1, y, scheme_order, force);
+    if (system.rayleigh_coefficient() != 0) {
+      for_virial.mean_y_cubed_velocity =
+          integrate_joint_density(grid, averages, scheme_order, monomial(1), monomial(3));
+      for_momentum.mean_cubed_velocity = integrate_marginal(grid.x2, v, scheme_order, monomial(3));
+    }
+  } else {
+    const auto mean = [&](const auto& f) {
+      return integrate_function(grid, averages, scheme_order, f);
+    };
+    for_virial.mean_virial = mean([&](double x1, double x2) { return x1 * system.force(x1, x2); });
+    for_momentum.mean_force = mean([&](double x1, double x2) { return system.force(x1, x2); });
   }
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(problem, for_virial).residual()};
   for (int i = 0; i < grid.nx(); ++i) {
     for_momentum.mean_absolute_force +=
-        y[i] * grid.x1.cell_width(i) * std::abs(force(grid.x1.cell_centre(i)));
+        y[i] * grid.x1.cell_width(i) * std::abs(system.force(grid.x1.cell_centre(i), 0));
   }
   if (system.left_wall() || system.right_wall() || problem.impulses.rate_times_moment(1) != 0) {
     residuals.momentum = problem::momentum_balance(problem, for_momentum).residual();

@@ -28,7 +28,7 @@ State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) 
   const auto& band = bands[std::min(static_cast<std::size_t>(index), bands.size() - 1)];
   const auto [left, right, at_left, at_right] = band.orbit.half_cycle;
   const double middle = (left + right) / 2, half = (right - left) / 2;
-  const numerics::Polynomial& potential = averaging_.orbits().potential();
+  const problem::EffectivePotential& potential = averaging_.orbits().potential();
   const auto speed = [&](double y) {
     return std::sqrt(std::max(2 * (band.energy - potential(y)), 0.0));
   };

@@ -68,7 +68,11 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const DensityIntegrals& integrals, double mass) {
   const problem::WallFrame frame = problem::wall_frame(problem.system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
-  const auto& force = transformed.system.restoring_force();
+  const problem::System& system = transformed.system;
+  // The balances of a formula contain the whole force (VirialBalanceTerms).
+  const auto force = [&](double x, double v) {
+    return system.force(x, system.has_polynomial_force() ? 0 : v);
+  };
   const auto mean = [&](const auto& function) {
     return integrals.integrate_times_density([&](double y, double v) {
       return function(frame.wall_x(y), frame.physical_velocity(v));
@@ -82,15 +86,15 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   const problem::VirialBalanceTerms virial{
       .mean_displacement = mean([](double x, double) { return x; }),
       .mean_square_velocity = mean([](double, double v) { return v * v; }),
-      .mean_virial = mean([&](double x, double) { return x * force(x); }),
+      .mean_virial = mean([&](double x, double v) { return x * force(x, v); }),
       .right_momentum = frame.mirrored ? 0 : wall_momentum(true),
       .mean_y_cubed_velocity = mean([](double x, double v) { return x * v * v * v; })};
   problem::MomentumBalanceTerms momentum{
-      .mean_force = mean([&](double x, double) { return force(x); }),
+      .mean_force = mean(force),
       .impact_momentum = wall_momentum(frame.mirrored),
       .right_momentum = virial.right_momentum,
       .mean_cubed_velocity = mean([](double, double v) { return v * v * v; }),
-      .mean_absolute_force = mean([&](double x, double) { return std::abs(force(x)); })};
+      .mean_absolute_force = mean([&](double x, double) { return std::abs(system.force(x, 0)); })};
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(transformed, virial).residual()};
   // For impulses with mean zero and a system without a wall, both sides of the momentum balance are
@@ -173,9 +177,8 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
   solution.moments = integrals.moments(solution.mass);
   const auto& moments = solution.moments;
   const problem::System& system = problem.system;
-  const double damping_power = integrals.integrate_times_density([&](double y, double v) {
-    return v * v * (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v);
-  });
+  const double damping_power = integrals.integrate_times_density(
+      [&](double y, double v) { return v * system.damping_force(y, v); });
   solution.energy_residual = problem::energy_residual(
       problem, external.impact,
       {.mean_velocity = moments.v1,

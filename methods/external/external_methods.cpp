@@ -86,6 +86,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   const auto y = of(StateVariable::y), ydot = of(StateVariable::ydot);
   if (y == marginals.end() || ydot == marginals.end()) return {};
   const problem::System& system = problem.system;
+  if (!system.has_polynomial_force()) return {};
   if ((system.left_wall() && system.right_wall()) || system.rayleigh_coefficient() != 0) return {};
   const problem::WallFrame frame = problem::wall_frame(system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,39 @@ constexpr EquationTerm kForce[] = {{&SystemCoefficients::constant, "g₀"},
                                    {&SystemCoefficients::cubic, "μ y³"},
                                    {&SystemCoefficients::quintic, "k₅ y⁵"}};
 
+// Typesets the formula of a force: v becomes y′, a product a centred dot, a constant exponent a
+// superscript.
+std::string formula_html(const std::string& formula) {
+  std::string html;
+  const auto is_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+  };
+  for (std::size_t n = 0; n < formula.size(); ++n) {
+    const char c = formula[n];
+    const bool alone = (n == 0 || !is_word(formula[n - 1])) &&
+                       (n + 1 == formula.size() || !is_word(formula[n + 1]));
+    if (c == 'v' && alone) {
+      html += "y′";
+    } else if (c == '*') {
+      html += "·";
+    } else if (c == '-') {
+      html += "−";
+    } else if (c == '^' && n + 1 < formula.size() &&
+               std::isdigit(static_cast<unsigned char>(formula[n + 1]))) {
+      std::size_t end = n + 1;
+      while (end < formula.size() &&
+             (std::isdigit(static_cast<unsigned char>(formula[end])) || formula[end] == '.')) {
+        ++end;
+      }
+      html += "<sup>" + formula.substr(n + 1, end - n - 1) + "</sup>";
+      n = end - 1;
+    } else {
+      html += c;
+    }
+  }
+  return html;
+}
+
 class ProblemStatement {
  public:
   explicit ProblemStatement(std::span<const Problem* const> problems) : problems_(problems) {}
@@ -74,13 +109,27 @@ class ProblemStatement {
     }
     return symbols;
   }
+  // The formula, if all problems have the same one.
+  std::optional<std::string> formula() const {
+    const auto& first = problems_.front()->system.coefficients().force;
+    const bool same = first && std::ranges::all_of(problems_, [&](const Problem* p) {
+                        return p->system.coefficients().force == first;
+                      });
+    return same ? first : std::nullopt;
+  }
   std::string damping() const {
+    if (const auto text = formula()) return " + " + formula_html(*text);
+    if (any([](const Problem& p) { return !p.system.has_polynomial_force(); }))
+      return " + f(y, y′)";
     const auto terms = present(kDamping);
     if (terms.empty()) return "";
     if (terms.size() == 1) return fmt::format(" + {} y′", terms.front());
     return fmt::format(" + ({}) y′", fmt::join(terms, " + "));
   }
   std::string force() const {
+    if (formula() || any([](const Problem& p) { return !p.system.has_polynomial_force(); })) {
+      return "";
+    }
     std::string text;
     for (const std::string& term : present(kForce)) text += " + " + term;
     return text;

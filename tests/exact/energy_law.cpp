@@ -27,7 +27,8 @@ void for_each_node(double from, double to, int count, const Add& add) {
 
 }  // namespace
 
-EnergyLaw::EnergyLaw(const problem::Problem& problem) : potential_(effective_potential(problem)) {
+EnergyLaw::EnergyLaw(const problem::Problem& problem)
+    : potential_(effective_potential_polynomial(problem)) {
   const problem::System& system = problem.system;
   for (const auto& wall : {system.left_wall(), system.right_wall()}) {
     if (wall && wall->restitution != 1) {

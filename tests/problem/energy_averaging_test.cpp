@@ -18,11 +18,12 @@ const WallParameters kNone{.none = true};
 TEST(EffectivePotential, HasTheForceAndTheMeanOfTheImpulsesForItsSlope) {
   const Problem p = tests::with_impulses(System({.stiffness = 1, .cubic = 0.3}, kNone),
                                          tests::gaussian_impulses(2, 0.3, 0.12));
-  const numerics::Polynomial slope = effective_potential(p).derivative();
+  const numerics::Polynomial slope = effective_potential_polynomial(p).derivative();
   for (const double y : {-0.7, 0.0, 1.3}) {
     EXPECT_NEAR(slope(y), p.system.restoring_force()(y) - p.impulses.rate_times_moment(1), 1e-15);
   }
-  EXPECT_EQ(UndampedOrbits(p).potential().coefficients(), effective_potential(p).coefficients());
+  EXPECT_EQ(UndampedOrbits(p).potential().polynomial()->coefficients(),
+            effective_potential_polynomial(p).coefficients());
 }
 
 TEST(UndampedOrbits, OfAHarmonicSpringHaveItsPeriodAndAction) {

@@ -84,6 +84,57 @@ TEST(GeneralCaseFile, IsNamedByWhatChanges) {
             "a, no wall");
 }
 
+const std::string kFormula =
+    "[system]\nforce = c*v*(1 - y^2) + 0.2*v^3 - y + (y^3)/2 + 0.3\n[parameters]\nc = 0.1\n";
+
+TEST(GeneralCaseFile, FormulaHasTheCoefficientsOfItsPolynomial) {
+  const Problem p = general_case(kFormula + kNoWall + kNoise);
+  const Problem same = general_case(
+      "[system]\ndamping = 0.1\nvan_der_pol = -0.1\nrayleigh = 0.2\nconstant = 0.3\n"
+      "stiffness = -1\ncubic = 0.5\n" +
+      kNoWall + kNoise);
+  EXPECT_EQ(p.system.restoring_force().coefficients(),
+            same.system.restoring_force().coefficients());
+  EXPECT_EQ(p.system.damping_polynomial().coefficients(),
+            same.system.damping_polynomial().coefficients());
+  EXPECT_EQ(p.system.rayleigh_coefficient(), same.system.rayleigh_coefficient());
+  EXPECT_EQ(p.system.coefficients().van_der_pol, -0.1);
+}
+
+TEST(GeneralCaseFile, SectionsKeepFormulaAndConstants) {
+  const Problem p = general_case(kFormula + kNoWall + kNoise);
+  const auto all = sections(p);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].values.size(), 1u);
+  EXPECT_EQ(all[1].name, "parameters");
+  const Problem again = problem_from_sections("a", all);
+  EXPECT_EQ(parameters_text(again), parameters_text(p));
+  EXPECT_EQ(again.system.coefficients().damping, 0.1);
+}
+
+TEST(GeneralCaseFile, OverridesChangeConstantsAndReplaceCoefficients) {
+  const Problem constant = general_case(kFormula + kNoWall + kNoise, {"parameters.c=0.4"});
+  EXPECT_EQ(constant.system.damping(), 0.4);
+  EXPECT_EQ(constant.name, "a, c = 0.4");
+  const Problem formula = general_case(kWells + kNoWall + kNoise, {"system.force=0.3*v + 2*y"});
+  EXPECT_EQ(formula.system.damping(), 0.3);
+  EXPECT_EQ(formula.system.stiffness(), 2);
+  EXPECT_EQ(formula.system.coefficients().cubic, 0);
+}
+
+TEST(GeneralCaseFile, RefusesFormulasThatContradictOrExceedTheFamily) {
+  const auto refused = [](const std::string& text, const std::string& where) {
+    EXPECT_EQ(refusal_of(text + kNoWall + kNoise).find(where), 0u)
+        << refusal_of(text + kNoWall + kNoise);
+  };
+  refused("[system]\nforce = v + y\ndamping = 1\n", "case a.ini:3");
+  refused("[system]\nforce = v - tanh(y)\n", "case a.ini");  // does not confine
+  refused("[system]\nforce = v + y + z\n", "case a.ini:2: system.force column 9");
+  refused("[system]\nforce = v + y\n[parameters]\ny = 1\n", "case a.ini:4");
+  refused("[system]\nforce = v + y\n[parameters]\nm = one\n", "case a.ini:4");
+  refused("[system]\nforce = v + y*1e300\n", "case a.ini");
+}
+
 TEST(ExampleSystems, HaveExpectedFeatures) {
   ASSERT_GE(example_systems().size(), 12u);
   for (const auto& named : example_systems()) {

@@ -1,0 +1,131 @@
+#include "problem/effective_potential.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <set>
+
+#include "numerics/roots/bracketed_root.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+struct SearchInterval {
+  double low, high;
+};
+
+// Returns the interval in which the roots of a polynomial are searched. Its ends are the walls; on
+// a side without a wall the end is a bound of all roots. A polynomial of a single term has the root
+// 0 and root_modulus_bound() 1, and the interval contains both.
+SearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
+  const double bound = 2 * numerics::root_modulus_bound(polynomial) + 1;
+  return {.low = system.left_wall() ? system.left_wall()->position : -bound,
+          .high = system.right_wall() ? system.right_wall()->position : bound};
+}
+
+// The knots of the table are the powers of sqrt 2 within these limits, with both signs.
+constexpr double kNearestKnot = 1e-12, kFarthestKnot = 1e30;
+// The potential of a formula beyond this limit counts as infinite.
+constexpr double kLargestPotential = 1e200;
+
+}  // namespace
+
+std::vector<double> sign_change_points_between_walls(const numerics::Polynomial& polynomial,
+                                                     const System& system) {
+  const auto [low, high] = search_interval(polynomial, system);
+  return low < high ? numerics::sign_change_points(polynomial, low, high) : std::vector<double>{};
+}
+
+numerics::Polynomial effective_potential_polynomial(const Problem& problem) {
+  auto coefficients = problem.system.potential().coefficients();
+  coefficients[1] -= problem.impulses.rate_times_moment(1);
+  return numerics::Polynomial(coefficients);
+}
+
+EffectivePotential::EffectivePotential(const Problem& problem)
+    : system_(problem.system), mean_force_(problem.impulses.rate_times_moment(1)) {
+  if (!system_.has_polynomial_force()) {
+    tabulate();
+    return;
+  }
+  polynomial_ = effective_potential_polynomial(problem);
+  slope_polynomial_ = polynomial_->derivative();
+  const auto [low, high] = search_interval(slope_polynomial_, system_);
+  low_ = low;
+  high_ = high;
+  extrema_ = sign_change_points_between_walls(slope_polynomial_, system_);
+  const std::size_t degree = slope_polynomial_.degree();
+  const double leading = slope_polynomial_.coefficient(degree);
+  rises_on_right_ = leading > 0;
+  rises_on_left_ = (degree % 2 == 0 ? 1 : -1) * leading < 0;
+}
+
+void EffectivePotential::tabulate() {
+  std::set<double> knots{0};
+  for (double knot = kNearestKnot; knot < kFarthestKnot; knot *= std::sqrt(2.0)) {
+    knots.insert(knot);
+    knots.insert(-knot);
+  }
+  for (const double extent : {1.0, 10.0, 100.0, 1000.0}) {
+    for (const double kink : system_.kinks_in_y(-extent, extent)) knots.insert(kink);
+  }
+  knots_.assign(knots.begin(), knots.end());
+  const auto zero = std::ranges::find(knots_, 0.0) - knots_.begin();
+  values_.assign(knots_.size(), 0);
+  const auto add = [&](std::size_t from, std::size_t to) {
+    values_[to] = values_[from];  // integral() adds the last panel
+    values_[to] = integral(knots_[to]);
+  };
+  const auto middle = static_cast<std::size_t>(zero);
+  for (std::size_t n = middle + 1; n < knots_.size(); ++n) add(n - 1, n);
+  for (std::size_t n = middle; n-- > 0;) add(n + 1, n);
+
+  const auto &left = system_.left_wall(), &right = system_.right_wall();
+  // Sign changes of V' are searched on a division of the panels.
+  constexpr int kDivisions = 4;
+  double before = left ? left->position : knots_.front();
+  low_ = left ? left->position : -1;
+  high_ = right ? right->position : 1;
+  const auto inspect = [&](double y) {
+    if (y <= before || (right && y > right->position)) return;
+    if (slope(before) * slope(y) < 0) {
+      extrema_.push_back(numerics::bracketed_root([&](double x) { return slope(x); }, before, y));
+    }
+    if (slope(y) != 0) before = y;
+  };
+  for (std::size_t n = 0; n + 1 < knots_.size(); ++n) {
+    for (int k = 1; k <= kDivisions; ++k) {
+      inspect(knots_[n] + (knots_[n + 1] - knots_[n]) * k / kDivisions);
+    }
+  }
+  if (right) inspect(right->position);
+  if (!extrema_.empty()) {
+    if (!left) low_ = 2 * std::min(extrema_.front(), 0.0) - 1;
+    if (!right) high_ = 2 * std::max(extrema_.back(), 0.0) + 1;
+  }
+  // V is unbounded if V increases over the last octave of the table by more than rounding.
+  const auto rises = [&](double far) {
+    const double at_far = integral(far), before_far = integral(far / 2);
+    return at_far >= kLargestPotential ||
+           at_far - before_far > 1e-12 * std::max(1.0, std::abs(at_far));
+  };
+  constexpr double kFar = 1e12;
+  rises_on_left_ = rises(-kFar);
+  rises_on_right_ = rises(kFar);
+}
+
+double EffectivePotential::integral(double y) const {
+  using Gauss = boost::math::quadrature::gauss<double, 10>;
+  if (y == 0) return 0;
+  // The knot between 0 and y that is nearest to y.
+  const auto after =
+      y > 0 ? std::ranges::lower_bound(knots_, y) : std::ranges::upper_bound(knots_, y);
+  const auto n = static_cast<std::size_t>(after - knots_.begin()) - (y > 0 ? 1 : 0);
+  const std::size_t knot = std::min(n, knots_.size() - 1);
+  const double panel = Gauss::integrate([&](double x) { return system_.force(x, 0) - mean_force_; },
+                                        knots_[knot], y);
+  const double value = values_[knot] + panel;
+  return value < kLargestPotential ? value : kLargestPotential;
+}
+
+}  // namespace fpkcheck::problem

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "problem/problem.hpp"
+
+namespace fpkcheck::problem {
+
+/// Returns the polynomial of the effective potential V = U - lambda E[Y] y: the potential of the
+/// spring plus that of the mean force of the impulses.
+/// @pre problem.system.has_polynomial_force()
+numerics::Polynomial effective_potential_polynomial(const Problem& problem);
+
+/// Returns the points between the walls where a polynomial changes its sign, in increasing order.
+std::vector<double> sign_change_points_between_walls(const numerics::Polynomial& polynomial,
+                                                     const System& system);
+
+/// The effective potential V = U - lambda E[Y] y, a polynomial or the integral of a formula.
+class EffectivePotential {
+ public:
+  explicit EffectivePotential(const Problem& problem);
+
+  double operator()(double y) const { return polynomial_ ? (*polynomial_)(y) : integral(y); }
+  /// Returns the polynomial V; null for a formula.
+  const numerics::Polynomial* polynomial() const { return polynomial_ ? &*polynomial_ : nullptr; }
+  double slope(double y) const {
+    return polynomial_ ? slope_polynomial_(y) : system_.force(y, 0) - mean_force_;
+  }
+  /// Returns the extrema of V between the walls, increasing. Of a formula, two extrema can be
+  /// missed that are closer than 1/8 of their distance from y = 0.
+  const std::vector<double>& extrema() const { return extrema_; }
+  /// Returns whether V increases without bound towards the left, and towards the right.
+  bool rises_on_left() const { return rises_on_left_; }
+  bool rises_on_right() const { return rises_on_right_; }
+  /// Ends of the interval that contains all extrema: the walls, or points beyond the extrema.
+  double low() const { return low_; }
+  double high() const { return high_; }
+
+ private:
+  void tabulate();
+  double integral(double y) const;
+
+  System system_;
+  double mean_force_;  // lambda E[Y]
+  std::optional<numerics::Polynomial> polynomial_;
+  numerics::Polynomial slope_polynomial_{{}};
+  std::vector<double> knots_, values_;  // V of a formula at the knots, increasing
+  std::vector<double> extrema_;
+  double low_ = 0, high_ = 0;
+  bool rises_on_left_ = false, rises_on_right_ = false;
+};
+
+}  // namespace fpkcheck::problem

@@ -1,0 +1,252 @@
+#include "problem/expression/expression.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "numerics/roots/bracketed_root.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+// A polynomial in y and v, or nothing for an expression that is not a polynomial.
+using Polynomial = std::optional<BivariateCoefficients>;
+
+// Limits the time of the expansion, which grows with the fourth power of the degree.
+constexpr int kMaxPolynomialDegree = 12;
+
+Polynomial sum(const Polynomial& a, const Polynomial& b, double factor) {
+  if (!a || !b) return std::nullopt;
+  Polynomial result = a;
+  for (const auto& [exponents, coefficient] : *b) (*result)[exponents] += factor * coefficient;
+  return result;
+}
+
+Polynomial product(const Polynomial& a, const Polynomial& b) {
+  if (!a || !b) return std::nullopt;
+  BivariateCoefficients result;
+  for (const auto& [m, x] : *a) {
+    for (const auto& [n, y] : *b) {
+      const std::pair exponents{m.first + n.first, m.second + n.second};
+      if (exponents.first + exponents.second > kMaxPolynomialDegree) return std::nullopt;
+      result[exponents] += x * y;
+    }
+  }
+  return result;
+}
+
+// The value of a polynomial without y and v.
+std::optional<double> constant_value(const Polynomial& a) {
+  if (!a) return std::nullopt;
+  double value = 0;
+  for (const auto& [exponents, coefficient] : *a) {
+    if (exponents == std::pair{0, 0}) {
+      value = coefficient;
+    } else if (coefficient != 0) {
+      return std::nullopt;
+    }
+  }
+  return value;
+}
+
+Polynomial monomial(int i, int j, double coefficient) {
+  return BivariateCoefficients{{{i, j}, coefficient}};
+}
+
+Parity parity_of_product(Parity a, Parity b) {
+  if (a == Parity::none || b == Parity::none) return Parity::none;
+  return a == b ? Parity::even : Parity::odd;
+}
+
+}  // namespace
+
+bool Expression::contains(std::size_t begin, std::size_t end, Operation operation) const {
+  return std::any_of(nodes_.begin() + static_cast<std::ptrdiff_t>(begin),
+                     nodes_.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&](const Node& node) { return node.operation == operation; });
+}
+
+bool Expression::depends_on(Operation variable) const {
+  return contains(0, nodes_.size(), variable);
+}
+
+std::optional<BivariateCoefficients> Expression::polynomial_coefficients() const {
+  std::vector<Polynomial> stack;
+  const auto pop = [&] {
+    Polynomial last = std::move(stack.back());
+    stack.pop_back();
+    return last;
+  };
+  for (const Node& node : nodes_) {
+    switch (node.operation) {
+      case Operation::constant:
+        stack.push_back(monomial(0, 0, node.constant));
+        break;
+      case Operation::y:
+        stack.push_back(monomial(1, 0, 1));
+        break;
+      case Operation::v:
+        stack.push_back(monomial(0, 1, 1));
+        break;
+      case Operation::add:
+      case Operation::subtract: {
+        const Polynomial b = pop(), a = pop();
+        stack.push_back(sum(a, b, node.operation == Operation::add ? 1 : -1));
+        break;
+      }
+      case Operation::multiply: {
+        const Polynomial b = pop(), a = pop();
+        stack.push_back(product(a, b));
+        break;
+      }
+      case Operation::divide: {
+        const Polynomial b = pop(), a = pop();
+        const auto divisor = constant_value(b);
+        if (!a || !divisor) {
+          stack.emplace_back();
+          break;
+        }
+        Polynomial quotient = a;
+        for (auto& entry : *quotient) entry.second /= *divisor;
+        stack.push_back(quotient);
+        break;
+      }
+      case Operation::negate:
+        stack.push_back(product(monomial(0, 0, -1), pop()));
+        break;
+      case Operation::power: {
+        if (!node.has_integer_exponent) {
+          pop();
+          pop();
+          stack.emplace_back();
+          break;
+        }
+        const Polynomial base = pop();
+        Polynomial power = monomial(0, 0, 1);
+        for (int n = 0; n < node.constant && power; ++n) power = product(power, base);
+        stack.push_back(node.constant < 0 ? Polynomial() : power);
+        break;
+      }
+      case Operation::call:
+        for (int k = 0; k < node.function->arguments; ++k) pop();
+        stack.emplace_back();
+        break;
+    }
+  }
+  Polynomial result = std::move(stack.front());
+  if (result) std::erase_if(*result, [](const auto& entry) { return entry.second == 0; });
+  return result;
+}
+
+Parity Expression::parity() const {
+  std::vector<Parity> stack;
+  const auto pop = [&] {
+    const Parity last = stack.back();
+    stack.pop_back();
+    return last;
+  };
+  for (const Node& node : nodes_) {
+    switch (node.operation) {
+      case Operation::constant:
+        stack.push_back(Parity::even);
+        break;
+      case Operation::y:
+      case Operation::v:
+        stack.push_back(Parity::odd);
+        break;
+      case Operation::add:
+      case Operation::subtract: {
+        const Parity b = pop(), a = pop();
+        stack.push_back(a == b ? a : Parity::none);
+        break;
+      }
+      case Operation::multiply:
+      case Operation::divide: {
+        const Parity b = pop(), a = pop();
+        stack.push_back(parity_of_product(a, b));
+        break;
+      }
+      case Operation::negate:
+        break;
+      case Operation::power: {
+        const bool is_odd_power =
+            node.has_integer_exponent && static_cast<int>(node.constant) % 2 != 0;
+        const Parity exponent = node.has_integer_exponent ? Parity::even : pop();
+        const Parity base = pop();
+        if (node.has_integer_exponent) {
+          stack.push_back(base == Parity::odd && !is_odd_power ? Parity::even : base);
+        } else {
+          const bool is_even = base == Parity::even && exponent == Parity::even;
+          stack.push_back(is_even ? Parity::even : Parity::none);
+        }
+        break;
+      }
+      case Operation::call: {
+        Parity arguments = pop();
+        if (node.function->arguments == 2 && pop() != arguments) arguments = Parity::none;
+        stack.push_back(arguments == Parity::odd ? node.function->parity : arguments);
+        break;
+      }
+    }
+  }
+  return stack.front();
+}
+
+double Expression::kink_value(std::size_t node, double y, double v) const {
+  const Function& function = *nodes_[node].function;
+  if (function.arguments == 1) {
+    const double a = evaluate<double>(nodes_[node].first, node, y, v);
+    return function.kink(a, 0);
+  }
+  const std::size_t second = last_operand_begin(node);
+  return function.kink(evaluate<double>(nodes_[node].first, second, y, v),
+                       evaluate<double>(second, node, y, v));
+}
+
+std::vector<double> Expression::kinks(Operation variable, double low, double high) const {
+  const Operation other = variable == Operation::y ? Operation::v : Operation::y;
+  // Sign changes are searched between this number of points; kinks closer than two points can be
+  // missed.
+  constexpr int kPoints = 4000;
+  std::set<double> found;
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    if (nodes_[k].operation != Operation::call || nodes_[k].function->kink == nullptr) continue;
+    if (contains(nodes_[k].first, k, other)) continue;
+    const auto value = [&](double x) {
+      return variable == Operation::y ? kink_value(k, x, 0) : kink_value(k, 0, x);
+    };
+    double left = low, at_left = value(low);
+    for (int n = 1; n <= kPoints; ++n) {
+      const double right = low + (high - low) * n / kPoints, at_right = value(right);
+      if (at_right == 0 && n < kPoints) found.insert(right);
+      if (at_left * at_right < 0) found.insert(numerics::bracketed_root(value, left, right));
+      left = right;
+      at_left = at_right;
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
+std::vector<double> Expression::kinks_in_y(double low, double high) const {
+  return kinks(Operation::y, low, high);
+}
+std::vector<double> Expression::kinks_in_v(double low, double high) const {
+  return kinks(Operation::v, low, high);
+}
+
+bool Expression::has_oblique_kinks() const {
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    if (nodes_[k].operation != Operation::call || nodes_[k].function->kink == nullptr) continue;
+    if (contains(nodes_[k].first, k, Operation::y) && contains(nodes_[k].first, k, Operation::v)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Expression::has_jumps() const {
+  return std::ranges::any_of(nodes_, [](const Node& node) {
+    return node.operation == Operation::call && node.function->name == "sign";
+  });
+}
+
+}  // namespace fpkcheck::problem

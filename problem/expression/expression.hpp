@@ -1,0 +1,208 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "numerics/dual_number.hpp"
+#include "problem/expression/functions.hpp"
+
+namespace fpkcheck::problem {
+
+/// Values of the named constants that an expression may use.
+using NamedConstants = std::map<std::string, double, std::less<>>;
+
+/// Returns whether formulas can use a name for a constant: letters, digits and '_', no variable, no
+/// function and not pi.
+bool is_name_of_constant(std::string_view name);
+
+/// A polynomial in y and v, as coefficients of y^i v^j by their exponents (i, j).
+using BivariateCoefficients = std::map<std::pair<int, int>, double>;
+
+/// A formula of the displacement y and the velocity v, for example `0.1*v + y + mu*y^3`.
+///
+///     sum     = product {("+" | "-") product}
+///     product = signed {("*" | "/") signed}
+///     signed  = ["+" | "-"] signed | power
+///     power   = atom ["^" signed]                       (a^b^c = a^(b^c), -a^2 = -(a^2))
+///     atom    = number | name | function "(" sum {"," sum} ")" | "(" sum ")"
+///
+/// A name is y, v, pi or a named constant; kFunctions lists the functions. The formula is stored in
+/// postfix notation, with constant parts evaluated. An expression is immutable, so that several
+/// threads can evaluate it.
+class Expression {
+ public:
+  /// Parses the text of a formula.
+  /// @param label beginning of messages: the key of the case file
+  /// @param variables names of the variables in use, of `y` and `v`
+  /// @throws InputError "LABEL column N: CAUSE; ACTION" for a text outside the grammar, an unknown
+  /// name, or a text above the limits of length, nesting and number of operations
+  static Expression parse(std::string_view text, const NamedConstants& constants,
+                          const std::string& label, std::string_view variables = "yv");
+
+  /// The text of the formula, as written.
+  const std::string& text() const { return text_; }
+
+  /// Value of the expression. `Number` is double or a DualNumber.
+  template <class Number>
+  Number operator()(const Number& y, const Number& v) const {
+    return evaluate<Number>(0, nodes_.size(), y, v);
+  }
+  /// Derivative with respect to y, at a point where it exists.
+  double derivative_in_y(double y, double v) const {
+    return (*this)(numerics::DualNumber{y, 1}, numerics::DualNumber{v, 0}).derivative;
+  }
+  /// Derivative with respect to v, at a point where it exists.
+  double derivative_in_v(double y, double v) const {
+    return (*this)(numerics::DualNumber{y, 0}, numerics::DualNumber{v, 1}).derivative;
+  }
+
+  bool depends_on_y() const { return depends_on(Operation::y); }
+  bool depends_on_v() const { return depends_on(Operation::v); }
+
+  /// Coefficients if the expression is a polynomial in y and v.
+  std::optional<BivariateCoefficients> polynomial_coefficients() const;
+  /// Parity under (y, v) -> (-y, -v), as far as the form of the expression shows. A sum of odd
+  /// terms is odd; `none` also stands for a parity that only an identity shows.
+  Parity parity() const;
+  /// The values of y in (low, high) at which the expression or its slope jumps for every v,
+  /// increasing.
+  std::vector<double> kinks_in_y(double low, double high) const;
+  /// The values of v in (low, high) at which the expression or its slope jumps for every y,
+  /// increasing.
+  std::vector<double> kinks_in_v(double low, double high) const;
+  /// Whether the expression or its slope jumps along a curve that is neither y = const. nor v =
+  /// const., as abs(y - v) does.
+  bool has_oblique_kinks() const;
+  /// Whether the expression contains sign(), hence jumps.
+  bool has_jumps() const;
+
+  /// Largest number of characters, operations and nested operations.
+  static constexpr std::size_t kMaxLength = 4000, kMaxNodes = 2000, kMaxDepth = 100;
+
+ private:
+  enum class Operation { constant, y, v, add, subtract, multiply, divide, negate, power, call };
+  struct Node {
+    Operation operation;
+    double constant = 0;                 // value of a constant; integer exponent of `power`
+    bool has_integer_exponent = false;   // the exponent is `constant`, not an operand
+    const Function* function = nullptr;  // function of a call
+    std::size_t first = 0;               // index of the first node of this operation's operands
+  };
+  friend class ExpressionParser;
+
+  template <class Number>
+  static Number integer_power(const Number& base, int exponent);
+  template <class Number>
+  Number evaluate(std::size_t begin, std::size_t end, const Number& y, const Number& v) const;
+  bool depends_on(Operation variable) const;
+  std::size_t last_operand_begin(std::size_t node) const { return nodes_[node - 1].first; }
+  bool contains(std::size_t begin, std::size_t end, Operation operation) const;
+  std::vector<double> kinks(Operation variable, double low, double high) const;
+  double kink_value(std::size_t node, double y, double v) const;
+
+  std::string text_;
+  std::vector<Node> nodes_;  // postfix order
+};
+
+/// Applies a function to each kind of number.
+inline double apply(const Function& f, double a, double b) { return f.value(a, b); }
+inline numerics::DualNumber apply(const Function& f, const numerics::DualNumber& a,
+                                  const numerics::DualNumber& b) {
+  const double in_first = a.derivative == 0 ? 0 : f.slope(a.value, b.value) * a.derivative;
+  const double in_second = f.arguments == 1 || b.derivative == 0
+                               ? 0
+                               : f.slope_in_second(a.value, b.value) * b.derivative;
+  return {f.value(a.value, b.value), in_first + in_second};
+}
+inline double real_power(double a, double b) { return std::pow(a, b); }
+inline numerics::DualNumber real_power(const numerics::DualNumber& a,
+                                       const numerics::DualNumber& b) {
+  const double value = std::pow(a.value, b.value);
+  double slope = a.derivative == 0 ? 0 : b.value * std::pow(a.value, b.value - 1) * a.derivative;
+  if (b.derivative != 0) slope += value * std::log(a.value) * b.derivative;
+  return {value, slope};
+}
+template <class Number>
+Number Expression::integer_power(const Number& base, int exponent) {
+  Number power = base;
+  Number result = base - base;
+  bool started = false;
+  for (int n = exponent < 0 ? -exponent : exponent; n > 0; n >>= 1, power = power * power) {
+    if ((n & 1) == 0) continue;
+    result = started ? result * power : power;
+    started = true;
+  }
+  return result;
+}
+
+template <class Number>
+Number Expression::evaluate(std::size_t begin, std::size_t end, const Number& y,
+                            const Number& v) const {
+  std::array<Number, kMaxDepth + 1> stack;
+  std::size_t top = 0;  // number of values on the stack
+  const auto constant = [&](double value) {
+    if constexpr (std::is_same_v<Number, double>) {
+      return value;
+    } else if constexpr (std::is_same_v<Number, numerics::DualNumber>) {
+      return numerics::DualNumber{value, 0};
+    } else {
+      return Number{} + value;
+    }
+  };
+  for (std::size_t k = begin; k < end; ++k) {
+    const Node& node = nodes_[k];
+    switch (node.operation) {
+      case Operation::constant:
+        stack[top++] = constant(node.constant);
+        break;
+      case Operation::y:
+        stack[top++] = y;
+        break;
+      case Operation::v:
+        stack[top++] = v;
+        break;
+      case Operation::add:
+        --top;
+        stack[top - 1] = stack[top - 1] + stack[top];
+        break;
+      case Operation::subtract:
+        --top;
+        stack[top - 1] = stack[top - 1] - stack[top];
+        break;
+      case Operation::multiply:
+        --top;
+        stack[top - 1] = stack[top - 1] * stack[top];
+        break;
+      case Operation::divide:
+        --top;
+        stack[top - 1] = stack[top - 1] / stack[top];
+        break;
+      case Operation::negate:
+        stack[top - 1] = -stack[top - 1];
+        break;
+      case Operation::power:
+        if (node.has_integer_exponent) {
+          const int exponent = static_cast<int>(node.constant);
+          const Number power = integer_power(stack[top - 1], exponent);
+          stack[top - 1] = exponent < 0 ? constant(1) / power : power;
+        } else {
+          --top;
+          stack[top - 1] = real_power(stack[top - 1], stack[top]);
+        }
+        break;
+      case Operation::call:
+        if (node.function->arguments == 2) --top;
+        stack[top - 1] = apply(*node.function, stack[top - 1],
+                               stack[node.function->arguments == 2 ? top : top - 1]);
+        break;
+    }
+  }
+  return stack[0];
+}
+
+}  // namespace fpkcheck::problem

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fd_fpk/axis/excitation.hpp"
+#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
+#include "fd_fpk/solve.hpp"
+#include "general_oscillators.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+
+problem::System system_of(const std::string& formula,
+                          const problem::WallParameters& walls = {.none = true}) {
+  return problem::System({.force = formula}, walls);
+}
+
+// The term 0*abs(y) hides the polynomial from System.
+TEST(Formula, HasTheOperatorOfItsPolynomial) {
+  const problem::WallParameters walls{.left = 0, .left_restitution = 0.8};
+  const problem::System polynomial({.damping = 0.1,
+                                    .van_der_pol = 0.3,
+                                    .rayleigh = 0.2,
+                                    .constant = 0.4,
+                                    .stiffness = 1,
+                                    .quadratic = -0.3,
+                                    .cubic = 0.5},
+                                   walls);
+  const problem::System formula =
+      system_of("v*(0.1 + 0.3*y^2 + 0.2*v^2) + 0.4 + y - 0.3*y^2 + 0.5*y^3 + 0*abs(y)", walls);
+  ASSERT_TRUE(polynomial.has_polynomial_force());
+  ASSERT_FALSE(formula.has_polynomial_force());
+  const Grid grid = make_grid(14, 20, 2.5, 3.0, {0.5, 0.2}, {0.5, 0.3});
+  const auto impulses = tests::gaussian_impulses(1, 0.5);
+  for (const int order : {4, 5, 7}) {
+    const auto assembled = [&](const problem::System& system) {
+      return Eigen::MatrixXd(fokker_planck_operator(system, white_noise_excitation(impulses),
+                                                    problem::ImpactCondition::map, grid, order)
+                                 .assembled_matrix());
+    };
+    const Eigen::MatrixXd expected = assembled(polynomial);
+    EXPECT_LT((assembled(formula) - expected).cwiseAbs().maxCoeff(),
+              1e-11 * expected.cwiseAbs().maxCoeff())
+        << order;
+  }
+}
+
+// White noise and a damping that depends on the energy H = v^2/2 + V(y) alone: the exact density is
+// C exp(-(1/D) int d(H) dH), here with d = 0.2 sqrt(1 + 2H) and V = cosh y - 1.
+TEST(Formula, HasTheExactLawOfEnergyDependentDamping) {
+  constexpr double kDiffusion = 0.1;
+  const auto p = tests::with_noise(system_of("0.2*v*sqrt(1 + v^2 + 2*(cosh(y) - 1)) + sinh(y)"),
+                                   2 * kDiffusion);
+  const auto density = [](double y, double v) {
+    const double energy = v * v / 2 + std::cosh(y) - 1;
+    return std::exp(-0.2 / 3 * (std::pow(1 + 2 * energy, 1.5) - 1) / kDiffusion);
+  };
+  double mass = 0, y2 = 0, v2 = 0, v4 = 0;
+  constexpr double kStep = 0.02;  // the trapezoidal rule converges exponentially
+  for (double y = -5; y < 5; y += kStep) {
+    for (double v = -6; v < 6; v += kStep) {
+      const double w = density(y, v);
+      mass += w;
+      y2 += w * y * y;
+      v2 += w * v * v;
+      v4 += w * v * v * v * v;
+    }
+  }
+  const auto [solution, summary] = solve(p, {});
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  EXPECT_NEAR(solution.moments.y2, y2 / mass, 1e-6);
+  EXPECT_NEAR(solution.moments.v2, v2 / mass, 1e-6);
+  EXPECT_NEAR(solution.moments.v4, v4 / mass, 1e-5);
+  EXPECT_LT(std::abs(solution.energy_residual), 1e-5);
+}
+
+// Impulses, no wall and damping 0.1 v: the balance of power is 0.1 E[v^2] = I/2.
+TEST(Formula, KeepsTheBalanceOfPowerUnderImpulses) {
+  const auto p = tests::with_impulses(system_of("0.1*v + tanh(2*y) + 0.2*y"),
+                                      tests::gaussian_impulses(1, 0.2));
+  const auto solution = solve(p, {.refinement = 0.7, .error_estimate = false}).solution;
+  EXPECT_NEAR(solution.moments.v2, 1, 2e-4);
+  EXPECT_LT(std::abs(solution.energy_residual), 2e-4);
+}
+
+TEST(Formula, HasFacesAtItsKinks) {
+  const auto p = tests::with_impulses(system_of("0.1*v + y + 4*max(y - 0.5, 0) - 3*abs(y + 0.3)"),
+                                      tests::gaussian_impulses(1, 0.2));
+  const Box box{.x1_max = 2, .x2_max = 3, .x1_min = -2, .lengths = {1, 1}};
+  const auto faces = discretise(p, {}, box).grid.x1.faces();
+  for (const double kink : {-0.3, 0.5}) {
+    double nearest = 1;
+    for (const double face : faces) nearest = std::min(nearest, std::abs(face - kink));
+    EXPECT_LT(nearest, 1e-12) << kink;
+  }
+}
+
+// A wall on the right at 0.4: the solver sees the mirrored and shifted formula.
+TEST(Formula, IsTransformedToWallCoordinates) {
+  const problem::WallParameters right{.right = 0.4, .right_restitution = 0.8};
+  const problem::WallParameters left{.left = -0.4, .left_restitution = 0.8};
+  const auto solve_moments = [](const problem::System& system) {
+    const auto p = tests::with_noise(system, 0.2);
+    return solve(tests::in_wall_coordinates(p), {.refinement = 0.7}).solution.moments;
+  };
+  const auto of_right = solve_moments(system_of("0.3*v + sinh(y) + 0.1*exp(v)*v", right));
+  const auto of_left = solve_moments(system_of("0.3*v + sinh(y) + 0.1*exp(-v)*v", left));
+  EXPECT_NEAR(of_right.y1, -of_left.y1, 1e-9);
+  EXPECT_NEAR(of_right.y2, of_left.y2, 1e-9);
+  EXPECT_NEAR(of_right.v2, of_left.v2, 1e-9);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk
