@@ -39,7 +39,7 @@ ProblemFeatures features(const Problem& problem) {
 
 std::string polynomial_required_reason(const Problem& problem) {
   if (problem.system.has_polynomial_force()) return "";
-  return "the force is not one of the polynomials that this method supports; use fd";
+  return "the force is not one of the polynomials that this method supports; use fd or mcs";
 }
 
 std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation) {

@@ -1,6 +1,7 @@
 #include "problem/system.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "problem/parameter_ranges.hpp"
 
@@ -101,6 +102,18 @@ System::System(const SystemCoefficients& coefficients, const WallParameters& wal
   tangent_ = force_.derivative();
   potential_ = force_.antiderivative();
   damping_ = numerics::Polynomial({c_.damping, 0, c_.van_der_pol});
+}
+
+void System::evaluate_forces(std::size_t count, const double* y, const double* v,
+                             double* force) const {
+  assert(formula_ && count <= Expression::kBatch);
+  std::array<double, Expression::kBatch> physical_y{}, physical_v{};
+  for (std::size_t k = 0; k < count; ++k) {
+    physical_y[k] = origin_ + sign_ * y[k];
+    physical_v[k] = sign_ * v[k];
+  }
+  formula_->evaluate_batch(count, physical_y.data(), physical_v.data(), force);
+  for (std::size_t k = 0; k < count; ++k) force[k] *= sign_;
 }
 
 std::vector<double> System::kinks_in_y(double low, double high) const {

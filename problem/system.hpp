@@ -64,6 +64,9 @@ class System {
     if (formula_) return sign_ * (*formula_)(origin_ + sign_ * y, sign_ * v);
     return damping_force(y, v) + force_(y);
   }
+  /// Computes force() at `count` <= Expression::kBatch points, faster than one by one.
+  /// @pre !has_polynomial_force()
+  void evaluate_forces(std::size_t count, const double* y, const double* v, double* force) const;
   /// Returns the part f(y, v) of the force that vanishes at v = 0.
   double damping_force(double y, double v) const {
     if (formula_) return force(y, v) - force(y, 0);

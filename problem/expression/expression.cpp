@@ -243,6 +243,14 @@ bool Expression::has_oblique_kinks() const {
   return false;
 }
 
+bool Expression::has_kinks() const {
+  return std::ranges::any_of(nodes_, [](const Node& node) {
+    return node.operation == Operation::call
+               ? node.function->kink != nullptr
+               : node.operation == Operation::power && !node.has_integer_exponent;
+  });
+}
+
 bool Expression::has_jumps() const {
   return std::ranges::any_of(nodes_, [](const Node& node) {
     return node.operation == Operation::call && node.function->name == "sign";

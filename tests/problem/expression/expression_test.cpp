@@ -21,6 +21,39 @@ int refused_column(const std::string& text) {
   return message.starts_with(word) ? std::stoi(message.substr(word.size())) : 0;
 }
 
+TEST(Expression, InBatchesHasTheSameValuesUpToRounding) {
+  for (const Function& f : kFunctions) {
+    const std::string name(f.name);
+    const Expression e = parse(name + (f.arguments == 1 ? "(3*y)" : "(3*y, v)") + " - v/k");
+    const double ys[] = {0.3, -1.2, 1e-9, 0.019, 0.021, 0, -40, 300},
+                 vs[] = {1, -2, 0, 0, 3, 0.5, 1, 2};
+    double values[Expression::kBatch], alone;
+    e.evaluate_batch(Expression::kBatch, ys, vs, values);
+    for (int n = 0; n < Expression::kBatch; ++n) {
+      const double value = e(ys[n], vs[n]);
+      if (std::isnan(value)) {
+        EXPECT_TRUE(std::isnan(values[n])) << name << ys[n];
+      } else if (std::isfinite(value)) {
+        EXPECT_NEAR(values[n], value, 4e-15 * std::abs(value) + 1e-15 * std::abs(vs[n]))
+            << name << ys[n];
+      } else {
+        EXPECT_EQ(values[n], value) << name << ys[n];
+      }
+      e.evaluate_batch(1, ys + n, vs + n, &alone);
+      if (!std::isnan(value)) {
+        EXPECT_EQ(alone, values[n]);
+      }
+    }
+  }
+  for (const char* text : {"y^1.5", "(y+v)^-2.5", "y^-3", "y^v", "y^0", "max(-y,0)^1.5"}) {
+    const Expression e = parse(text);
+    const double y = 0.7, v = 0.2;
+    double value;
+    e.evaluate_batch(1, &y, &v, &value);
+    EXPECT_NEAR(value, e(y, v), 1e-14 * std::abs(e(y, v))) << text;
+  }
+}
+
 TEST(Expression, FollowsTheRulesOfPrecedence) {
   const double y = 0.7, v = -0.3;
   const std::pair<const char*, double> formulas[] = {
