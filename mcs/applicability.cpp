@@ -9,7 +9,11 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   // For a Duffing oscillator at a wall, solve() itself reports an inelastic collapse as a failed
   // solution.
   if (is_duffing_at_wall(problem)) return "";
-  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
+  const bool has_noise = problem.noise.is_present() || options.equation == DensityEquation::white;
+  if (!problem.system.has_polynomial_force() && problem.system.formula().has_jumps() &&
+      !has_noise) {
+    return "the mass sticks where the force jumps (sign); smooth it: tanh(v/eps)";
+  }
   if (options.tails) {
     std::string why = unsupported_splitting_reason(problem, options);
     if (!why.empty()) return why;
@@ -20,6 +24,9 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 std::string unsupported_splitting_reason(const problem::Problem& problem, const Options& options) {
   // For a Duffing oscillator at a wall, c > 0 and evenly spaced impulses replace the white noise.
   if (is_duffing_at_wall(problem)) return "";
+  if (!problem.system.has_polynomial_force()) {
+    return "tail splitting needs a polynomial potential, and the force is a formula";
+  }
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses || options.equation == DensityEquation::white) {
     return "tail splitting needs an energy that rises at impulses only, and noise raises the "

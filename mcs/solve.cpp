@@ -48,6 +48,8 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
 
 double damping_power(const problem::System& system, const Simulation& simulation,
                      const StreamStatistics& r) {
+  // The restoring force has the mean power 0.
+  if (!system.has_polynomial_force()) return r.force_v / simulation.expected_samples_per_stream();
   const auto& c = system.damping_polynomial();
   return c.coefficient(0) * moment_in_wall_coordinates(simulation, r, 0, 2) +
          c.coefficient(1) * moment_in_wall_coordinates(simulation, r, 1, 2) +
@@ -83,8 +85,19 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
 /// balance, averaged over all streams.
 void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
                        const StreamWeights& weights, Summary& summary) {
-  const auto& force = problem.system.restoring_force();
-  const auto virial = force.multiplied_by_argument();
+  const problem::System& system = problem.system;
+  // The mean force and the mean virial of a formula include the damping force.
+  const auto mean_force = [&](const StreamStatistics& r) {
+    return system.has_polynomial_force()
+               ? mean_of_polynomial_in_y(simulation, r, system.restoring_force())
+               : r.force / simulation.expected_samples_per_stream();
+  };
+  const auto mean_virial = [&](const StreamStatistics& r) {
+    return system.has_polynomial_force()
+               ? mean_of_polynomial_in_y(simulation, r,
+                                         system.restoring_force().multiplied_by_argument())
+               : r.force_y / simulation.expected_samples_per_stream();
+  };
   const Oscillator& o = simulation.plan().oscillator;
   const auto right_momentum = [&](const StreamStatistics& r) {
     return r.right_speed / simulation.simulated_time_per_stream();
@@ -114,18 +127,17 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   set(
       [&](const StreamStatistics& r) {
         return problem::virial_balance(
-            problem,
-            {.mean_displacement = moment_in_wall_coordinates(simulation, r, 1, 0),
-             .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
-             .mean_virial = mean_of_polynomial_in_y(simulation, r, virial) + virial_at_rest(r),
-             .right_momentum = right_momentum(r),
-             .mean_y_cubed_velocity = moment_in_wall_coordinates(simulation, r, 1, 3)});
+            problem, {.mean_displacement = moment_in_wall_coordinates(simulation, r, 1, 0),
+                      .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
+                      .mean_virial = mean_virial(r) + virial_at_rest(r),
+                      .right_momentum = right_momentum(r),
+                      .mean_y_cubed_velocity = moment_in_wall_coordinates(simulation, r, 1, 3)});
       },
       &transform::BalanceResiduals::virial);
   set(
       [&](const StreamStatistics& r) {
         return problem::momentum_balance(
-            problem, {.mean_force = mean_of_polynomial_in_y(simulation, r, force),
+            problem, {.mean_force = mean_force(r),
                       .impact_momentum = r.left_speed / simulation.simulated_time_per_stream(),
                       .right_momentum = right_momentum(r),
                       .mean_cubed_velocity = moment_in_wall_coordinates(simulation, r, 0, 3),

@@ -3,6 +3,7 @@
 #include "mcs/deposit/deposit_simd.hpp"
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/duffing_flight.hpp"
+#include "mcs/motion/formula_flight.hpp"
 #include "mcs/motion/polynomial_flight.hpp"
 #include "mcs/motion/sample_statistics_simd.hpp"
 #include "mcs/motion/scalar_events.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct DuffingMotion {
   template <class Real>
   using Flight = DuffingFlight<Real>;
+  static constexpr bool kHasFormula = false;  ///< whether the force is a formula
   /// Whether the oscillator may have two walls, no wall, or walls at positions other than y = 0
   static constexpr bool kHasAnyWalls = false;
   static constexpr bool kHasRest = false;  ///< whether the mass may rest on a wall
@@ -31,6 +33,17 @@ template <int kOrder>
 struct PolynomialMotion {
   template <class Real>
   using Flight = PolynomialFlight<Real, kOrder>;
+  static constexpr bool kHasFormula = false;
+  static constexpr bool kHasAnyWalls = true;
+  static constexpr bool kHasRest = true;
+  static constexpr bool kHasKicks = true;
+  static constexpr bool kDeposits = false;
+};
+
+struct FormulaMotion {
+  template <class Real>
+  using Flight = FormulaFlight<Real>;
+  static constexpr bool kHasFormula = true;
   static constexpr bool kHasAnyWalls = true;
   static constexpr bool kHasRest = true;
   static constexpr bool kHasKicks = true;
@@ -54,9 +67,11 @@ struct LaneState {
   Real weight{};
   Real powers[kPowers.size()]{};
   Real y5{}, y6{};
+  Real force{}, force_y{}, force_v{};
   Real samples{}, impacts{}, flights{};
   Real left_speed{}, left_energy{}, right_speed{}, right_energy{};
   Real rest_left{}, rest_right{};
+  IntegratorState<Real> integrator{};  // used if Motion::kHasFormula
   Real beyond_wall{};  // y of the flight polynomial at the next impact, 0 up to rounding
 
   FPKCHECK_INLINE LaneState(const MotionParameters& m, Stream* const* s)
@@ -99,6 +114,9 @@ struct LaneState {
     };
     add(y5, &StreamStatistics::y5);
     add(y6, &StreamStatistics::y6);
+    add(force, &StreamStatistics::force);
+    add(force_y, &StreamStatistics::force_y);
+    add(force_v, &StreamStatistics::force_v);
     add(samples, &StreamStatistics::samples);
     add(rest_left, &StreamStatistics::rest_left);
     add(rest_right, &StreamStatistics::rest_right);
@@ -233,6 +251,12 @@ struct LaneState {
     const Real counted_weight = simd::select_or_zero(due, weight);
     add_weighted_monomials(at, counted_weight, powers);
     samples = samples + counted_weight;
+    if constexpr (Motion::kHasFormula) {
+      const Real weighted = counted_weight * formula_force(oscillator, at, due);
+      force = force + weighted;
+      force_y = force_y + weighted * at.y;
+      force_v = force_v + weighted * at.v;
+    }
     Real into_bins = counted_weight;
     if constexpr (Motion::kHasRest) {
       const Real x = at.y, xx = x * x;
@@ -408,6 +432,17 @@ struct LaneState {
       time_to_rest = simd::select(now, simd::broadcast<Real>(-1.0), time_to_rest);
   }
 
+  FPKCHECK_INLINE Flight make_flight(const Oscillator& of_flights,
+                                     [[maybe_unused]] const Real& until_event,
+                                     [[maybe_unused]] const Mask& active) {
+    if constexpr (Motion::kHasFormula) {
+      const Mask moving = active & (time_to_rest < 0.0);
+      return Flight(of_flights, {y, v}, motion.step, until_event, moving, integrator);
+    } else {
+      return Flight(of_flights, {y, v});
+    }
+  }
+
   FPKCHECK_INLINE void advance_streams() {
     // A copy of the oscillator allows optimisation, since the compiler must assume that stores of
     // sums change the original.
@@ -419,9 +454,9 @@ struct LaneState {
       // Every iteration advances the time of a lane or ends at a wall. At a wall the velocity
       // points inwards or the mass rests, so the next iteration advances the time.
       apply_impacts(active);
-      Flight flight(of_flights, {y, v});
       Real span = simd::lanewise_min(until_impulse, remaining);
       if constexpr (Motion::kHasKicks) span = simd::lanewise_min(span, until_kick);
+      Flight flight = make_flight(of_flights, span, active);
       Mask in_contact = active, free = active;
       if constexpr (Motion::kHasRest) {
         in_contact = time_to_rest >= 0.0;
@@ -470,6 +505,8 @@ template <int W>
 void advance_in_lanes(const MotionParameters& motion, Stream* const* streams) {
   if (motion.oscillator.is_duffing_at_wall()) {
     LaneState<W, DuffingMotion>(motion, streams).advance_streams();
+  } else if (motion.oscillator.kind == Oscillator::Kind::formula) {
+    LaneState<W, FormulaMotion>(motion, streams).advance_streams();
   } else if (motion.kicks.is_present()) {
     LaneState<W, PolynomialMotion<kOrderBetweenKicks>>(motion, streams).advance_streams();
   } else {

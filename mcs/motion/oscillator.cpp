@@ -15,20 +15,51 @@ namespace {
 constexpr double kRestSpeedFraction = 1e-3;
 
 double largest_damping(const problem::System& system, const problem::MotionScales& scales) {
-  const auto& c = system.damping_polynomial();
+  const double v2 = scales.velocity_deviation * scales.velocity_deviation;
   double largest = 0;
   for (const double y : {scales.centre, scales.centre - scales.displacement_deviation,
                          scales.centre + scales.displacement_deviation}) {
-    largest = std::max(largest, std::abs(c(y)));
+    if (system.has_polynomial_force()) {
+      largest = std::max(largest, std::abs(system.damping_polynomial()(y)));
+      continue;
+    }
+    for (const double share : {-1.0, -0.3, 0.3, 1.0}) {
+      const double v = share * scales.velocity_deviation;
+      largest = std::max(largest, std::abs(system.damping_force(y, v) / v));
+    }
   }
-  const double v2 = scales.velocity_deviation * scales.velocity_deviation;
+  if (!system.has_polynomial_force()) return largest;
   return largest + std::abs(system.rayleigh_coefficient()) * v2;
+}
+
+void set_polynomials(const problem::System& system, bool damping_in_kicks, Oscillator& o) {
+  for (std::size_t n = 0; n < o.force.size(); ++n)
+    o.force[n] = system.restoring_force().coefficient(n);
+  // Constant damping c y' is part of the noise kicks.
+  if (!damping_in_kicks) {
+    for (std::size_t n = 0; n < o.damping.size(); ++n) {
+      o.damping[n] = system.damping_polynomial().coefficient(n);
+    }
+  }
+  o.rayleigh = system.rayleigh_coefficient();
+}
+
+Oscillator::Kind kind_of(const problem::Problem& problem, const Oscillator& o) {
+  using Kind = Oscillator::Kind;
+  if (!problem.system.has_polynomial_force()) return Kind::formula;
+  const auto degree = problem.system.restoring_force().degree();
+  const bool even_damping = o.damping[1] == 0 && o.damping[2] == 0;
+  return is_duffing_at_wall(problem)                      ? Kind::duffing_at_wall
+         : degree <= 1 && even_damping && o.rayleigh == 0 ? Kind::linear
+         : degree <= 3 && o.rayleigh == 0                 ? Kind::cubic
+                                                          : Kind::full;
 }
 
 }  // namespace
 
 bool is_duffing_at_wall(const problem::Problem& problem) {
   const problem::System& system = problem.system;
+  if (!system.has_polynomial_force()) return false;
   const numerics::Polynomial& g = system.restoring_force();
   const double k = g.coefficient(1), mu = g.coefficient(3);
   const bool is_duffing = g.coefficient(0) == 0 && g.coefficient(2) == 0 && g.degree() <= 3 &&
@@ -42,29 +73,21 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
                            double mean_force, bool has_noise_kicks) {
   const problem::System& system = problem.system;
   Oscillator o;
-  for (std::size_t n = 0; n < o.force.size(); ++n)
-    o.force[n] = system.restoring_force().coefficient(n);
-  o.force[0] -= mean_force;
-  // If noise kicks act, the kicks include constant damping c y'.
-  if (!(has_noise_kicks && system.has_constant_damping())) {
-    for (std::size_t n = 0; n < o.damping.size(); ++n) {
-      o.damping[n] = system.damping_polynomial().coefficient(n);
-    }
+  if (system.has_polynomial_force()) {
+    set_polynomials(system, has_noise_kicks && system.has_constant_damping(), o);
+  } else {
+    o.system = &system;
+    o.has_jumps = system.formula().has_jumps();
+    o.has_kinks = system.formula().has_kinks();
   }
-  o.rayleigh = system.rayleigh_coefficient();
-  const auto degree = system.restoring_force().degree();
-  const bool even_damping = o.damping[1] == 0 && o.damping[2] == 0;
-  using Kind = Oscillator::Kind;
-  o.kind = is_duffing_at_wall(problem)                      ? Kind::duffing_at_wall
-           : degree <= 1 && even_damping && o.rayleigh == 0 ? Kind::linear
-           : degree <= 3 && o.rayleigh == 0                 ? Kind::cubic
-                                                            : Kind::full;
+  o.force[0] -= mean_force;
+  o.kind = kind_of(problem, o);
   o.length = scales.displacement_deviation;
   o.frequency = scales.frequency;
   const double rate = scales.frequency + largest_damping(system, scales);
   const auto make_wall = [&](const problem::Wall& wall, double inwards) {
     Wall w{.exists = true, .position = wall.position, .restitution = wall.restitution};
-    w.contact_force = inwards * (system.restoring_force()(wall.position) - mean_force);
+    w.contact_force = inwards * (system.force(wall.position, 0) - mean_force);
     if (w.contact_force > 0) {
       w.rest_speed =
           kRestSpeedFraction * std::min(scales.velocity_deviation, w.contact_force / rate);
@@ -90,6 +113,19 @@ NoiseKicks make_noise_kicks(const problem::Problem& problem, const problem::Moti
   };
   kicks.has_lossy_wall = has_losses(system.left_wall()) || has_losses(system.right_wall());
   return kicks;
+}
+
+void evaluate_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
+                     double* force) {
+  const problem::System& system = *oscillator.system;
+  system.evaluate_forces(static_cast<std::size_t>(count), y, v, force);
+  for (int k = 0; k < count; ++k) {
+    if (std::isfinite(force[k])) continue;
+    double inside = y[k];
+    if (oscillator.left.exists) inside = std::max(inside, oscillator.left.position);
+    if (oscillator.right.exists) inside = std::min(inside, oscillator.right.position);
+    if (inside != y[k]) force[k] = system.force(inside, v[k]);
+  }
 }
 
 }  // namespace fpkcheck::mcs

@@ -4,6 +4,7 @@
 
 namespace fpkcheck::problem {
 struct Problem;
+class System;
 struct MotionScales;
 }  // namespace fpkcheck::problem
 
@@ -36,10 +37,13 @@ struct Oscillator {
     // includes the terms of `linear`, and `full` includes all terms.
     linear,
     cubic,
-    full
+    full,
+    /// Force from `system`; flights are FormulaFlights
+    formula
   };
 
-  std::array<double, kHighestDegree + 1> force{};  ///< coefficients of the force g(y)
+  /// Coefficients of the force g(y); for the kind `formula`, a constant that is added to the formula
+  std::array<double, kHighestDegree + 1> force{};
   /// Coefficients of the damping c(y); 0 if the noise kicks contain the damping
   std::array<double, 3> damping{};
   double rayleigh = 0;  ///< coefficient c_vv of the damping c_vv y'^3
@@ -51,7 +55,18 @@ struct Oscillator {
   /// Frequency scale of the motion; the frequency that limits the time step of a flight is at least
   /// 1/100 of the frequency scale
   double frequency = 1;
+
+  /// System with the formula of the kind `formula`, which must outlive the oscillator; otherwise null
+  const problem::System* system = nullptr;
+  bool has_jumps = false;  ///< Expression::has_jumps()
+  bool has_kinks = false;  ///< Expression::has_kinks()
 };
+
+/// Computes the force f(y, v) of a formula at `count` <= 8 points. Beyond a wall a formula without
+/// a finite value is continued by the value at the wall.
+/// @pre oscillator.kind is `formula`
+void evaluate_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
+                     double* force);
 
 /// Gaussian white noise, integrated by Strang splitting with the interval h. At a kick y' follows
 /// the Ornstein-Uhlenbeck process with damping c for a time h. Between kicks the motion has neither
@@ -77,6 +92,7 @@ struct NoiseKicks {
 /// excluded, since noise would increase the energy during a flight.
 bool is_duffing_at_wall(const problem::Problem& problem);
 
+/// @param problem for the kind `formula`, problem.system must outlive the oscillator
 /// @param mean_force mean force of the impulses if kicks replace the impulses, otherwise 0
 /// @param has_noise_kicks whether the motion has NoiseKicks
 Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,

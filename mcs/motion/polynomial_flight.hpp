@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "mcs/motion/taylor_flight.hpp"
+#include "mcs/motion/free_flight.hpp"
 #include "numerics/simd/elementary_functions.hpp"
 
 // The file polynomial_flight.hpp is compiled for several instruction sets.
@@ -80,30 +80,23 @@ FPKCHECK_INLINE void compute_taylor_coefficients(const Oscillator& o,
       return compute_taylor_coefficients_of_kind<Oscillator::Kind::cubic, kOrder, Real>(o, a);
     case Oscillator::Kind::full:
       return compute_taylor_coefficients_of_kind<Oscillator::Kind::full, kOrder, Real>(o, a);
+    case Oscillator::Kind::formula:  // flights are FormulaFlights
+      return;
   }
 }
 
-/// Flights of an oscillator of any Oscillator::Kind.
+/// Flights of an oscillator of any Oscillator::Kind but `formula`.
 template <class Real, int kOrder>
-class PolynomialFlight : public TaylorFlight<Real, kOrder> {
-  using Base = TaylorFlight<Real, kOrder>;
+class PolynomialFlight : public FreeFlight<Real, kOrder> {
+  using Base = FreeFlight<Real, kOrder>;
   using Base::a_;
   using Base::oscillator_;
 
  public:
-  using Base::polynomial_acceleration;
-  using Base::state_at_time;
-
   /// @param oscillator must outlive the flight
   FPKCHECK_INLINE PolynomialFlight(const Oscillator& oscillator, const PhaseState<Real>& start)
       : Base(oscillator, start) {
     compute_taylor_coefficients<kOrder, Real>(oscillator, a_);
-  }
-
-  template <class Mask>
-  FPKCHECK_INLINE void hold_mass_at_initial_position(const Mask& in_contact) {
-#pragma GCC unroll 16
-    for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(in_contact, Real{}, a_[n]);
   }
 
   /// Returns the longest time for which the polynomial is used: `phase` radians of a frequency w.
@@ -138,41 +131,6 @@ class PolynomialFlight : public TaylorFlight<Real, kOrder> {
     frequency =
         simd::lanewise_max(frequency, simd::square_root(stiffness) + simd::lanewise_max(c, -c));
     return phase / frequency;
-  }
-
-  /// Returns the zero of v in [0, end], in the lanes where v(0) and v(end) have different signs.
-  /// The error is 1e-6 of the time to either end, which causes an error of 1e-12 in y.
-  template <class Mask>
-  FPKCHECK_INLINE Real turning_time(const Real& end, const PhaseState<Real>& at_end,
-                                    const Mask& wanted) const {
-    const auto newton = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
-      const Real v = state_at_time(s).v;
-      is_before = v * a_[1] > 0.0;
-      return s - v / polynomial_acceleration(s);
-    };
-    const Real chord = end * (a_[1] / (a_[1] - simd::select(wanted, at_end.v, -a_[1] - 1.0)));
-    return bracketed_zero(
-        Real{}, end, chord, wanted, newton,
-        [](const Real& s) __attribute__((always_inline)) { return 1e-4 * s; });
-  }
-
-  /// Returns the zero of y(s) - wall in [low, high], to rounding, in the lanes of `wanted`, where
-  /// `inside` * (y - wall) changes from positive to negative.
-  /// @param guess first approximation within [low, high]
-  template <class Mask>
-  FPKCHECK_INLINE Real impact_time(const Real& wall, const Real& inside, const Real& low,
-                                   const Real& high, const Real& guess, const Mask& wanted) const {
-    const auto halley = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
-      const PhaseState<Real> state = state_at_time(s);
-      const Real distance = inside * (state.y - wall), speed = inside * state.v;
-      is_before = distance > 0.0;
-      return s - distance * speed /
-                     (speed * speed - 0.5 * (distance * (inside * polynomial_acceleration(s))));
-    };
-    // After a third-order correction of 1e-6 the remaining error is rounding.
-    return bracketed_zero(
-        low, high, guess, wanted, halley,
-        [](const Real& s) __attribute__((always_inline)) { return 1e-6 * s; });
   }
 
  private:

@@ -69,14 +69,22 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
                                    const ImportanceSplitting* splitting) {
   const Oscillator& o = plan.oscillator;
   const Excitation& e = plan.excitation;
+  std::string force = fmt::format("force {:a}", fmt::join(o.force, " "));
+  if (problem.system.has_polynomial_force()) {
+    force += fmt::format("; damping {:a}",
+                         fmt::join(problem.system.damping_polynomial().coefficients(), " "));
+  } else {
+    force += fmt::format(" + {}", problem.system.formula().text());
+    for (const auto& [name, value] : problem.system.named_constants())
+      force += fmt::format("; {} {:a}", name, value);
+  }
   std::string text = fmt::format(
-      "force {:a}; damping {:a} {:a}; kicks {:a} {:a}; excitation {} {:a} {} {:a} {:a}; seed {}; "
+      "{} {:a}; kicks {:a} {:a}; excitation {} {:a} {} {:a} {:a}; seed {}; "
       "streams {}; step {:a}; burn-in {:a}; sampling {:a} {}; y {:a}; v {:a}",
-      fmt::join(o.force, " "), fmt::join(problem.system.damping_polynomial().coefficients(), " "),
-      o.rayleigh, plan.kicks.diffusion, plan.kicks.longest_interval, static_cast<int>(e.arrivals),
-      e.interval, e.law, e.mean, e.width, plan.seed, plan.streams, plan.step, plan.burn_in,
-      plan.sampling_interval, plan.samples_per_round, fmt::join(plan.y_bins.edges(), " "),
-      fmt::join(plan.v_bins.edges(), " "));
+      force, o.rayleigh, plan.kicks.diffusion, plan.kicks.longest_interval,
+      static_cast<int>(e.arrivals), e.interval, e.law, e.mean, e.width, plan.seed, plan.streams,
+      plan.step, plan.burn_in, plan.sampling_interval, plan.samples_per_round,
+      fmt::join(plan.y_bins.edges(), " "), fmt::join(plan.v_bins.edges(), " "));
   for (const Wall& w : {o.left, o.right})
     text += fmt::format("; wall {} {:a} {:a}", w.exists, w.position, w.restitution);
   if (e.pieces) text += fmt::format("; pieces {:x}", e.pieces->checksum());

@@ -19,9 +19,11 @@ MotionParameters make_motion(const SimulationPlan& plan, const ImportanceSplitti
   // Ratio of the step limits of flights between kicks and of other flights, whose Taylor
   // polynomials have a higher order.
   constexpr double kShorter = 0.35;
+  const bool has_lower_order =
+      plan.kicks.is_present() && plan.oscillator.kind != Oscillator::Kind::formula;
   return {.oscillator = plan.oscillator,
           .kicks = plan.kicks,
-          .step = plan.step * (plan.kicks.is_present() ? kShorter : 1),
+          .step = plan.step * (has_lower_order ? kShorter : 1),
           .sampling_interval = plan.sampling_interval,
           .y_bins = &plan.y_bins,
           .v_bins = &plan.v_bins,

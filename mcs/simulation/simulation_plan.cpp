@@ -244,9 +244,11 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
   const double interval =
       std::max(2 * std::numbers::pi / scales.frequency / kSamplesPerPeriod, least);
   const double kick_rate = kicks.is_present() ? 1 / kicks.longest_interval : 0;
+  // A FormulaFlight is about a quarter as long as a PolynomialFlight.
+  const double flights_per_step = problem.system.has_polynomial_force() ? 1 : 4;
   const EventRates rates{.decay = scales.slowest_decay_rate,
                          .impulses = 1 / excitation.interval,
-                         .flights = kick_rate + scales.frequency / step,
+                         .flights = kick_rate + flights_per_step * scales.frequency / step,
                          .duffing_flights = duffing_at_wall,
                          .wells = features.wells};
   const Durations durations = choose_durations(options, rates);

@@ -39,6 +39,8 @@ struct StreamStatistics {
   std::array<double, kPowers.size()> powers{};
   /// Sums of y^5 and y^6 over samples; 0 with DuffingFlights, whose balances do not need these sums
   double y5 = 0, y6 = 0;
+  /// Sums of f, y f and y' f over samples for a force f(y, y') that is a formula; otherwise 0
+  double force = 0, force_y = 0, force_v = 0;
   double samples = 0;
   double rest_left = 0;  ///< weight of samples at rest on the left wall, which the histogram omits
   /// Weight of samples at rest on the right wall, which the histogram omits
@@ -66,9 +68,10 @@ struct StreamStatistics {
 template <class Record, class Visit>
 void for_each_statistic(Record& record, Visit visit) {
   visit(record.powers);
-  for (auto* sum : {&record.y5, &record.y6, &record.samples, &record.rest_left, &record.rest_right,
-                    &record.impacts, &record.left_speed, &record.left_energy, &record.right_speed,
-                    &record.right_energy, &record.work}) {
+  for (auto* sum :
+       {&record.y5, &record.y6, &record.force, &record.force_y, &record.force_v, &record.samples,
+        &record.rest_left, &record.rest_right, &record.impacts, &record.left_speed,
+        &record.left_energy, &record.right_speed, &record.right_energy, &record.work}) {
     visit(*sum);
   }
   for (auto* number : {&record.impulses, &record.branch_impulses, &record.flights}) {

@@ -1,0 +1,197 @@
+#pragma once
+
+#include "mcs/motion/free_flight.hpp"
+#include "numerics/simd/elementary_functions.hpp"
+
+// This file is compiled for several instruction sets.
+namespace fpkcheck::mcs {
+namespace {
+
+/// Computes the force of the formula in the lanes of `wanted`; other lanes return 0.
+template <class Real, class Mask>
+FPKCHECK_INLINE Real formula_force(const Oscillator& oscillator, const PhaseState<Real>& at,
+                                   const Mask& wanted) {
+  constexpr int W = simd::kWidth<Real>;
+  struct alignas(64) Numbers {
+    double at[W];
+  };
+  Numbers y, v, force;
+  simd::store(at.y, y.at);
+  simd::store(at.v, v.at);
+  int lane[W], count = 0;
+  for (int i = 0; i < W; ++i) {
+    if (simd::lane_value(wanted, i) == 0) continue;
+    y.at[count] = y.at[i];
+    v.at[count] = v.at[i];
+    lane[count++] = i;
+  }
+  evaluate_forces(oscillator, count, y.at, v.at, force.at);
+  Numbers result{};
+  for (int k = 0; k < count; ++k) result.at[lane[k]] = force.at[k];
+  return simd::load<Real>(result.at);
+}
+
+/// End of the previous flight and the next trial step, one trajectory per lane.
+template <class Real>
+struct IntegratorState {
+  PhaseState<Real> end{};
+  Real acceleration{};
+  Real step = simd::broadcast<Real>(1e300);
+};
+
+/// Flights of an oscillator whose force is a formula: a step of the method of Dormand and Prince of
+/// order 5(4) (J. Comput. Appl. Math. 6, 1980), whose embedded solution of order 4 limits the step.
+/// The flight is the Hermite polynomial of degree 5 with the position, velocity and acceleration at
+/// both ends.
+template <class Real>
+class FormulaFlight : public FreeFlight<Real, 6> {
+  using Base = FreeFlight<Real, 6>;
+  using Base::a_;
+  using Base::oscillator_;
+
+ public:
+  /// @param oscillator must outlive the flight
+  /// @param phase longest step in radians of the mean frequency; the tolerance is proportional to
+  /// phase^5, so that all steps are proportional to `phase`
+  /// @param until_event limit of the step
+  /// @param moving lanes to integrate; the mass stays at its initial state in other lanes
+  template <class Mask>
+  FPKCHECK_INLINE FormulaFlight(const Oscillator& oscillator, const PhaseState<Real>& start,
+                                double phase, const Real& until_event, const Mask& moving,
+                                IntegratorState<Real>& integrator)
+      : Base(oscillator, start), end_(start) {
+    for (int n = 2; n <= Base::kOrder; ++n) a_[n] = Real{};
+    const double relative = phase / kReferencePhase;
+    const double tolerance = (oscillator.has_kinks ? kToleranceAtKinks : kTolerance) *
+                             (relative * relative) * (relative * relative) * relative;
+    const double longest = kLongestStep * relative / oscillator.frequency;
+    const double shortest = longest * (oscillator.has_jumps ? kShortestAtJumps : kShortest);
+    const Mask is_known = (start.y == integrator.end.y) & (start.v == integrator.end.v);
+    const Mask none = moving & (start.v != start.v);
+    const Mask unknown = moving & (is_known == none);
+    Real first = integrator.acceleration;
+    if (simd::any_lane_set(unknown))
+      first = simd::select(unknown, acceleration(start, unknown), first);
+    const Real trial = simd::lanewise_min(integrator.step, simd::broadcast<Real>(longest));
+    step_ = simd::lanewise_min(trial, until_event);
+    for (Mask open = moving; simd::any_lane_set(open);) {
+      const Real used = step_;
+      const Real error = take_step(first, open) * (1.0 / tolerance);
+      // A trial state outside the domain of the formula has the error NaN.
+      const Real known_error = simd::select(error == error, error, simd::broadcast<Real>(1e100));
+      const Real factor = kSafety * simd::exponential(-0.2 * simd::logarithm(known_error + 1e-100));
+      const Real next =
+          used * simd::lanewise_min(simd::lanewise_max(factor, simd::broadcast<Real>(kLeastFactor)),
+                                    simd::broadcast<Real>(kLargestFactor));
+      // Without a finite force at the start no step is better.
+      const Mask rejected = open & (known_error > 1.0) & (used > shortest) & (first == first);
+      const Mask accepted = open & (rejected == none);
+      // The trial step does not decrease after a step that an event shortened, and after a state
+      // without a finite force, from which no step leads back.
+      const Mask keeps = (used == until_event) | (first != first);
+      const Real after = simd::select(keeps, simd::lanewise_max(next, trial), next);
+      integrator.step = simd::select(
+          accepted, simd::lanewise_max(after, simd::broadcast<Real>(shortest)), integrator.step);
+      step_ = simd::select(rejected, next, step_);
+      open = rejected;
+    }
+    integrator.end.y = simd::select(moving, end_.y, integrator.end.y);
+    integrator.end.v = simd::select(moving, end_.v, integrator.end.v);
+    integrator.acceleration = simd::select(moving, end_acceleration_, integrator.acceleration);
+  }
+  FormulaFlight(Oscillator&&, const PhaseState<Real>&) = delete;
+
+  /// Returns the time of the step. The step is chosen by the constructor.
+  FPKCHECK_INLINE Real max_step(double /*phase*/) const { return step_; }
+
+  /// Returns the state at the time s. At the end of the step the result has no rounding errors of
+  /// the polynomial.
+  FPKCHECK_INLINE PhaseState<Real> state_at_time(const Real& s) const {
+    const PhaseState<Real> at = Base::state_at_time(s);
+    return {simd::select(s == step_, end_.y, at.y), simd::select(s == step_, end_.v, at.v)};
+  }
+
+ private:
+  // Default of Options::step, for which the following constants hold.
+  static constexpr double kReferencePhase = 0.9;
+  // Tolerances of the relative error of a step. A kink of the force lowers the order of the step.
+  static constexpr double kTolerance = 3e-7, kToleranceAtKinks = 3e-8;
+  static constexpr double kLongestStep = 0.45;
+  // Shortest steps relative to the longest. At a jump of the force the error estimate would demand
+  // ever shorter steps while the velocity stays at the jump.
+  static constexpr double kShortest = 1e-9, kShortestAtJumps = 1.0 / 256;
+  static constexpr double kSafety = 0.9, kLeastFactor = 0.2, kLargestFactor = 5;
+
+  template <class Mask>
+  FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& at, const Mask& wanted) const {
+    return -(formula_force(oscillator_, at, wanted) + oscillator_.force[0]);
+  }
+
+  /// Takes one step in the lanes of `open`, from the acceleration at the start.
+  /// @return the error estimate relative to the extent of the motion
+  template <class Mask>
+  FPKCHECK_INLINE Real take_step(const Real& first, const Mask& open) {
+    constexpr int kStages = 7;
+    // The last row has the weights of order 5.
+    constexpr double a[kStages][kStages - 1] = {
+        {},
+        {1.0 / 5},
+        {3.0 / 40, 9.0 / 40},
+        {44.0 / 45, -56.0 / 15, 32.0 / 9},
+        {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+        {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+        {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
+    constexpr double c[kStages] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
+    // Differences between the weights of order 5 and of order 4.
+    constexpr double e[kStages] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
+                                   -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+    const Real h = step_, y = a_[0], v = a_[1];
+    // Velocities are v + h u; the sums of u have no rounding errors of v.
+    Real k[kStages] = {first}, u[kStages]{};
+    Real moved{};
+    PhaseState<Real> end{};
+#pragma GCC unroll 1
+    for (int stage = 1; stage < kStages; ++stage) {
+      moved = Real{};
+      for (int j = 0; j < stage; ++j) {
+        u[stage] = u[stage] + a[stage][j] * k[j];
+        moved = moved + a[stage][j] * u[j];
+      }
+      end = {y + h * (c[stage] * v + h * moved), v + h * u[stage]};
+      k[stage] = acceleration(end, open);
+    }
+    Real y_error{}, v_error{};
+    for (int j = 0; j < kStages; ++j) {
+      y_error = y_error + e[j] * u[j];
+      v_error = v_error + e[j] * k[j];
+    }
+    // Differences between the end of the step and the parabola of the start, divided by h^2 and h.
+    const Real p = moved - 0.5 * first, q = u[kStages - 1] - first, r = k[kStages - 1] - first;
+    const Real over = 1.0 / h;
+    const auto set = [&](Real & to, const Real& from) __attribute__((always_inline)) {
+      to = simd::select(open, from, to);
+    };
+    set(end_.y, end.y);
+    set(end_.v, end.v);
+    set(end_acceleration_, k[kStages - 1]);
+    set(a_[2], 0.5 * first);
+    set(a_[3], (10.0 * p - 4.0 * q + 0.5 * r) * over);
+    set(a_[4], (7.0 * q - 15.0 * p - r) * (over * over));
+    set(a_[5], (6.0 * p - 3.0 * q + 0.5 * r) * (over * over * over));
+    const double w = oscillator_.frequency;
+    const auto size = [](const Real& x) __attribute__((always_inline)) {
+      return simd::lanewise_max(x, -x);
+    };
+    const Real extent = w * (oscillator_.length + size(y)) + size(v);
+    // The local frequency exceeds the mean frequency where the force is strong, as in a stiff contact.
+    const Real local = w + size(end_acceleration_) / extent;
+    return h * (size(v_error) + local * size(h * y_error)) / extent;
+  }
+
+  Real step_;
+  PhaseState<Real> end_;
+  Real end_acceleration_{};
+};
+
+}  // namespace
+}  // namespace fpkcheck::mcs

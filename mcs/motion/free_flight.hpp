@@ -1,0 +1,65 @@
+#pragma once
+
+#include "mcs/motion/taylor_flight.hpp"
+
+// This file is compiled for several instruction sets.
+namespace fpkcheck::mcs {
+namespace {
+
+/// Flights in which the velocity changes sign at most once, between walls at any positions.
+template <class Real, int kOrder>
+class FreeFlight : public TaylorFlight<Real, kOrder> {
+  using Base = TaylorFlight<Real, kOrder>;
+
+ public:
+  using Base::polynomial_acceleration;
+  using Base::state_at_time;
+
+  template <class Mask>
+  FPKCHECK_INLINE void hold_mass_at_initial_position(const Mask& in_contact) {
+#pragma GCC unroll 16
+    for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(in_contact, Real{}, a_[n]);
+  }
+
+  /// Returns the zero of v in [0, end], in the lanes where v(0) and v(end) have different signs.
+  /// The error is 1e-6 of the time to either end, which causes an error of 1e-12 in y.
+  template <class Mask>
+  FPKCHECK_INLINE Real turning_time(const Real& end, const PhaseState<Real>& at_end,
+                                    const Mask& wanted) const {
+    const auto newton = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
+      const Real v = state_at_time(s).v;
+      is_before = v * a_[1] > 0.0;
+      return s - v / polynomial_acceleration(s);
+    };
+    const Real chord = end * (a_[1] / (a_[1] - simd::select(wanted, at_end.v, -a_[1] - 1.0)));
+    return bracketed_zero(
+        Real{}, end, chord, wanted, newton,
+        [](const Real& s) __attribute__((always_inline)) { return 1e-4 * s; });
+  }
+
+  /// Returns the zero of y(s) - wall in [low, high], to rounding, in the lanes of `wanted`, where
+  /// `inside` * (y - wall) changes from positive to negative.
+  /// @param guess first approximation within [low, high]
+  template <class Mask>
+  FPKCHECK_INLINE Real impact_time(const Real& wall, const Real& inside, const Real& low,
+                                   const Real& high, const Real& guess, const Mask& wanted) const {
+    const auto halley = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
+      const PhaseState<Real> state = state_at_time(s);
+      const Real distance = inside * (state.y - wall), speed = inside * state.v;
+      is_before = distance > 0.0;
+      return s - distance * speed /
+                     (speed * speed - 0.5 * (distance * (inside * polynomial_acceleration(s))));
+    };
+    // After a third-order correction of 1e-6 the remaining error is rounding.
+    return bracketed_zero(
+        low, high, guess, wanted, halley,
+        [](const Real& s) __attribute__((always_inline)) { return 1e-6 * s; });
+  }
+
+ protected:
+  using Base::a_;
+  using Base::Base;
+};
+
+}  // namespace
+}  // namespace fpkcheck::mcs
