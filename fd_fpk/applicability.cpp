@@ -60,8 +60,9 @@ bool can_use_characteristics(const Options& options) {
 }
 
 std::string characteristics_unsupported_reason(const problem::Problem& problem) {
-  if (!problem.system.has_polynomial_force()) {
-    return "characteristics need a polynomial force; use transport upwind";
+  if (!problem.system.has_polynomial_force() || !problem.system.has_constant_restitution()) {
+    return "characteristics need a polynomial force and constant restitution coefficients; use "
+           "transport upwind";
   }
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses) {

@@ -144,7 +144,8 @@ bool is_density_unbounded_at_origin(const problem::Problem& problem) {
 
 bool has_dissipative_impacts(const std::optional<problem::Wall>& wall) {
   constexpr double kSmallJump = 0.1;
-  return wall && 1 / (wall->restitution * wall->restitution) - 1 > kSmallJump;
+  return wall && (!wall->has_constant_restitution() ||
+                  1 / (wall->restitution * wall->restitution) - 1 > kSmallJump);
 }
 
 double origin_refinement(const problem::Problem& problem, const Options& options) {

@@ -122,10 +122,10 @@ DensitySnapshot make_snapshot(const problem::Problem& problem, const Options& op
   s.energy = mean_energy(system, grid, averages, transport_order(options)) -
              system.potential()(frame.wall_x(0));
   const double energy_rate = mean_energy(system, grid, change, transport_order(options));
-  const auto [input, dissipated] =
-      problem::power_balance(problem, options.impact,
-                             energy_terms(system, moments(grid, averages, transport_order(options)),
-                                          grid, averages, transport_order(options)));
+  const auto [input, dissipated] = problem::power_balance(
+      problem,
+      energy_terms(problem, options.impact, moments(grid, averages, transport_order(options)), grid,
+                   averages, transport_order(options)));
   s.power = input - dissipated;
   s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
   // The initial Gaussian is bounded, so that its impact rate is the flux into the walls.

@@ -69,12 +69,15 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   const auto residual =
       weights.estimate(statistic_per_stream(simulation.streams(), [&](const auto& r) {
         return problem::energy_residual(
-            problem, problem::ImpactCondition::exact,
-            {.mean_velocity = moment_in_wall_coordinates(simulation, r, 0, 1),
-             .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
-             .impact_energy_flux = r.left_energy / simulation.simulated_time_per_stream(),
-             .right_energy_flux = r.right_energy / simulation.simulated_time_per_stream(),
-             .mean_damping_power = damping_power(problem.system, simulation, r)});
+            problem, {.mean_velocity = moment_in_wall_coordinates(simulation, r, 0, 1),
+                      .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
+                      .left_impact_loss = problem::impact_loss(
+                          problem.system.left_wall(), problem::ImpactCondition::exact,
+                          r.left_energy / simulation.simulated_time_per_stream()),
+                      .right_impact_loss = problem::impact_loss(
+                          problem.system.right_wall(), problem::ImpactCondition::exact,
+                          r.right_energy / simulation.simulated_time_per_stream()),
+                      .mean_damping_power = damping_power(problem.system, simulation, r)});
       }));
   result.solution.energy_residual = residual.mean;
   result.solution.standard_errors->energy_residual = residual.standard_error;
@@ -100,7 +103,8 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   };
   const Oscillator& o = simulation.plan().oscillator;
   const auto right_momentum = [&](const StreamStatistics& r) {
-    return r.right_speed / simulation.simulated_time_per_stream();
+    return problem::impact_momentum_change(system.right_wall(),
+                                           r.right_speed / simulation.simulated_time_per_stream());
   };
   // Mean contact force of the mass at rest, 0 without atoms. The sums over impacts already include
   // the momentum of accumulating impacts.
@@ -130,18 +134,20 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
             problem, {.mean_displacement = moment_in_wall_coordinates(simulation, r, 1, 0),
                       .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
                       .mean_virial = mean_virial(r) + virial_at_rest(r),
-                      .right_momentum = right_momentum(r),
+                      .right_impact_momentum = right_momentum(r),
                       .mean_y_cubed_velocity = moment_in_wall_coordinates(simulation, r, 1, 3)});
       },
       &transform::BalanceResiduals::virial);
   set(
       [&](const StreamStatistics& r) {
         return problem::momentum_balance(
-            problem, {.mean_force = mean_force(r),
-                      .impact_momentum = r.left_speed / simulation.simulated_time_per_stream(),
-                      .right_momentum = right_momentum(r),
-                      .mean_cubed_velocity = moment_in_wall_coordinates(simulation, r, 0, 3),
-                      .contact_momentum_rate = contact_force_at_rest(r)});
+            problem,
+            {.mean_force = mean_force(r),
+             .left_impact_momentum = problem::impact_momentum_change(
+                 system.left_wall(), r.left_speed / simulation.simulated_time_per_stream()),
+             .right_impact_momentum = right_momentum(r),
+             .mean_cubed_velocity = moment_in_wall_coordinates(simulation, r, 0, 3),
+             .contact_momentum_rate = contact_force_at_rest(r)});
       },
       &transform::BalanceResiduals::momentum);
 }

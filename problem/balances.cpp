@@ -1,33 +1,43 @@
 #include "problem/balances.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace fpkcheck::problem {
 
-PowerBalance power_balance(const Problem& problem, ImpactCondition impact,
-                           const PowerBalanceTerms& terms) {
-  const System& system = problem.system;
-  const auto kappa = [&](double r) {
-    return impact == ImpactCondition::delta ? 1 - r : (1 - r * r) / 2;
-  };
-  PowerBalance power{.input = problem.impulses.rate_times_moment(2) / 2 +
-                              problem.impulses.rate_times_moment(1) * terms.mean_velocity,
-                     .dissipated = system.has_constant_damping()
-                                       ? system.damping() * terms.mean_square_velocity
-                                       : terms.mean_damping_power};
-  power.input += problem.noise.diffusion();
-  if (system.left_wall())
-    power.dissipated += kappa(system.restitution()) * terms.impact_energy_flux;
-  if (system.right_wall()) {
-    power.dissipated += kappa(system.right_wall()->restitution) * terms.right_energy_flux;
-  }
-  return power;
+double energy_lost(const Wall& wall, ImpactCondition impact, double u) {
+  const double r = wall.restitution_at(u);
+  return (impact == ImpactCondition::delta ? 1 - r : (1 - r * r) / 2) * u * u;
 }
 
-double energy_residual(const Problem& problem, ImpactCondition impact,
-                       const PowerBalanceTerms& terms) {
-  const auto [input, dissipated] = power_balance(problem, impact, terms);
+double momentum_change(const Wall& wall, double u) { return (1 + wall.restitution_at(u)) * u; }
+
+double impact_loss(const std::optional<Wall>& wall, ImpactCondition impact, double energy_flux) {
+  if (!wall) return 0;
+  assert(wall->has_constant_restitution());
+  return energy_lost(*wall, impact, 1) * energy_flux;
+}
+
+double impact_momentum_change(const std::optional<Wall>& wall, double momentum_flux) {
+  if (!wall) return 0;
+  assert(wall->has_constant_restitution());
+  return momentum_change(*wall, 1) * momentum_flux;
+}
+
+PowerBalance power_balance(const Problem& problem, const PowerBalanceTerms& terms) {
+  const System& system = problem.system;
+  const double damping_power = system.has_constant_damping()
+                                   ? system.damping() * terms.mean_square_velocity
+                                   : terms.mean_damping_power;
+  return {.input = problem.impulses.rate_times_moment(2) / 2 +
+                   problem.impulses.rate_times_moment(1) * terms.mean_velocity +
+                   problem.noise.diffusion() * terms.mean_square_noise_factor,
+          .dissipated = damping_power + terms.left_impact_loss + terms.right_impact_loss};
+}
+
+double energy_residual(const Problem& problem, const PowerBalanceTerms& terms) {
+  const auto [input, dissipated] = power_balance(problem, terms);
   return (input - dissipated) / input;
 }
 
@@ -38,7 +48,7 @@ BalanceEquation virial_balance(const Problem& problem, const VirialBalanceTerms&
   if (system.has_polynomial_force() && system.rayleigh_coefficient() != 0)
     right += system.rayleigh_coefficient() * terms.mean_y_cubed_velocity;
   if (const auto& wall = system.right_wall()) {
-    right += (1 + wall->restitution) * wall->position * terms.right_momentum;
+    right += wall->position * terms.right_impact_momentum;
   }
   return {.left = terms.mean_square_velocity, .right = right, .scale = terms.mean_square_velocity};
 }
@@ -48,15 +58,9 @@ BalanceEquation momentum_balance(const Problem& problem, const MomentumBalanceTe
   double taken = terms.mean_force;
   if (system.has_polynomial_force() && system.rayleigh_coefficient() != 0)
     taken += system.rayleigh_coefficient() * terms.mean_cubed_velocity;
-  double given = 0, from_walls = 0;
-  if (system.left_wall()) given += (1 + system.restitution()) * terms.impact_momentum;
-  given += terms.contact_momentum_rate;
-  from_walls = std::abs(given);
-  if (const auto& wall = system.right_wall()) {
-    const double back = (1 + wall->restitution) * terms.right_momentum;
-    from_walls += back;
-    given -= back;
-  }
+  const double from_left = terms.left_impact_momentum + terms.contact_momentum_rate;
+  const double given = from_left - terms.right_impact_momentum;
+  const double from_walls = std::abs(from_left) + terms.right_impact_momentum;
   return {.left = taken,
           .right = problem.impulses.rate_times_moment(1) + given,
           .scale = std::max({std::abs(taken), from_walls, terms.mean_absolute_force})};

@@ -8,34 +8,44 @@ namespace fpkcheck::problem {
 struct PowerBalanceTerms {
   double mean_velocity;
   double mean_square_velocity;
-  double impact_energy_flux;       ///< int_{v<0} |v|^3 p(a, v) dv at a left wall a
-  double right_energy_flux = 0;    ///< int_{v>0} v^3 p(b, v) dv at a right wall b
-  double mean_damping_power = {};  ///< E[y' f(y, y')]; not used if f = c y'
+  /// Energy lost per unit time in impacts at the left and at the right wall (impact_loss()).
+  double left_impact_loss = 0, right_impact_loss = 0;
+  double mean_damping_power = {};       ///< E[y' f(y, y')]; not used if f = c y'
+  double mean_square_noise_factor = 1;  ///< E[G] of multiplicative noise with G = g^2
 };
+
+/// Returns the energy lost in an impact at the speed u, (1 - r^2) u^2 / 2, or (1 - r) u^2 for
+/// ImpactCondition::delta.
+double energy_lost(const Wall& wall, ImpactCondition impact, double u);
+/// Returns the change (1 + r) u of the momentum in an impact at the speed u.
+double momentum_change(const Wall& wall, double u);
+
+/// Returns the energy lost per unit time at a wall of constant restitution coefficient r, 0 without
+/// a wall,
+///
+///     kappa int |v|^3 p(a,v) dv,    kappa = (1-r^2)/2, or kappa = 1-r for ImpactCondition::delta.
+///
+/// @param energy_flux integral of |v|^3 p over the velocities v into the wall
+double impact_loss(const std::optional<Wall>& wall, ImpactCondition impact, double energy_flux);
 
 /// The two sides of the balance of power: mean energy input and dissipated energy per unit time.
 /// Input minus dissipation is the time derivative of the mean energy E[v^2]/2 + E[U(y)], where U is
 /// the potential of System.
 struct PowerBalance {
-  double input;  ///< D + lambda E[Y^2]/2 + lambda E[Y] E[v]
-  /// E[v f] + kappa int_{v<0} |v|^3 p(a,v) dv + kappa int_{v>0} v^3 p(b,v) dv, with the kappa of
-  /// energy_residual().
-  double dissipated;
+  double input;       ///< D E[G] + lambda E[Y^2]/2 + lambda E[Y] E[v]
+  double dissipated;  ///< E[v f] + energy lost in impacts
 };
-PowerBalance power_balance(const Problem& problem, ImpactCondition impact,
-                           const PowerBalanceTerms& terms);
+PowerBalance power_balance(const Problem& problem, const PowerBalanceTerms& terms);
 
 /// Returns the input minus the dissipation in the stationary balance of power, divided by the
 /// input. The balance of power is
 ///
-///     D + lambda E[Y^2]/2 + lambda E[Y] E[v] = E[v f] + kappa int_{v<0} |v|^3 p(a,v) dv + ..,
+///     D E[G] + lambda E[Y^2]/2 + lambda E[Y] E[v] = E[v f] + int (1-r^2) |v|^3/2 p(a,v) dv + ..,
 ///
-/// where kappa = (1-r^2)/2 is the loss at an impact, or kappa = 1-r for ImpactCondition::delta. The
-/// residual is zero for the exact stationary density of each of the equations `white`, `km4` and
+/// with the force f of the equation in Ito's sense. The residual is zero for the exact stationary density of each of the equations `white`, `km4` and
 /// `kf`. The energy is quadratic in v, and therefore only the moments E[Y] and E[Y^2] enter the
 /// balance.
-double energy_residual(const Problem& problem, ImpactCondition impact,
-                       const PowerBalanceTerms& terms);
+double energy_residual(const Problem& problem, const PowerBalanceTerms& terms);
 
 /// The virial balance and the momentum balance follow from Dynkin's formula for f = y v and f = v
 /// under any stationary density on the half-plane y >= 0,
@@ -66,25 +76,30 @@ struct BalanceEquation {
   double residual() const { return difference() / scale; }
 };
 
+/// Returns the momentum per unit time that a wall of constant restitution coefficient r gives,
+/// (1+r) int v^2 p(a,v) dv over the velocities v into the wall; 0 without a wall.
+/// @param momentum_flux integral of v^2 p
+double impact_momentum_change(const std::optional<Wall>& wall, double momentum_flux);
+
 struct VirialBalanceTerms {
   double mean_displacement;
   double mean_square_velocity;
   /// Mean virial E[y g(y)], or E[y (f + g)] for the formula of a force.
   double mean_virial;
-  double right_momentum = 0;         ///< momentum rate int_{u>0} u^2 p(b,u) du at wall b
+  double right_impact_momentum = 0;  ///< momentum per unit time from the right wall
   double mean_y_cubed_velocity = 0;  ///< E[y v^3]; used where c_vv is not 0
 };
 
 /// Returns the two sides and the scale E[v^2] of the virial balance
 ///
-///     E[v^2] = E[y g(y)] + c_vv E[y v^3] - lambda E[Y] E[y] + (1 + r_b) b int u^2 p(b,u) du.
+///     E[v^2] = E[y g(y)] + c_vv E[y v^3] - lambda E[Y] E[y] + b int (1 + r_b) u^2 p(b,u) du.
 BalanceEquation virial_balance(const Problem& problem, const VirialBalanceTerms& terms);
 
 struct MomentumBalanceTerms {
   /// Mean force E[g(y)], or E[f + g] for the formula of a force.
   double mean_force;
-  double impact_momentum;     ///< int_{u>0} u^2 p(0,-u) du, the incoming momentum per unit time
-  double right_momentum = 0;  ///< momentum rate int_{u>0} u^2 p(b,u) du at wall b
+  /// Momentum per unit time from the left and from the right wall (impact_momentum_change()).
+  double left_impact_momentum = 0, right_impact_momentum = 0;
   double mean_cubed_velocity = 0;  ///< E[v^3]; used where c_vv is not 0
   /// Momentum per unit time from the contact force on the mass at rest and from rebounds after
   /// impulses towards the wall. At the left wall, with rest probability P0, this rate is g(0) P0 +
@@ -97,8 +112,8 @@ struct MomentumBalanceTerms {
 
 /// Returns the two sides and the scale of the momentum balance
 ///
-///     E[g(y)] + c_vv E[v^3] = lambda E[Y] + (1 + r) int u^2 p(0,-u) du
-///                             - (1 + r_b) int u^2 p(b,u) du + contact term.
+///     E[g(y)] + c_vv E[v^3] = lambda E[Y] + int (1 + r) u^2 p(0,-u) du
+///                             - int (1 + r_b) u^2 p(b,u) du + contact term.
 ///
 /// The scale is the largest of three terms: the contribution of the spring, the contribution of the
 /// walls, and E[|g(y)|]. In a symmetric well without a wall both sides of the balance are 0. If

@@ -19,15 +19,14 @@ constexpr std::size_t kMaxBranches = 4;
 
 }  // namespace
 
-EnergyAveraging::EnergyAveraging(const Problem& problem)
-    : orbits_(problem), diffusion_(total_intensity(problem) / 2) {
+EnergyAveraging::EnergyAveraging(const Problem& problem) : orbits_(problem) {
   assert(orbits_.is_confining());
   double low = 0, high = 0;
   if (find_energy_range(low, high)) compute_bands(low, high);
 }
 
 double EnergyAveraging::slope(const OrbitIntegrals& orbit) const {
-  return orbit.action > 0 ? orbit.loss / (diffusion_ * orbit.action) : 0;
+  return orbit.diffusion > 0 ? orbit.loss / orbit.diffusion : 0;
 }
 
 // Integrates dPhi/dh over the energy h, from the lowest potential upwards in growing steps.
@@ -41,14 +40,14 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
   // Returns the derivative dPhi/dh at an energy from integrals over all orbits with this energy;
   // nullopt if no orbit has this energy.
   const auto slope_at = [&](double above) -> std::optional<double> {
-    double loss = 0, action = 0;
+    double loss = 0, diffusion = 0;
     for (const HalfCycle& half_cycle : orbits_.half_cycles(bottom + above)) {
       const OrbitIntegrals orbit = orbits_.orbit_integrals(half_cycle, bottom + above);
       loss += orbit.loss;
-      action += orbit.action;
+      diffusion += orbit.diffusion;
     }
-    if (!(action > 0)) return std::nullopt;
-    return loss / (diffusion_ * action);
+    if (!(diffusion > 0)) return std::nullopt;
+    return loss / diffusion;
   };
   std::vector<Level> levels{{0, 0}};
   double least = 0;
@@ -193,7 +192,7 @@ double EnergyAveraging::relaxation_rate() const {
     const EnergyBand& upper = bands_[band.above];
     tree.mass.push_back(band.mass);
     tree.above.push_back(band.above);
-    tree.conductance.push_back(diffusion_ * (band.orbit.action + upper.orbit.action) / 2 *
+    tree.conductance.push_back((band.orbit.diffusion + upper.orbit.diffusion) / 2 *
                                std::exp(-(band.potential + upper.potential) / 2) / (step_ * step_) /
                                unit);
     start[b] = band.orbit.half_cycle.left + band.energy;

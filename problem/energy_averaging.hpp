@@ -15,11 +15,13 @@ namespace fpkcheck::problem {
 /// wells on the tree of orbits by Freidlin and Wentzell). With h = v^2/2 + V(y) and V = U
 /// - lambda E[Y] y, the stationary density is approximately exp(-Phi(h)), where
 ///
-///     dPhi/dh = (closed integral of f dy + sum over walls hit of (1 - r^2) u^2 / 2)
-///               / (D_eff closed integral of v dy),     D_eff = D + lambda E[Y^2] / 2.
+///     dPhi/dh = (closed integral of (f + D G_v) dy + sum over walls hit of (1 - r^2) u^2 / 2)
+///               / closed integral of (D G + lambda E[Y^2]/2) v dy,
+///
+/// where G = g^2 belongs to the factor g of the noise, and f to the equation in Ito's sense.
 ///
 /// The method applies to single and multiple wells and to limit cycles. The density exp(-Phi(h)) is
-/// exact for white noise and r = 1 if f depends on the energy alone.
+/// exact for white noise and r = 1 if f/v and G depend on the energy alone.
 class EnergyAveraging {
  public:
   /// @pre the potential is confining: UndampedOrbits::is_confining()
@@ -62,7 +64,6 @@ class EnergyAveraging {
   void compute_bands(double low, double high);
 
   UndampedOrbits orbits_;
-  double diffusion_;  // effective diffusion coefficient D_eff
   std::optional<std::string> unconfined_reason_;
   std::vector<EnergyBand> bands_;
   double step_ = 0;

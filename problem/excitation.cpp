@@ -18,7 +18,15 @@ const Description<WhiteNoise>& noise_parameter_description() {
           .add("intensity", &WhiteNoise::intensity, {"I", "intensity of the Gaussian white noise"},
                non_negative_numbers())
           .with_symbol("2D", "2D")
-          .with_default(0.0);
+          .with_default(0.0)
+          .add("factor", &WhiteNoise::factor,
+               {"G", "factor g(y, v) of multiplicative noise, as a formula"})
+          .with_symbol("g", "g")
+          .with_default_omitted_from_files(Value())
+          .add("interpretation", &WhiteNoise::interpretation,
+               {"SENSE", "sense of noise whose factor depends on v"})
+          .with_symbol("sense", "sense")
+          .with_default_omitted_from_files(Value());
   return description;
 }
 

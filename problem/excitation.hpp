@@ -5,12 +5,15 @@
 
 #include "base/options/description.hpp"
 #include "problem/impulse_law.hpp"
+#include "problem/noise_factor.hpp"
 
 namespace fpkcheck::problem {
 
-/// Gaussian white noise sqrt(2 D) W(t) as excitation, alone or in addition to the impulses.
+/// Gaussian white noise sqrt(2 D) g(y, v) W(t) as excitation, alone or in addition to the impulses.
 struct WhiteNoise {
   double intensity = 0;  ///< 2 D >= 0, an intensity like lambda E[Y^2] of impulses
+  std::optional<std::string> factor = {};  ///< formula of g (NoiseFactor); if absent, g = 1
+  std::optional<StochasticCalculus> interpretation = {};  ///< given if g depends on v
 
   /// Returns the diffusion coefficient D, the coefficient of p'' in the density equation.
   double diffusion() const { return intensity / 2; }

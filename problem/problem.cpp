@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "problem/energy_averaging.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/motion_scales.hpp"
 #include "problem/parameter_ranges.hpp"
 
 namespace fpkcheck::problem {
@@ -60,12 +62,41 @@ NamedConstants read_constants(const std::vector<CaseFileSection>& sections) {
   return constants;
 }
 
+// Sets the factor of multiplicative noise, and the force in Ito's sense.
+void read_noise_factor(Problem& problem) {
+  const WhiteNoise& noise = problem.noise;
+  if (noise.interpretation && !noise.factor) {
+    throw InputError("noise.interpretation is given without noise.factor; remove it");
+  }
+  if (!noise.factor) return;
+  if (!noise.is_present()) {
+    throw InputError("noise.factor is given, but noise.intensity is 0; give the intensity 2D");
+  }
+  NoiseFactor factor(*noise.factor, problem.system.named_constants());
+  if (factor.depends_on_v()) {
+    if (!noise.interpretation) {
+      throw InputError(
+          "noise.interpretation is missing: the factor depends on v, so that the senses of Ito and "
+          "Stratonovich differ; give noise.interpretation = ito or stratonovich");
+    }
+    if (*noise.interpretation == StochasticCalculus::stratonovich) {
+      problem.system = problem.system.in_ito_sense(factor, noise.diffusion());
+    }
+  }
+  problem.noise_factor = std::move(factor);
+}
+
 std::string number_text(const base::Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:g}", *number) : std::get<std::string>(value);
 }
 
 }  // namespace
+
+double noise_diffusion(const Problem& problem, double y, double v) {
+  return problem.noise.diffusion() *
+         (problem.noise_factor ? problem.noise_factor->squared(y, v) : 1);
+}
 
 double total_intensity(const Problem& problem) {
   return problem.impulses.rate_times_moment(2) + problem.noise.intensity;
@@ -115,7 +146,7 @@ std::vector<CaseFileSection> sections(const Problem& problem) {
         {"impulse", impulse_parameter_description().stored_values(problem.impulses.parameters())});
   }
   if (problem.noise.is_present()) {
-    all.push_back({"noise", noise_parameter_description().values(problem.noise)});
+    all.push_back({"noise", noise_parameter_description().stored_values(problem.noise)});
   }
   return all;
 }
@@ -140,6 +171,7 @@ Problem problem_from_sections(const std::string& name,
     problem.impulses =
         ImpulseTrain(impulse_parameter_description().read(impulse->values, "impulse"));
   }
+  read_noise_factor(problem);
   require_stationary_density(problem);
   return problem;
 }
@@ -191,6 +223,40 @@ std::string parameters_text(const Problem& problem, bool typeset) {
   return fmt::format("{}; {}", fmt::join(of_system, ", "), fmt::join(of_excitation, ", "));
 }
 
+namespace {
+
+// Requires that force and noise factor are finite, the noise factor positive, and the restitution
+// coefficients valid, on a grid of the states that the motion reaches.
+void require_valid_formulas(const Problem& problem) {
+  const System& system = problem.system;
+  if (system.has_polynomial_force() && !problem.noise_factor && system.has_constant_restitution()) {
+    return;
+  }
+  constexpr int kPoints = 41;
+  const MotionScales reached = scales(problem);
+  require_valid_restitution(system.walls(), reached.v_high);
+  for (int i = 0; i < kPoints; ++i) {
+    const double y = reached.y_low + (reached.y_high - reached.y_low) * i / (kPoints - 1);
+    for (int j = 0; j < kPoints; ++j) {
+      const double v = reached.v_high * (2.0 * j / (kPoints - 1) - 1);
+      const double force = system.force(y, v);
+      const double g = problem.noise_factor ? (*problem.noise_factor)(y, v) : 1;
+      if (!std::isfinite(force)) {
+        throw InputError(fmt::format(
+            "system.force = {} at y = {:.3g}, v = {:.3g}, which the motion reaches; choose a force "
+            "that is finite there",
+            force, y, v));
+      }
+      if (!(g > 0 && std::isfinite(g))) {
+        throw InputError(fmt::format(
+            "noise.factor = {} at y = {:.3g}, v = {:.3g} (must be positive and finite)", g, y, v));
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void require_stationary_density(const Problem& problem) {
   if (!problem.impulses.is_present() && !problem.noise.is_present()) {
     throw InputError(
@@ -216,6 +282,7 @@ void require_stationary_density(const Problem& problem) {
         "system.rayleigh, or give a wall a restitution below 1",
         *why));
   }
+  require_valid_formulas(problem);
 }
 
 }  // namespace fpkcheck::problem

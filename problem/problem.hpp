@@ -16,13 +16,18 @@ struct Problem {
   System system;
   ImpulseTrain impulses = {};
   WhiteNoise noise = {};
+  /// The factor g of multiplicative noise, noise.factor; absent if g = 1.
+  std::optional<NoiseFactor> noise_factor = {};
   /// Transformation between the coordinate of `system` and the physical coordinate y. Solvers
   /// return moments of the physical coordinate y.
   WallFrame frame = {};
 };
 
+/// Returns the diffusion coefficient D G(y, v) of the noise.
+double noise_diffusion(const Problem& problem, double y, double v);
+
 /// Returns the total intensity lambda E[Y^2] + 2D of impulses and noise, that is, the intensity of
-/// Gaussian white noise of equal power.
+/// Gaussian white noise of equal power if g = 1.
 double total_intensity(const Problem& problem);
 
 struct CaseFileSection {

@@ -22,12 +22,12 @@ ProblemFeatures features(const Problem& problem) {
                          .constant_damping = system.has_constant_damping()};
   const auto& c = system.coefficients();
   result.negative_damping = c.damping < 0 || c.van_der_pol < 0 || c.rayleigh < 0;
-  result.polynomial_force = system.has_polynomial_force();
   const auto inspect_wall = [&](const std::optional<Wall>& wall, double towards) {
     if (!wall) return;
     // The force on the mass is -g, which presses the mass against a left wall if g > 0 at the wall.
     const double pressing = -towards * system.force(wall->position, 0);
-    if (pressing > 0 && wall->restitution < 1 && !result.noise) result.rests_in_contact = true;
+    const bool is_elastic = wall->has_constant_restitution() && wall->restitution == 1;
+    if (pressing > 0 && !is_elastic && !result.noise) result.rests_in_contact = true;
     if (result.noise && wall->restitution <= kCollapseRestitution) result.collapse = true;
   };
   inspect_wall(system.left_wall(), -1);
@@ -38,6 +38,12 @@ ProblemFeatures features(const Problem& problem) {
 }
 
 std::string polynomial_required_reason(const Problem& problem) {
+  if (problem.noise_factor) {
+    return "the noise is multiplied by the factor noise.factor; use fd or mcs";
+  }
+  if (!problem.system.has_constant_restitution()) {
+    return "the restitution coefficient depends on the impact speed; use fd or mcs";
+  }
   if (problem.system.has_polynomial_force()) return "";
   return "the force is not one of the polynomials that this method supports; use fd or mcs";
 }

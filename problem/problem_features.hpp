@@ -21,14 +21,14 @@ struct ProblemFeatures {
   bool collapse = false;
   bool noise = false, impulses = true;
   bool constant_damping = true;
-  bool polynomial_force = true;   ///< System::has_polynomial_force()
   bool negative_damping = false;  ///< whether c or another coefficient of f is negative
   int wells = 1;  ///< number of minima of U - lambda E[Y] y, minima at walls included
 };
 
 ProblemFeatures features(const Problem& problem);
 
-/// Explains that a method needs a polynomial force; empty if the force is a polynomial.
+/// Explains that a method needs a polynomial force, noise without a factor and constant restitution
+/// coefficients; empty if the problem has them.
 std::string polynomial_required_reason(const Problem& problem);
 
 /// Critical restitution coefficient exp(-pi / sqrt 3) of inelastic collapse (Cornell, Swift and

@@ -1,7 +1,8 @@
 #include "problem/system.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 
 #include "problem/parameter_ranges.hpp"
 
@@ -78,6 +79,16 @@ bool set_coefficients_of_formula(const Expression& formula, SystemCoefficients& 
   return true;
 }
 
+// Returns the force as a formula.
+Expression formula_of_coefficients(const SystemCoefficients& c) {
+  std::string text = "0";
+  for (const auto& [y_power, v_power, coefficient] : kMonomials) {
+    if (c.*coefficient == 0) continue;
+    text += fmt::format(" + ({})*y^{}*v^{}", c.*coefficient, y_power, v_power);
+  }
+  return Expression::parse(text, {}, "system");
+}
+
 void validate_coefficients(const SystemCoefficients& coefficients) {
   system_parameter_description().validate(coefficients);
   require_magnitudes_in_range(system_parameter_description(), coefficients);
@@ -90,11 +101,11 @@ System::System(const SystemCoefficients& coefficients, const WallParameters& wal
     : c_(coefficients),
       wall_parameters_(walls),
       constants_(constants),
-      walls_(make_walls(walls, coefficients.restitution)) {
+      walls_(make_walls(walls, coefficients.restitution, constants)) {
   if (c_.force) {
     Expression formula = Expression::parse(*c_.force, constants_, "system.force");
     if (!set_coefficients_of_formula(formula, c_)) {
-      formula_ = std::make_shared<const Expression>(std::move(formula));
+      formula_.emplace(std::move(formula));
     }
   }
   validate_coefficients(c_);
@@ -106,23 +117,21 @@ System::System(const SystemCoefficients& coefficients, const WallParameters& wal
 
 void System::evaluate_forces(std::size_t count, const double* y, const double* v,
                              double* force) const {
-  assert(formula_ && count <= Expression::kBatch);
-  std::array<double, Expression::kBatch> physical_y{}, physical_v{};
-  for (std::size_t k = 0; k < count; ++k) {
-    physical_y[k] = origin_ + sign_ * y[k];
-    physical_v[k] = sign_ * v[k];
-  }
-  formula_->evaluate_batch(count, physical_y.data(), physical_v.data(), force);
+  assert(formula_);
+  formula_->evaluate(count, y, v, force);
   for (std::size_t k = 0; k < count; ++k) force[k] *= sign_;
 }
 
 std::vector<double> System::kinks_in_y(double low, double high) const {
-  if (!formula_) return {};
-  const double first = origin_ + sign_ * low, last = origin_ + sign_ * high;
-  std::vector<double> kinks = formula_->kinks_in_y(std::min(first, last), std::max(first, last));
-  for (double& kink : kinks) kink = sign_ * (kink - origin_);
-  std::ranges::sort(kinks);
-  return kinks;
+  return formula_ ? formula_->kinks_in_x(low, high) : std::vector<double>{};
+}
+
+System System::in_ito_sense(const NoiseFactor& factor, double diffusion) const {
+  System transformed = *this;
+  if (!formula_) transformed.formula_.emplace(formula_of_coefficients(c_));
+  transformed.ito_factor_ = factor;
+  transformed.ito_diffusion_ = diffusion;
+  return transformed;
 }
 
 System System::to_wall_coordinates(const WallFrame& frame) const {
@@ -139,7 +148,8 @@ System System::to_wall_coordinates(const WallFrame& frame) const {
   transformed.tangent_ = transformed.force_.derivative();
   transformed.potential_ = transformed.force_.antiderivative();
   transformed.damping_ = damping_.compose_affine(frame.origin, frame.sign());
-  transformed.origin_ = frame.origin;
+  if (formula_) transformed.formula_ = formula_->to_wall_coordinates(frame);
+  if (ito_factor_) transformed.ito_factor_ = ito_factor_->to_wall_coordinates(frame);
   transformed.sign_ = frame.sign();
   return transformed;
 }

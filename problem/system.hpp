@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cassert>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/options/description.hpp"
 #include "numerics/polynomials/polynomial.hpp"
-#include "problem/expression/expression.hpp"
+#include "problem/expression/state_function.hpp"
+#include "problem/noise_factor.hpp"
 #include "problem/walls.hpp"
 
 namespace fpkcheck::problem {
@@ -59,12 +59,20 @@ class System {
   /// Returns whether force and damping are the polynomials of the class comment, given by their
   /// coefficients or by a formula. Otherwise only force() describes the force.
   bool has_polynomial_force() const { return !formula_; }
-  /// Returns the total force f(y, v) + g(y).
+  /// Returns the total force f(y, v) + g(y), under multiplicative noise that of the equation in
+  /// Ito's sense, in which the Fokker-Planck equation has the terms (f p)_v + D (G p)_vv.
   double force(double y, double v) const {
-    if (formula_) return sign_ * (*formula_)(origin_ + sign_ * y, sign_ * v);
-    return damping_force(y, v) + force_(y);
+    if (!formula_) return damping_force(y, v) + force_(y);
+    double force = sign_ * (*formula_)(y, v);
+    if (ito_factor_) force -= ito_diffusion_ / 2 * ito_factor_->slope_of_square(y, v);
+    return force;
   }
-  /// Computes force() at `count` <= Expression::kBatch points, faster than one by one.
+  /// Returns the oscillator of an equation in Stratonovich's sense, with noise of diffusion
+  /// coefficient D and factor g: force() is then f - D G_v / 2.
+  System in_ito_sense(const NoiseFactor& factor, double diffusion) const;
+  /// Computes the force f(y, v) + g(y) of the formula at `count` <= Expression::kBatch points,
+  /// faster than one by one. Under multiplicative noise this is the force as written, in the sense
+  /// of noise.interpretation.
   /// @pre !has_polynomial_force()
   void evaluate_forces(std::size_t count, const double* y, const double* v, double* force) const;
   /// Returns the part f(y, v) of the force that vanishes at v = 0.
@@ -75,7 +83,7 @@ class System {
   /// Returns the formula of the force. @pre !has_polynomial_force()
   const Expression& formula() const {
     assert(formula_);
-    return *formula_;
+    return formula_->formula();
   }
   /// Returns the values of y in (low, high) at which the force or its slope jumps, increasing.
   std::vector<double> kinks_in_y(double low, double high) const;
@@ -105,6 +113,12 @@ class System {
   const std::optional<Wall>& right_wall() const { return walls_.right; }
   /// Returns the restitution coefficient of the left wall, or 1 without a left wall.
   double restitution() const { return walls_.left ? walls_.left->restitution : 1; }
+
+  /// Returns whether no restitution coefficient depends on the impact speed.
+  bool has_constant_restitution() const {
+    return !(walls_.left && walls_.left->restitution_formula) &&
+           !(walls_.right && walls_.right->restitution_formula);
+  }
 
   const numerics::Polynomial& restoring_force() const {
     assert(has_polynomial_force());
@@ -136,8 +150,10 @@ class System {
   NamedConstants constants_;
   Walls walls_;
   numerics::Polynomial force_{{}}, tangent_{{}}, potential_{{}}, damping_{{}};
-  std::shared_ptr<const Expression> formula_;  // force that is no such polynomial
-  double origin_ = 0, sign_ = 1;               // wall coordinates of the formula
+  std::optional<StateFunction> formula_;  // force that is no such polynomial
+  double sign_ = 1;                       // sign of velocities and forces in wall coordinates
+  std::optional<NoiseFactor> ito_factor_;
+  double ito_diffusion_ = 0;
 };
 
 }  // namespace fpkcheck::problem

@@ -25,7 +25,11 @@ double mean_damping(const System& system, double y, double v) {
 }  // namespace
 
 UndampedOrbits::UndampedOrbits(const Problem& problem)
-    : system_(problem.system), potential_(problem) {
+    : system_(problem.system),
+      noise_factor_(problem.noise_factor),
+      noise_diffusion_(problem.noise.diffusion()),
+      impulse_diffusion_(problem.impulses.rate_times_moment(2) / 2),
+      potential_(problem) {
   // V is monotone between neighbouring knots. The slope of V after a knot decides whether the knot
   // is a minimum.
   std::vector<double> knots{potential_.low()};
@@ -119,6 +123,12 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     const double damping = mean_damping(system_, y, v);
     orbit.action += v * dy;
     orbit.loss += damping * v * dy;
+    if (noise_factor_) {
+      const NoiseFactor& g = *noise_factor_;
+      const double slope = (g.slope_of_square(y, v) - g.slope_of_square(y, -v)) / 2;
+      orbit.loss += noise_diffusion_ * slope * dy;
+      orbit.diffusion += noise_diffusion_ * (g.squared(y, v) + g.squared(y, -v)) / 2 * v * dy;
+    }
     if (v <= 0) return;
     orbit.period += dy / v;
     orbit.time_integral_y += y * dy / v;
@@ -131,8 +141,10 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     add(kQuarter * x, weight);
     add(-kQuarter * x, weight);
   }
+  orbit.diffusion +=
+      (noise_factor_ ? impulse_diffusion_ : noise_diffusion_ + impulse_diffusion_) * orbit.action;
   const auto bounce = [&](const Wall& wall) {
-    const double u = speed(wall.position), r = wall.restitution;
+    const double u = speed(wall.position), r = wall.restitution_at(u);
     orbit.loss += (1 - r * r) * u * u / 2;
   };
   if (half_cycle.at_left) bounce(*system_.left_wall());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "problem/effective_potential.hpp"
@@ -18,8 +19,12 @@ struct OrbitIntegrals {
   HalfCycle half_cycle;
   double period = 0;  ///< period T = closed integral of dy / v
   double action = 0;  ///< closed integral of v dy
-  /// Energy loss: closed integral of f dy, plus (1 - r^2) u^2 / 2 at each wall hit at speed u.
+  /// Energy loss: closed integral of (f + D G_v) dy, plus (1 - r^2) u^2 / 2 at each wall hit at
+  /// speed u. The term D G_v, with G = g^2, exists for noise with a factor g(y, v).
   double loss = 0;
+  /// Closed integral of (D G + lambda E[Y^2]/2) v dy, half of the diffusion coefficient of the
+  /// energy times the period.
+  double diffusion = 0;
   double time_integral_y = 0;        ///< period T times the orbit mean of y
   double time_integral_y2 = 0;       ///< period T times the orbit mean of y^2
   double time_integral_damping = 0;  ///< period T times the orbit mean of c(y) + c_vv v^2
@@ -55,6 +60,8 @@ class UndampedOrbits {
   double half_cycle_end(double knot, double outwards, double energy) const;
 
   const System system_;
+  std::optional<NoiseFactor> noise_factor_;
+  double noise_diffusion_, impulse_diffusion_;  // D and lambda E[Y^2]/2
   EffectivePotential potential_;
   std::vector<double> minima_;
 };

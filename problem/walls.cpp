@@ -20,14 +20,20 @@ const Description<WallParameters>& wall_parameter_description() {
           .with_symbol("a", "a")
           .with_default_omitted_from_files(Value())
           .add("left_restitution", &W::left_restitution,
-               {"R", "coefficient of restitution of the wall on the left"}, restitution_range())
+               {"R",
+                "coefficient of restitution of the wall on the left; or a formula of the "
+                "impact speed v"},
+               restitution_range())
           .with_symbol("r_a", "r_a")
           .with_default_omitted_from_files(Value())
           .add("right", &W::right, {"B", "position of the wall on the right"}, finite_numbers())
           .with_symbol("b", "b")
           .with_default_omitted_from_files(Value())
           .add("right_restitution", &W::right_restitution,
-               {"R", "coefficient of restitution of the wall on the right"}, restitution_range())
+               {"R",
+                "coefficient of restitution of the wall on the right; or a formula of the "
+                "impact speed v"},
+               restitution_range())
           .with_symbol("r_b", "r_b")
           .with_default_omitted_from_files(Value())
           .add("none", &W::none, {"", "there is no wall"})
@@ -37,8 +43,33 @@ const Description<WallParameters>& wall_parameter_description() {
 
 namespace {
 
+void require_valid_restitution(const char* side, const Wall& wall, double speed) {
+  constexpr int kSpeeds = 2000;
+  double before = 0;
+  for (int n = 0; n <= kSpeeds; ++n) {
+    // Half of the speeds are close to 0, where powers of the speed change most.
+    const double fraction = static_cast<double>(n) / kSpeeds;
+    const double u = speed * fraction * fraction;
+    const double r =
+        wall.restitution_formula ? (*wall.restitution_formula)(0.0, u) : wall.restitution;
+    if (!(r > 0 && r <= 1)) {
+      throw InputError(fmt::format(
+          "wall.{}_restitution = {:.6g}{} (must be above 0 and at most 1)", side, r,
+          wall.restitution_formula ? fmt::format(" at the impact speed {:.3g}", u) : ""));
+    }
+    if (n > 0 && !(u * r > before)) {
+      throw InputError(fmt::format(
+          "wall.{}_restitution: the speed v r(v) after an impact decreases at the impact speed "
+          "{:.3g}; choose a formula for which v r(v) increases",
+          side, u));
+    }
+    before = u * r;
+  }
+}
+
 std::optional<Wall> wall(const char* side, const std::optional<double>& position,
-                         const std::optional<double>& restitution) {
+                         const std::optional<NumberOrFormula>& restitution,
+                         const NamedConstants& constants) {
   if (position.has_value() != restitution.has_value()) {
     throw InputError(fmt::format(
         "wall.{0}{1} is missing: a wall has a position and a restitution; give wall.{0} and "
@@ -46,12 +77,22 @@ std::optional<Wall> wall(const char* side, const std::optional<double>& position
         side, position ? "_restitution" : ""));
   }
   if (!position) return std::nullopt;
-  return Wall{*position, *restitution};
+  if (const auto* number = std::get_if<double>(&*restitution)) return Wall{*position, *number};
+  Expression formula = Expression::parse(std::get<std::string>(*restitution), constants,
+                                         fmt::format("wall.{}_restitution", side), "v");
+  const double at_rest = formula(0.0, 0.0);
+  if (!formula.depends_on_v()) {
+    const Wall constant{*position, at_rest};
+    require_valid_restitution(side, constant, 1);
+    return constant;
+  }
+  return Wall{*position, at_rest, std::make_shared<const Expression>(std::move(formula))};
 }
 
 }  // namespace
 
-Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution) {
+Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution,
+                 const NamedConstants& constants) {
   wall_parameter_description().validate(parameters);
   require_magnitudes_in_range(wall_parameter_description(), parameters);
   if (parameters.empty()) {
@@ -67,8 +108,9 @@ Walls make_walls(const WallParameters& parameters, const std::optional<double>& 
         "wall.left_restitution or wall.right_restitution",
         *restitution));
   }
-  const Walls walls{.left = wall("left", parameters.left, parameters.left_restitution),
-                    .right = wall("right", parameters.right, parameters.right_restitution)};
+  const Walls walls{
+      .left = wall("left", parameters.left, parameters.left_restitution, constants),
+      .right = wall("right", parameters.right, parameters.right_restitution, constants)};
   if (parameters.none && (walls.left || walls.right)) {
     throw InputError("wall.none = true beside a wall; remove wall.none, or the keys of the wall");
   }
@@ -77,6 +119,11 @@ Walls make_walls(const WallParameters& parameters, const std::optional<double>& 
                                  walls.left->position, walls.right->position));
   }
   return walls;
+}
+
+void require_valid_restitution(const Walls& walls, double speed) {
+  if (walls.left) require_valid_restitution("left", *walls.left, speed);
+  if (walls.right) require_valid_restitution("right", *walls.right, speed);
 }
 
 WallFrame wall_frame(const System& system) {
@@ -91,6 +138,9 @@ Problem to_wall_coordinates(const WallFrame& frame, const Problem& problem) {
   transformed.system = problem.system.to_wall_coordinates(frame);
   transformed.frame = frame;
   if (frame.mirrored) transformed.impulses = problem.impulses.with_negated_amplitudes();
+  if (transformed.noise_factor) {
+    transformed.noise_factor = transformed.noise_factor->to_wall_coordinates(frame);
+  }
   return transformed;
 }
 

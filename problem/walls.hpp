@@ -1,23 +1,43 @@
 #pragma once
 
+#include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "base/options/description.hpp"
+#include "problem/expression/expression.hpp"
 
 namespace fpkcheck::problem {
 
-/// A rigid wall, at which an impact multiplies the velocity y' by -restitution.
+/// Limit of a formula r(u) beyond the impact speeds at which require_valid_restitution() checks it.
+inline constexpr double kSmallestRestitution = 1e-6;
+
+/// A rigid wall, at which an impact multiplies the velocity y' by -r.
 struct Wall {
   double position;
-  double restitution;  ///< restitution coefficient r, 0 < r <= 1
+  /// Restitution coefficient r, 0 < r <= 1; of a formula r(u) its value at the impact speed u = 0.
+  double restitution;
+  /// Formula of the restitution coefficient r(u), where the variable v is the impact speed u; null
+  /// for a constant coefficient.
+  std::shared_ptr<const Expression> restitution_formula = {};
+
+  bool has_constant_restitution() const { return !restitution_formula; }
+  /// Returns the restitution coefficient r(u) at an impact speed u >= 0.
+  double restitution_at(double u) const {
+    return restitution_formula
+               ? std::clamp((*restitution_formula)(0.0, u), kSmallestRestitution, 1.0)
+               : restitution;
+  }
   bool operator==(const Wall&) const = default;
 };
 
 /// Positions and restitution coefficients of the walls between which the mass moves, from the
 /// section [wall] of a case file.
 struct WallParameters {
-  std::optional<double> left = {}, left_restitution = {};
-  std::optional<double> right = {}, right_restitution = {};
+  std::optional<double> left = {};
+  std::optional<base::NumberOrFormula> left_restitution = {};
+  std::optional<double> right = {};
+  std::optional<base::NumberOrFormula> right_restitution = {};
   bool none = false;  ///< whether the case file states that there is no wall
 
   bool operator==(const WallParameters&) const = default;
@@ -35,9 +55,16 @@ struct Walls {
 
 /// Returns the walls of the section [wall] of a case file. Without a section [wall], the only wall
 /// is at y = 0 on the left and has the `restitution` of the section [system].
+/// @param constants named constants of the formulas of restitution coefficients
 /// @throws InputError if both a section [wall] and `restitution` are given, or neither; if a wall
-/// lacks its position or its restitution; or if left >= right
-Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution);
+/// lacks its position or its restitution; if a formula is invalid; or if left >= right
+Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution,
+                 const NamedConstants& constants = {});
+
+/// Requires 0 < r(u) <= 1 and an increasing speed u r(u) after the impact, for impact speeds up to
+/// `speed`.
+/// @throws InputError that states the key and a speed at which a formula violates a condition
+void require_valid_restitution(const Walls& walls, double speed);
 
 class System;
 struct Problem;

@@ -51,6 +51,20 @@ struct MemberConversion<std::string> {
     member = std::get<std::string>(value);
   }
 };
+template <>
+struct MemberConversion<NumberOrFormula> {
+  static constexpr ParameterType kType = ParameterType::number_or_formula;
+  static Value to_value(const NumberOrFormula& member) {
+    return std::visit([](const auto& held) { return Value(held); }, member);
+  }
+  static void set_from_value(NumberOrFormula& member, const Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) {
+      member = *number;
+    } else {
+      member = std::get<std::string>(value);
+    }
+  }
+};
 template <class Enum>
 requires std::is_enum_v<Enum>
 struct MemberConversion<Enum> {

@@ -34,6 +34,8 @@ std::string type_text(const Parameter& parameter) {
       return parameter.choices.empty()
                  ? std::string("a text")
                  : fmt::format("one of {}", fmt::join(parameter.choices, ", "));
+    case ParameterType::number_or_formula:
+      return "a number or a formula";
   }
   return "";
 }
@@ -76,6 +78,11 @@ std::optional<Value> Parameter::convert_to_parameter_type(const Value& value) co
                          (choices.empty() || std::ranges::find(choices, *word) != choices.end());
       return known ? std::optional(value) : std::nullopt;
     }
+    case ParameterType::number_or_formula:
+      if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+      return std::holds_alternative<double>(value) || std::holds_alternative<std::string>(value)
+                 ? std::optional(value)
+                 : std::nullopt;
   }
   return std::nullopt;
 }
@@ -92,6 +99,8 @@ std::optional<Value> Parameter::parse(std::string_view text) const {
       return parse_number<double>(text);
     case ParameterType::word:
       return convert_to_parameter_type(std::string(text));
+    case ParameterType::number_or_formula:
+      return parse_number<double>(text).value_or(std::string(text));
   }
   return std::nullopt;
 }

@@ -49,7 +49,10 @@ AdmissibleRange closed_interval(double least, double greatest);
 AdmissibleRange open_interval(double least, double greatest);
 AdmissibleRange even_integers_between(int least, int greatest);
 
-enum class ParameterType { flag, integer, number, word };
+enum class ParameterType { flag, integer, number, word, number_or_formula };
+
+/// The value of a parameter that is a number or the text of a formula.
+using NumberOrFormula = std::variant<double, std::string>;
 
 /// Description of one parameter of the program, from which the command-line option, the case-file
 /// key, JSON and the range check are derived.

@@ -111,7 +111,8 @@ transform::BalanceResiduals balances_of(const problem::Problem& problem, const D
       .mean_virial = law.mean([&](double y, double) { return y * force(y); })};
   problem::MomentumBalanceTerms momentum{
       .mean_force = law.mean([&](double y, double) { return force(y); }),
-      .impact_momentum = momentum_of_impacts,
+      .left_impact_momentum =
+          problem::impact_momentum_change(system.left_wall(), momentum_of_impacts),
       .contact_momentum_rate =
           force(0.0) * law.at_rest() +
           (1 + system.restitution()) * release_rate * moment_into_wall(problem.impulses.law(), 1)};
@@ -151,15 +152,16 @@ void store_density_and_atom(const problem::Problem& problem, const Coordinates& 
   problem::PowerBalanceTerms energy{
       .mean_velocity = summary.moments.v1,
       .mean_square_velocity = summary.moments.v2,
-      .impact_energy_flux = wall_flux(density, root.quadrature.wall, 3) +
-                            release_rate * moment_into_wall(problem.impulses.law(), 2)};
+      .left_impact_loss =
+          problem::impact_loss(system.left_wall(), problem::ImpactCondition::map,
+                               wall_flux(density, root.quadrature.wall, 3) +
+                                   release_rate * moment_into_wall(problem.impulses.law(), 2))};
   if (!system.has_constant_damping()) {
     energy.mean_damping_power = law.mean([&](double y, double v) {
       return (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v * v;
     });
   }
-  solution.energy_residual =
-      problem::energy_residual(problem, problem::ImpactCondition::map, energy);
+  solution.energy_residual = problem::energy_residual(problem, energy);
   summary.balances =
       balances_of(problem, law, wall_flux(density, root.quadrature.wall, 2), release_rate);
 }

@@ -25,14 +25,19 @@ double damping_power(const problem::System& system, const transform::SmoothDensi
 }
 
 problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
+                                        problem::ImpactCondition impact,
                                         const transform::SmoothDensity& density,
                                         const transform::Moments& moments) {
-  problem::PowerBalanceTerms terms{.mean_velocity = moments.v1,
-                                   .mean_square_velocity = moments.v2,
-                                   .impact_energy_flux = transform::impact_flux(density, 3),
-                                   .right_energy_flux = right_flux(problem, density, 3)};
-  if (!problem.system.has_constant_damping()) {
-    terms.mean_damping_power = damping_power(problem.system, density);
+  const problem::System& system = problem.system;
+  problem::PowerBalanceTerms terms{
+      .mean_velocity = moments.v1,
+      .mean_square_velocity = moments.v2,
+      .left_impact_loss =
+          problem::impact_loss(system.left_wall(), impact, transform::impact_flux(density, 3)),
+      .right_impact_loss =
+          problem::impact_loss(system.right_wall(), impact, right_flux(problem, density, 3))};
+  if (!system.has_constant_damping()) {
+    terms.mean_damping_power = damping_power(system, density);
   }
   return terms;
 }
@@ -41,16 +46,19 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const transform::SmoothDensity& density,
                                               const transform::QuadratureMarginals& marginals) {
   const auto& force = problem.system.restoring_force();
-  const double right_momentum = right_flux(problem, density, 2);
+  const problem::System& system = problem.system;
+  const double right_momentum =
+      problem::impact_momentum_change(system.right_wall(), right_flux(problem, density, 2));
   problem::VirialBalanceTerms virial{
       .mean_displacement = marginals.moments.y1,
       .mean_square_velocity = marginals.moments.v2,
       .mean_virial = mean_of_displacement_polynomial(marginals, force.multiplied_by_argument()),
-      .right_momentum = right_momentum};
+      .right_impact_momentum = right_momentum};
   problem::MomentumBalanceTerms momentum{
       .mean_force = mean_of_displacement_polynomial(marginals, force),
-      .impact_momentum = transform::impact_flux(density, 2),
-      .right_momentum = right_momentum};
+      .left_impact_momentum =
+          problem::impact_momentum_change(system.left_wall(), transform::impact_flux(density, 2)),
+      .right_impact_momentum = right_momentum};
   if (problem.system.rayleigh_coefficient() != 0) {
     const auto mean = [&](const auto& g) { return transform::expectation(density, g); };
     virial.mean_y_cubed_velocity = mean([](double y, double v) { return y * v * v * v; });
@@ -99,7 +107,7 @@ transform::QuadratureMarginals store_density(const problem::Problem& problem,
   solution.mass = marginals.mass;
   solution.moments = physical_moments(problem.frame, marginals);
   solution.energy_residual =
-      problem::energy_residual(problem, impact, energy_terms(problem, density, marginals.moments));
+      problem::energy_residual(problem, energy_terms(problem, impact, density, marginals.moments));
   result.summary.moments = marginals.moments;
   result.summary.balances = balance_residuals(problem, density, marginals);
   return marginals;

@@ -1,16 +1,24 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "fd_fpk/axis/axis_operators.hpp"
+#include "problem/noise_factor.hpp"
 
 namespace fpkcheck::problem {
 class ImpulseLaw;
 class ImpulseTrain;
 }  // namespace fpkcheck::problem
 namespace fpkcheck::fd_fpk {
+
+/// Noise with a factor g: the term (D G p)'' with G = g^2.
+struct MultiplicativeNoise {
+  double diffusion;  ///< diffusion coefficient D
+  problem::NoiseFactor factor;
+};
 
 /// Excitation terms of the density equation, discretised on a velocity axis.
 struct Excitation {
@@ -26,6 +34,7 @@ struct Excitation {
   double exchange_drift = 0;
   double exchange_diffusion = 0;
   double exchange_rate = 0;
+  std::optional<MultiplicativeNoise> multiplicative = {};
 };
 
 /// Returns the parameter-free regularisation length l of the truncated series `km4`, with l^2 =

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "numerics/roots/bracketed_root.hpp"
+
 namespace fpkcheck::fd_fpk {
 
 CumulativeDistributionInterpolation::CumulativeDistributionInterpolation(const Axis& axis,
@@ -70,7 +72,16 @@ Eigen::VectorXd CumulativeDistributionInterpolation::to_average_weights(
 
 namespace {
 
-AxisOperator exact_impact_map(const Axis& speed_axis, double restitution, int scheme_order) {
+// Returns the speed u before an impact after which the speed is w = u r(u).
+double speed_before_impact(const problem::Wall& wall, double w) {
+  if (wall.has_constant_restitution()) return w / wall.restitution;
+  const auto excess = [&](double u) { return u * wall.restitution_at(u) - w; };
+  double high = w;
+  while (excess(high) < 0) high *= 2;
+  return excess(high) > 0 && excess(w) < 0 ? numerics::bracketed_root(excess, w, high) : high;
+}
+
+AxisOperator exact_impact_map(const Axis& speed_axis, const problem::Wall& wall, int scheme_order) {
   const CumulativeDistributionInterpolation cumulative(speed_axis, scheme_order + 1,
                                                        AxisEndCondition::boundary);
   const int cells = speed_axis.cell_count();
@@ -80,7 +91,7 @@ AxisOperator exact_impact_map(const Axis& speed_axis, double restitution, int sc
     Eigen::VectorXd above = Eigen::VectorXd::Zero(cells + 1);
     // The last cell receives the flux of every higher speed, for conservation of the total flux.
     const double face = a + 1 == cells ? speed_axis.face_position(cells)
-                                       : speed_axis.face_position(a + 1) / restitution;
+                                       : speed_before_impact(wall, speed_axis.face_position(a + 1));
     cumulative.add_interpolation_weights(face, 1.0, above);
     const Eigen::VectorXd row =
         cumulative.to_average_weights(above - below) / speed_axis.cell_width(a);
@@ -94,13 +105,16 @@ AxisOperator exact_impact_map(const Axis& speed_axis, double restitution, int sc
   return matrix;
 }
 
-AxisOperator first_order_impact_map(const Axis& speed_axis, double restitution, int scheme_order) {
+AxisOperator first_order_impact_map(const Axis& speed_axis, const problem::Wall& wall,
+                                    int scheme_order) {
   const Axis outgoing(speed_axis.faces(), AxisEndCondition::boundary);
   const AxisOperator flux =
       face_value_operator(outgoing, centred_stencil_size(scheme_order), UpstreamSide::left);
   AxisOperator speed(speed_axis.cell_count() + 1, speed_axis.cell_count() + 1);
-  for (int f = 0; f <= speed_axis.cell_count(); ++f)
-    speed.insert(f, f) = (1 - restitution) * speed_axis.face_position(f);
+  for (int f = 0; f <= speed_axis.cell_count(); ++f) {
+    const double u = speed_axis.face_position(f);
+    speed.insert(f, f) = (1 - wall.restitution_at(u)) * u;
+  }
   AxisOperator matrix(speed_axis.cell_count(), speed_axis.cell_count());
   matrix.setIdentity();
   const AxisOperator change = divergence_operator(outgoing) * AxisOperator(speed * flux);
@@ -109,11 +123,11 @@ AxisOperator first_order_impact_map(const Axis& speed_axis, double restitution, 
 
 }  // namespace
 
-AxisOperator impact_map(const Axis& speed_axis, double restitution, problem::ImpactCondition impact,
-                        int scheme_order) {
+AxisOperator impact_map(const Axis& speed_axis, const problem::Wall& wall,
+                        problem::ImpactCondition impact, int scheme_order) {
   return impact == problem::ImpactCondition::delta
-             ? first_order_impact_map(speed_axis, restitution, scheme_order)
-             : exact_impact_map(speed_axis, restitution, scheme_order);
+             ? first_order_impact_map(speed_axis, wall, scheme_order)
+             : exact_impact_map(speed_axis, wall, scheme_order);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -7,6 +7,7 @@
 #include "fd_fpk/axis/axis_operators.hpp"
 #include "fd_fpk/axis/grid.hpp"
 #include "problem/model.hpp"
+#include "problem/walls.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -49,15 +50,17 @@ class CumulativeDistributionInterpolation {
 /// x1 = 0 with speed u and flux f(u) = u p(0, -u). The flux off the wall at speed w is
 ///
 ///     map     f(w/r)/r,                          p(0+, w) = p(0-, w/r)/r^2: exact
-///     delta   f(w) + (1-r) d(w f)/dw,            its first order in 1-r: paper (12)
+///     delta   f(w) + d((1-r) w f)/dw,            its first order in 1-r: paper (12)
+///
+/// With a restitution coefficient r(u) that depends on the impact speed, the map is f(u) du/dw for
+/// w = u r(u).
 ///
 /// Differences of the cumulative flux between faces give the impact conditions `map` and `delta`
 /// and conserve mass. Stencils never cross u = 0, where the density is discontinuous.
 ///
 /// @param speed_axis axis of the speed u, with faces increasing from 0
-/// @param restitution restitution coefficient r, 0 < r <= 1
 /// @param impact map or delta
-AxisOperator impact_map(const Axis& speed_axis, double restitution, problem::ImpactCondition impact,
-                        int scheme_order);
+AxisOperator impact_map(const Axis& speed_axis, const problem::Wall& wall,
+                        problem::ImpactCondition impact, int scheme_order);
 
 }  // namespace fpkcheck::fd_fpk

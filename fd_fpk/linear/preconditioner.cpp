@@ -33,7 +33,8 @@ Excitation drift_diffusion_approximation(const Excitation& excitation, const Axi
           .diffusion = excitation.diffusion +
                        std::min(excitation.exchange_diffusion,
                                 kOvershoot * excitation.exchange_rate / (shortest * shortest)),
-          .exchange = {}};
+          .exchange = {},
+          .multiplicative = excitation.multiplicative};
 }
 
 }  // namespace

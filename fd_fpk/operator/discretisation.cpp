@@ -41,11 +41,15 @@ Excitation impulse_excitation(const problem::ImpulseTrain& impulses, const Optio
   return {};
 }
 
-// White noise adds D p'' to every equation.
+// White noise adds (D G p)'' to every equation.
 Excitation excitation(const problem::Problem& problem, const Options& options, const Axis& axis,
                       double regularisation_length) {
   Excitation terms = impulse_excitation(problem.impulses, options, axis, regularisation_length);
-  terms.diffusion += problem.noise.diffusion();
+  if (problem.noise_factor) {
+    terms.multiplicative.emplace(problem.noise.diffusion(), *problem.noise_factor);
+  } else {
+    terms.diffusion += problem.noise.diffusion();
+  }
   return terms;
 }
 
@@ -237,7 +241,15 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   std::vector<RefinementPoint> points;
   if (graded.at_left_wall) points.push_back({box.x1_min, graded.x1});
   // Faces at the kinks of the force keep the order of the averages over cells.
-  for (const double kink : system.kinks_in_y(box.x1_min, box.x1_max)) points.push_back({kink, {}});
+  std::vector<double> kinks = system.kinks_in_y(box.x1_min, box.x1_max);
+  if (problem.noise_factor) {
+    for (const double kink : problem.noise_factor->kinks_in_y(box.x1_min, box.x1_max)) {
+      kinks.push_back(kink);
+    }
+    std::ranges::sort(kinks);
+    kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
+  }
+  for (const double kink : kinks) points.push_back({kink, {}});
   if (graded.at_right_wall) points.push_back({box.x1_max, graded.x1});
   const double least = fewest_cells(options);
   // The call value_or() would convert the double to int.

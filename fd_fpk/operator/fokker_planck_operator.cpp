@@ -69,7 +69,7 @@ int returning_cell(const Grid& grid, AxisEnd end, int b) {
 
 // Returns the matrix of the impacts at a wall. The flux into the wall leaves the column of cells at
 // the wall and enters the column again with the opposite sign of x2.
-SparseColumnMatrix wall_exchange_matrix(double restitution, problem::ImpactCondition impact,
+SparseColumnMatrix wall_exchange_matrix(const problem::Wall& wall, problem::ImpactCondition impact,
                                         const Grid& grid, int scheme_order, AxisEnd end) {
   const int half = grid.nv() / 2;
   // Matrix from fluxes in speed cells to rates in velocity cells
@@ -77,7 +77,7 @@ SparseColumnMatrix wall_exchange_matrix(double restitution, problem::ImpactCondi
   {
     std::vector<Eigen::Triplet<double>> entries;
     for (int b = 0; b < half; ++b) entries.emplace_back(outgoing_cell(grid, end, b), b, -1.0);
-    const AxisOperator returned = impact_map(grid.speed_axis(), restitution, impact, scheme_order);
+    const AxisOperator returned = impact_map(grid.speed_axis(), wall, impact, scheme_order);
     for (int a = 0; a < half; ++a) {
       for (AxisOperator::InnerIterator e(returned, a); e; ++e) {
         entries.emplace_back(returning_cell(grid, end, a), e.col(), e.value());
@@ -100,21 +100,21 @@ AxisOperator power_divergence_matrix(const Axis& x2, int power, const AxisOperat
   return divergence_operator(x2) * AxisOperator(factor * values);
 }
 
-// Returns the matrix of the term d/dx2 [ f(x1, x2) p ] for the formula f of a force, by fluxes
-// through the inner faces of x2. At each face, f is a weight of the averages over cells of x1.
-SparseColumnMatrix formula_force_matrix(const problem::System& system, const Grid& grid,
-                                        int scheme_order, int weight_points) {
+// Returns the matrix of the term d/dx2 [ weight(x1, x2) L p ], by fluxes through the inner faces of
+// x2. At each face, `weight` is a weight of the averages over cells of x1. The matrix `values` maps
+// cell averages of x2 to the values of L p on the faces.
+template <class Weight>
+SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_points,
+                                              const AxisOperator& values, const Weight& weight) {
   const Axis& x2 = grid.x2;
   const int nv = grid.nv();
-  const AxisOperator values =
-      face_value_operator(x2, centred_stencil_size(scheme_order), UpstreamSide::left);
   std::vector<Eigen::Triplet<double>> entries;
   for (int face = 1; face < nv; ++face) {
     const double at = x2.face_position(face);
-    const AxisOperator force = weighted_average_operator(
-        grid.x1, weight_points, [&](double x1) { return system.force(x1, at); });
+    const AxisOperator of_face = weighted_average_operator(
+        grid.x1, weight_points, [&](double x1) { return weight(x1, at); });
     for (int i = 0; i < grid.nx(); ++i) {
-      for (AxisOperator::InnerIterator of_x1(force, i); of_x1; ++of_x1) {
+      for (AxisOperator::InnerIterator of_x1(of_face, i); of_x1; ++of_x1) {
         for (AxisOperator::InnerIterator of_x2(values, face); of_x2; ++of_x2) {
           const double flux = of_x1.value() * of_x2.value();
           const auto column = of_x1.col() * nv + of_x2.col();
@@ -129,16 +129,38 @@ SparseColumnMatrix formula_force_matrix(const problem::System& system, const Gri
   return matrix;
 }
 
+// Returns the matrix of the term d^2/dx2^2 [ D G(x1, x2) p ] of multiplicative noise, as the
+// divergence of D G p' + D G' p.
+SparseColumnMatrix multiplicative_noise_matrix(const MultiplicativeNoise& noise, const Grid& grid,
+                                               int scheme_order, int weight_points) {
+  const int points = centred_stencil_size(scheme_order);
+  const auto diffusion = [&](double x1, double x2) {
+    return noise.diffusion * noise.factor.squared(x1, x2);
+  };
+  SparseColumnMatrix matrix = weighted_divergence_matrix(
+      grid, weight_points, face_derivative_operator(grid.x2, points), diffusion);
+  if (noise.factor.depends_on_v()) {
+    matrix += weighted_divergence_matrix(
+        grid, weight_points, face_value_operator(grid.x2, points, UpstreamSide::left),
+        [&](double x1, double x2) {
+          return noise.diffusion * noise.factor.slope_of_square(x1, x2);
+        });
+  }
+  return matrix;
+}
+
 // Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
 // inner faces of x2.
 SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const Grid& grid,
                                             int scheme_order, int weight_points) {
-  if (!system.has_polynomial_force()) {
-    return formula_force_matrix(system, grid, scheme_order, weight_points);
-  }
   const Axis& x2 = grid.x2;
   const AxisOperator values =
       face_value_operator(x2, centred_stencil_size(scheme_order), UpstreamSide::left);
+  if (!system.has_polynomial_force()) {
+    return weighted_divergence_matrix(grid, weight_points, values, [&](double x1_at, double x2_at) {
+      return system.force(x1_at, x2_at);
+    });
+  }
   const AxisOperator force =
       weighted_average_operator(grid.x1, weight_points, system.restoring_force());
   // Constant damping does not couple the cells of x1, so that the matrix remains sparse.
@@ -209,17 +231,19 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
       averaging == ProductAveraging::full ? averaging_stencil_size(scheme_order) : 1;
   SparseColumnMatrix local = streaming_matrix(grid, scheme_order, weight_points);
   if (system.left_wall()) {
-    local += wall_exchange_matrix(system.left_wall()->restitution, impact, grid, scheme_order,
-                                  AxisEnd::left);
+    local += wall_exchange_matrix(*system.left_wall(), impact, grid, scheme_order, AxisEnd::left);
   }
   if (system.right_wall()) {
-    local += wall_exchange_matrix(system.right_wall()->restitution, impact, grid, scheme_order,
-                                  AxisEnd::right);
+    local += wall_exchange_matrix(*system.right_wall(), impact, grid, scheme_order, AxisEnd::right);
   }
   local += damping_and_force_matrix(system, grid, scheme_order, weight_points);
   local += kronecker_product(
       identity_matrix(grid.nx()),
       drift_diffusion_matrix(grid.x2, excitation, centred_stencil_size(scheme_order)));
+  if (excitation.multiplicative) {
+    local +=
+        multiplicative_noise_matrix(*excitation.multiplicative, grid, scheme_order, weight_points);
+  }
   if (scheme_order % 2 == 1) local += upwind_correction_matrix(system, grid, scheme_order);
   local.prune(0.0);
   local.makeCompressed();

@@ -26,7 +26,8 @@ namespace fpkcheck::fd_fpk {
 /// value at the wall. S is the operator of the jumps, and x1 = b a second wall. The integrand F h_v
 /// - F_0 f_v is bounded at the wall. The error of the impact rate is therefore proportional to the
 /// power 4 - beta of the narrowest cell width. For the impact condition to first order in 1-r, the
-/// balance contains r - 1 in place of log r.
+/// balance contains r - 1 in place of log r. Under multiplicative noise, and at walls whose
+/// restitution coefficient depends on the impact speed, the impact rate is the flux into the wall.
 ///
 /// @param excitation excitation on the x2 axis of the grid, as in the operator of this density
 /// @param rate_of_change rate of change of the averages; 0 for a stationary density

@@ -228,6 +228,18 @@ double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int 
   return grid.x2.cell_widths().segment(first, half).dot((weighted * wall).segment(first, half));
 }
 
+double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                        const std::function<double(double)>& weight, AxisEnd end) {
+  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
+  const int half = grid.nv() / 2;
+  const Eigen::VectorXd wall = p * end_value_operator(grid.x1, end, scheme_order).transpose();
+  const AxisOperator weighted = weighted_average_operator(
+      grid.x2, averaging_stencil_size(scheme_order),
+      [&](double v) { return std::abs(v) * weight(std::abs(v)); }, half);
+  const int first = end == AxisEnd::left ? 0 : half;
+  return grid.x2.cell_widths().segment(first, half).dot((weighted * wall).segment(first, half));
+}
+
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
                           const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
   if (system.has_constant_damping()) return system.damping() * moments.v2;
@@ -241,15 +253,30 @@ double mean_damping_power(const problem::System& system, const transform::Moment
          system.rayleigh_coefficient() * moments.v4;
 }
 
-problem::PowerBalanceTerms energy_terms(const problem::System& system,
+problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
+                                        problem::ImpactCondition impact,
                                         const transform::Moments& moments, const Grid& grid,
                                         const Eigen::VectorXd& averages, int scheme_order) {
-  problem::PowerBalanceTerms terms{
-      .mean_velocity = moments.v1, .mean_square_velocity = moments.v2, .impact_energy_flux = 0};
-  if (system.left_wall())
-    terms.impact_energy_flux = wall_speed_moment(grid, averages, scheme_order, 3);
-  if (system.right_wall())
-    terms.right_energy_flux = wall_speed_moment(grid, averages, scheme_order, 3, AxisEnd::right);
+  const problem::System& system = problem.system;
+  const auto loss = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
+    if (!wall) return 0.0;
+    if (wall->has_constant_restitution()) {
+      return problem::impact_loss(wall, impact,
+                                  wall_speed_moment(grid, averages, scheme_order, 3, end));
+    }
+    return sum_over_impacts(
+        grid, averages, scheme_order,
+        [&](double u) { return problem::energy_lost(*wall, impact, u); }, end);
+  };
+  problem::PowerBalanceTerms terms{.mean_velocity = moments.v1,
+                                   .mean_square_velocity = moments.v2,
+                                   .left_impact_loss = loss(system.left_wall(), AxisEnd::left),
+                                   .right_impact_loss = loss(system.right_wall(), AxisEnd::right)};
+  if (problem.noise_factor) {
+    terms.mean_square_noise_factor = integrate_function(
+        grid, averages, scheme_order,
+        [&](double x1, double x2) { return problem.noise_factor->squared(x1, x2); });
+  }
   terms.mean_damping_power = mean_damping_power(system, moments, grid, averages, scheme_order);
   return terms;
 }
@@ -257,9 +284,8 @@ problem::PowerBalanceTerms energy_terms(const problem::System& system,
 double energy_residual(const problem::Problem& problem, problem::ImpactCondition impact,
                        const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
   return problem::energy_residual(
-      problem, impact,
-      energy_terms(problem.system, moments(grid, averages, scheme_order), grid, averages,
-                   scheme_order));
+      problem, energy_terms(problem, impact, moments(grid, averages, scheme_order), grid, averages,
+                            scheme_order));
 }
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
@@ -272,9 +298,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
           integrate_marginal(grid.x1, y, scheme_order, monomial(1)) + walls.displacement_at_rest,
       .mean_square_velocity = integrate_marginal(grid.x2, v, scheme_order, monomial(2)),
       .mean_virial = 0};
-  problem::MomentumBalanceTerms for_momentum{.mean_force = 0,
-                                             .impact_momentum = walls.left_momentum};
-  for_virial.right_momentum = for_momentum.right_momentum = walls.right_momentum;
+  problem::MomentumBalanceTerms for_momentum{.mean_force = 0, .left_impact_momentum = walls.left};
+  for_virial.right_impact_momentum = for_momentum.right_impact_momentum = walls.right;
   if (system.has_polynomial_force()) {
     const auto& force = system.restoring_force();
     for_virial.mean_virial =
@@ -306,11 +331,18 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
 
 WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const Grid& grid,
                                             const Eigen::VectorXd& averages, int scheme_order) {
-  WallMomentumTransfer walls;
-  if (system.left_wall()) walls.left_momentum = wall_speed_moment(grid, averages, scheme_order, 2);
-  if (system.right_wall())
-    walls.right_momentum = wall_speed_moment(grid, averages, scheme_order, 2, AxisEnd::right);
-  return walls;
+  const auto momentum = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
+    if (!wall) return 0.0;
+    if (wall->has_constant_restitution()) {
+      return problem::impact_momentum_change(
+          wall, wall_speed_moment(grid, averages, scheme_order, 2, end));
+    }
+    return sum_over_impacts(
+        grid, averages, scheme_order, [&](double u) { return problem::momentum_change(*wall, u); },
+        end);
+  };
+  return {.left = momentum(system.left_wall(), AxisEnd::left),
+          .right = momentum(system.right_wall(), AxisEnd::right)};
 }
 
 BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales, const Grid& grid,

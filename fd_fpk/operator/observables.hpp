@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 
 #include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
@@ -49,6 +50,11 @@ double mean_energy(const problem::System& system, const Grid& grid, const Eigen:
 double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
                          int speed_exponent, AxisEnd end = AxisEnd::left);
 
+/// Returns the sum over impacts per unit time of a function of the impact speed u, int u weight(u)
+/// p(a, -u) du at the left wall a, for any function.
+double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                        const std::function<double(double)>& weight, AxisEnd end);
+
 /// Returns the mean power E[v f] of the damping force f.
 /// @param moments moments of the density in the coordinates of the grid
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
@@ -56,19 +62,19 @@ double mean_damping_power(const problem::System& system, const transform::Moment
 
 /// Returns the terms of the power balance of a density given by cell averages.
 /// @param moments moments of the density in the coordinates of the grid
-problem::PowerBalanceTerms energy_terms(const problem::System& system,
+problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
+                                        problem::ImpactCondition impact,
                                         const transform::Moments& moments, const Grid& grid,
                                         const Eigen::VectorXd& averages, int scheme_order);
 
 double energy_residual(const problem::Problem& problem, problem::ImpactCondition impact,
                        const Grid& grid, const Eigen::VectorXd& averages, int scheme_order);
 
-/// Momentum that impacts and contact transfer to the walls per unit time.
+/// Momentum that the walls give in impacts and contact per unit time.
 struct WallMomentumTransfer {
-  /// Momentum into the left wall: int_{v<0} v^2 p(0, v) dv, plus the momentum of impulses on mass
-  /// at rest in contact
-  double left_momentum = 0;
-  double right_momentum = 0;
+  /// Momentum from each wall in impacts, MomentumBalanceTerms. That of the left wall includes the
+  /// momentum of impulses on mass at rest in contact.
+  double left = 0, right = 0;
   /// Contribution of mass at rest in contact to E[y]. The wall force balances the spring force on
   /// mass at rest, so that the momentum balance contains neither force.
   double displacement_at_rest = 0;

@@ -156,17 +156,20 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
   }
   const auto in_frame = moments(on.grid, averages, kOrderOfObservables);
   solution.energy_residual = problem::energy_residual(
-      problem, problem::ImpactCondition::map,
+      problem,
       {.mean_velocity = in_frame.v1,
        .mean_square_velocity = in_frame.v2,
-       .impact_energy_flux = rate * left.energy,
-       .right_energy_flux = rate * right.energy,
+       .left_impact_loss = problem::impact_loss(problem.system.left_wall(),
+                                                problem::ImpactCondition::map, rate * left.energy),
+       .right_impact_loss = problem::impact_loss(
+           problem.system.right_wall(), problem::ImpactCondition::map, rate * right.energy),
        .mean_damping_power =
            mean_damping_power(problem.system, in_frame, on.grid, averages, kOrderOfObservables)});
-  summary.balances = balance_residuals(problem, on.grid, averages, kOrderOfObservables,
-                                       {.left_momentum = rate * left.momentum,
-                                        .right_momentum = rate * right.momentum,
-                                        .displacement_at_rest = displacement_at_rest});
+  summary.balances = balance_residuals(
+      problem, on.grid, averages, kOrderOfObservables,
+      {.left = problem::impact_momentum_change(problem.system.left_wall(), rate * left.momentum),
+       .right = problem::impact_momentum_change(problem.system.right_wall(), rate * right.momentum),
+       .displacement_at_rest = displacement_at_rest});
 }
 
 }  // namespace

@@ -111,22 +111,22 @@ transform::Moments DensityIntegrals::moments(double mass) const {
           .v4 = mean([](double, double v) { return v * v * v * v; })};
 }
 
-double DensityIntegrals::wall_velocity_moment(std::size_t row, double direction, int power) const {
+double DensityIntegrals::flux_integral(std::size_t row, double direction,
+                                       const std::function<double(double)>& weight) const {
   double sum = 0;
   for (std::size_t j = 0; j < weight_v_.size(); ++j) {
     const double speed = direction * points_.v_points()[j];
-    if (speed > 0) sum += weight_v_[j] * std::pow(speed, power) * value(row, j);
+    if (speed > 0) sum += weight_v_[j] * speed * weight(speed) * value(row, j);
   }
   return sum;
 }
 
-double DensityIntegrals::left_wall_velocity_moment(int power) const {
-  return points_.has_wall_at_start() ? wall_velocity_moment(0, -1, power) : 0;
+double DensityIntegrals::sum_over_left_impacts(const std::function<double(double)>& weight) const {
+  return points_.has_wall_at_start() ? flux_integral(0, -1, weight) : 0;
 }
 
-double DensityIntegrals::right_wall_velocity_moment(int power) const {
-  return points_.has_wall_at_end() ? wall_velocity_moment(points_.y_points().size() - 1, 1, power)
-                                   : 0;
+double DensityIntegrals::sum_over_right_impacts(const std::function<double(double)>& weight) const {
+  return points_.has_wall_at_end() ? flux_integral(points_.y_points().size() - 1, 1, weight) : 0;
 }
 
 transform::GridDensity DensityIntegrals::averages() const {

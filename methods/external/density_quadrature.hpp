@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "compare/comparison_axes.hpp"
@@ -66,18 +67,20 @@ class DensityIntegrals {
   }
   /// Returns the moments of the density divided by `mass`.
   transform::Moments moments(double mass) const;
-  /// Returns int_{v<0} |v|^power p(a, v) dv over impact velocities at the left wall y = a. The
-  /// result is 0 if the cells do not begin at the wall.
-  double left_wall_velocity_moment(int power) const;
-  /// Returns int_{v>0} v^power p(b, v) dv over impact velocities at the right wall y = b. The
-  /// result is 0 if the cells do not end at the wall.
-  double right_wall_velocity_moment(int power) const;
+  /// Returns int_{v<0} |v| weight(|v|) p(a, v) dv over impact velocities at the left wall y = a, the
+  /// sum of weight(u) over impacts at speed u per unit time. The result is 0 if the cells do not
+  /// begin at the wall.
+  double sum_over_left_impacts(const std::function<double(double)>& weight) const;
+  /// Returns the same sum over impacts at the right wall y = b. The result is 0 if the cells do not
+  /// end at the wall.
+  double sum_over_right_impacts(const std::function<double(double)>& weight) const;
   transform::GridDensity averages() const;
 
  private:
-  /// Returns the integral of |v|^power p(y, v) over velocities v with the sign of `direction`, at
-  /// the value y of one row of points.
-  double wall_velocity_moment(std::size_t row, double direction, int power) const;
+  /// Returns the integral of |v| weight(|v|) p(y, v) over velocities v with the sign of
+  /// `direction`, at the value y of one row of points.
+  double flux_integral(std::size_t row, double direction,
+                       const std::function<double(double)>& weight) const;
   double value(std::size_t i, std::size_t j) const { return values_[i * weight_v_.size() + j]; }
 
   const DensityQuadratureGrid& points_;

@@ -79,20 +79,23 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
     }) / mass;
   };
   const auto wall_momentum = [&](bool right) {
-    return (right ? integrals.right_wall_velocity_moment(2)
-                  : integrals.left_wall_velocity_moment(2)) /
+    const auto& wall = right ? problem.system.right_wall() : problem.system.left_wall();
+    if (!wall) return 0.0;
+    const auto change = [&](double u) { return problem::momentum_change(*wall, u); };
+    return (right ? integrals.sum_over_right_impacts(change)
+                  : integrals.sum_over_left_impacts(change)) /
            mass;
   };
   const problem::VirialBalanceTerms virial{
       .mean_displacement = mean([](double x, double) { return x; }),
       .mean_square_velocity = mean([](double, double v) { return v * v; }),
       .mean_virial = mean([&](double x, double v) { return x * force(x, v); }),
-      .right_momentum = frame.mirrored ? 0 : wall_momentum(true),
+      .right_impact_momentum = frame.mirrored ? 0 : wall_momentum(true),
       .mean_y_cubed_velocity = mean([](double x, double v) { return x * v * v * v; })};
   problem::MomentumBalanceTerms momentum{
       .mean_force = mean(force),
-      .impact_momentum = wall_momentum(frame.mirrored),
-      .right_momentum = virial.right_momentum,
+      .left_impact_momentum = wall_momentum(frame.mirrored),
+      .right_impact_momentum = virial.right_impact_momentum,
       .mean_cubed_velocity = mean([](double, double v) { return v * v * v; }),
       .mean_absolute_force = mean([&](double x, double) { return std::abs(system.force(x, 0)); })};
   transform::BalanceResiduals residuals{
@@ -179,13 +182,24 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
   const problem::System& system = problem.system;
   const double damping_power = integrals.integrate_times_density(
       [&](double y, double v) { return v * system.damping_force(y, v); });
+  const auto loss = [&](const std::optional<problem::Wall>& wall) {
+    return [&](double u) { return problem::energy_lost(*wall, external.impact, u); };
+  };
+  const auto left_loss =
+                 system.left_wall() ? integrals.sum_over_left_impacts(loss(system.left_wall())) : 0,
+             right_loss = system.right_wall()
+                              ? integrals.sum_over_right_impacts(loss(system.right_wall()))
+                              : 0;
+  const double square_noise_factor = integrals.integrate_times_density([&](double y, double v) {
+    return problem.noise_factor ? problem.noise_factor->squared(y, v) : 1;
+  });
   solution.energy_residual = problem::energy_residual(
-      problem, external.impact,
-      {.mean_velocity = moments.v1,
-       .mean_square_velocity = moments.v2,
-       .impact_energy_flux = integrals.left_wall_velocity_moment(3) / solution.mass,
-       .right_energy_flux = integrals.right_wall_velocity_moment(3) / solution.mass,
-       .mean_damping_power = damping_power / solution.mass});
+      problem, {.mean_velocity = moments.v1,
+                .mean_square_velocity = moments.v2,
+                .left_impact_loss = left_loss / solution.mass,
+                .right_impact_loss = right_loss / solution.mass,
+                .mean_damping_power = damping_power / solution.mass,
+                .mean_square_noise_factor = square_noise_factor / solution.mass});
   solution.reason = options.inadmissible_reason.empty()
                         ? inadmissible_reason(grid, points, peak, least, solution.mass)
                         : options.inadmissible_reason;

@@ -25,20 +25,21 @@ Eigen::VectorXd returned(int cells, double h, double r) {
 
 double error(int cells, double r, int order) {
   const double h = 8.0 / cells;
-  return (impact_map(speeds(cells, h), r, ImpactCondition::map, order) * returned(cells, h, 1.0) -
+  return (impact_map(speeds(cells, h), {0, r}, ImpactCondition::map, order) *
+              returned(cells, h, 1.0) -
           returned(cells, h, r))
              .lpNorm<1>() *
          h;
 }
 
 TEST(ImpactMap, IsTheIdentityWithoutLosses) {
-  const Eigen::MatrixXd map = impact_map(speeds(20), 1.0, ImpactCondition::map, 5);
+  const Eigen::MatrixXd map = impact_map(speeds(20), {0, 1.0}, ImpactCondition::map, 5);
   EXPECT_LT((map - Eigen::MatrixXd::Identity(20, 20)).norm(), 1e-12);
 }
 
 TEST(ImpactMap, ConservesProbabilityForEveryRestitution) {
   for (const double r : {1.0, 0.98, 0.7, 0.31, 0.05}) {
-    const Eigen::MatrixXd map = impact_map(speeds(24), r, ImpactCondition::map, 5);
+    const Eigen::MatrixXd map = impact_map(speeds(24), {0, r}, ImpactCondition::map, 5);
     EXPECT_LT((map.colwise().sum().array() - 1).abs().maxCoeff(), 1e-12) << r;
   }
 }
@@ -60,7 +61,7 @@ TEST(ImpactMap, MeanReturnedEnergyFallsByTheSquareOfTheRestitution) {
   const int cells = 80;
   const double h = 0.1, r = 0.8;
   const Eigen::VectorXd in =
-      impact_map(speeds(cells, h), r, ImpactCondition::map, 5) * returned(cells, h, 1.0);
+      impact_map(speeds(cells, h), {0, r}, ImpactCondition::map, 5) * returned(cells, h, 1.0);
   double energy = 0;
   for (int a = 0; a < cells; ++a) energy += in(a)*h * ((a + 0.5) * h) * ((a + 0.5) * h);
   EXPECT_NEAR(energy, r * r * 2.0, 2e-3);  // E[u^2] = 2 under f
@@ -80,8 +81,8 @@ TEST(ImpactMap, DeltaIsTheFirstOrderTermAndItsErrorIsOfSecondOrder) {
   const Axis axis = speeds(200, 0.04);
   const Eigen::VectorXd flux = half_normal_flux(axis);
   const auto difference = [&](double loss) {
-    const Eigen::VectorXd d = (impact_map(axis, 1 - loss, ImpactCondition::map, 7) -
-                               impact_map(axis, 1 - loss, ImpactCondition::delta, 7)) *
+    const Eigen::VectorXd d = (impact_map(axis, {0, 1 - loss}, ImpactCondition::map, 7) -
+                               impact_map(axis, {0, 1 - loss}, ImpactCondition::delta, 7)) *
                               flux;
     return axis.cell_widths().dot(d.cwiseAbs());
   };
@@ -97,7 +98,7 @@ TEST(ImpactMap, DeltaIsFluxPlusLossTimesItsScaling) {
   const Axis axis = speeds(160, 0.05);
   const double loss = 0.1;
   const Eigen::VectorXd in =
-      impact_map(axis, 1 - loss, ImpactCondition::delta, 7) * half_normal_flux(axis);
+      impact_map(axis, {0, 1 - loss}, ImpactCondition::delta, 7) * half_normal_flux(axis);
   const auto scaled = [](double w) { return w * w * std::exp(-w * w / 2); };
   for (int a = 0; a < 100; ++a) {
     const double exact = half_normal_flux(axis)(a) +
@@ -111,7 +112,7 @@ TEST(ImpactMap, DeltaIsFluxPlusLossTimesItsScaling) {
 TEST(ImpactMap, KeepsProbabilityOnUnequalCellsInBothForms) {
   const Axis axis({0, 0.1, 0.22, 0.36, 0.5, 0.7, 0.95, 1.2, 1.5, 1.9, 2.3, 2.8});
   for (const ImpactCondition impact : {ImpactCondition::map, ImpactCondition::delta}) {
-    const Eigen::MatrixXd map = impact_map(axis, 0.8, impact, 5);
+    const Eigen::MatrixXd map = impact_map(axis, {0, 0.8}, impact, 5);
     const Eigen::RowVectorXd kept = axis.cell_widths().transpose() * map;
     EXPECT_LT((kept - axis.cell_widths().transpose()).cwiseAbs().maxCoeff(), 1e-12);
   }

@@ -252,8 +252,7 @@ TEST(OperatorOfGeneralOscillator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
       const auto op = fokker_planck_operator(p.system, e, ImpactCondition::map, grid, 5);
       const double rate = mean_energy(p.system, grid, op * averages, 5);
       const auto [input, dissipated] = problem::power_balance(
-          p, ImpactCondition::map,
-          energy_terms(p.system, moments(grid, averages, 5), grid, averages, 5));
+          p, energy_terms(p, ImpactCondition::map, moments(grid, averages, 5), grid, averages, 5));
       EXPECT_GT(std::abs(dissipated), 0.05);
       EXPECT_NEAR(rate, input - dissipated, 5e-4) << name;
     }

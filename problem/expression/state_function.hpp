@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "problem/expression/expression.hpp"
+#include "problem/walls.hpp"
+
+namespace fpkcheck::problem {
+
+/// A formula of the physical displacement y and velocity y' as a function of wall coordinates.
+class StateFunction {
+ public:
+  explicit StateFunction(Expression formula)
+      : formula_(std::make_shared<const Expression>(std::move(formula))) {}
+
+  double operator()(double x, double v) const {
+    return (*formula_)(frame_.physical_y(x), frame_.physical_velocity(v));
+  }
+  /// Returns the value, and the derivative with respect to the velocity in wall coordinates.
+  numerics::DualNumber with_slope_in_v(double x, double v) const {
+    return (*formula_)(numerics::DualNumber{frame_.physical_y(x), 0},
+                       numerics::DualNumber{frame_.physical_velocity(v), frame_.sign()});
+  }
+  /// Computes the values at `count` <= Expression::kBatch points, faster than one by one.
+  void evaluate(std::size_t count, const double* x, const double* v, double* values) const;
+
+  /// Returns the formula in physical coordinates.
+  const Expression& formula() const { return *formula_; }
+  /// Returns the values of x in (low, high) at which the function or its slope jumps, increasing.
+  std::vector<double> kinks_in_x(double low, double high) const;
+
+  /// @pre the function is in physical coordinates
+  StateFunction to_wall_coordinates(const WallFrame& frame) const;
+
+ private:
+  std::shared_ptr<const Expression> formula_;
+  WallFrame frame_;
+};
+
+}  // namespace fpkcheck::problem

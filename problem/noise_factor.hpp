@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/options/enum_names.hpp"
+#include "problem/expression/state_function.hpp"
+
+namespace fpkcheck::problem {
+
+/// Sense in which an equation with noise sqrt(2D) g(y, v) W(t) is understood. The senses differ
+/// only if g depends on v.
+enum class StochasticCalculus { ito, stratonovich };
+inline constexpr base::EnumEntry<StochasticCalculus> kCalculusNames[] = {
+    {StochasticCalculus::ito, "ito"}, {StochasticCalculus::stratonovich, "stratonovich"}};
+constexpr const auto& enumerator_names(StochasticCalculus) { return kCalculusNames; }
+
+/// The factor g(y, v) of multiplicative noise sqrt(2D) g W, with the diffusion coefficient D G and
+/// G = g^2.
+class NoiseFactor {
+ public:
+  /// @throws InputError for an invalid formula
+  NoiseFactor(const std::string& formula, const NamedConstants& constants)
+      : g_(Expression::parse(formula, constants, "noise.factor")) {}
+
+  double operator()(double y, double v) const { return g_(y, v); }
+  /// Returns G = g^2.
+  double squared(double y, double v) const {
+    const double g = g_(y, v);
+    return g * g;
+  }
+  /// Returns dG/dv = 2 g dg/dv.
+  double slope_of_square(double y, double v) const {
+    const numerics::DualNumber g = g_.with_slope_in_v(y, v);
+    return 2 * g.value * g.derivative;
+  }
+  /// Computes g at `count` <= Expression::kBatch points, faster than one by one.
+  void evaluate(std::size_t count, const double* y, const double* v, double* g) const {
+    g_.evaluate(count, y, v, g);
+  }
+
+  const std::string& text() const { return g_.formula().text(); }
+  bool depends_on_v() const { return g_.formula().depends_on_v(); }
+  /// Returns the values of y in (low, high) at which g or its slope jumps, increasing.
+  std::vector<double> kinks_in_y(double low, double high) const { return g_.kinks_in_x(low, high); }
+
+  NoiseFactor to_wall_coordinates(const WallFrame& frame) const {
+    NoiseFactor transformed = *this;
+    transformed.g_ = g_.to_wall_coordinates(frame);
+    return transformed;
+  }
+
+ private:
+  StateFunction g_;
+};
+
+}  // namespace fpkcheck::problem
