@@ -77,8 +77,8 @@ std::optional<Wall> wall(const char* side, const std::optional<double>& position
         side, position ? "_restitution" : ""));
   }
   if (!position) return std::nullopt;
-  if (const auto* number = std::get_if<double>(&*restitution)) return Wall{*position, *number};
-  Expression formula = Expression::parse(std::get<std::string>(*restitution), constants,
+  if (const double* number = restitution->number()) return Wall{*position, *number};
+  Expression formula = Expression::parse(restitution->formula(), constants,
                                          fmt::format("wall.{}_restitution", side), "v");
   const double at_rest = formula(0.0, 0.0);
   if (!formula.depends_on_v()) {

@@ -55,7 +55,7 @@ template <>
 struct MemberConversion<NumberOrFormula> {
   static constexpr ParameterType kType = ParameterType::number_or_formula;
   static Value to_value(const NumberOrFormula& member) {
-    return std::visit([](const auto& held) { return Value(held); }, member);
+    return std::visit([](const auto& held) { return Value(held); }, member.held);
   }
   static void set_from_value(NumberOrFormula& member, const Value& value) {
     if (const auto* number = std::get_if<double>(&value)) {

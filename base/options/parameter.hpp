@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -52,7 +53,18 @@ AdmissibleRange even_integers_between(int least, int greatest);
 enum class ParameterType { flag, integer, number, word, number_or_formula };
 
 /// The value of a parameter that is a number or the text of a formula.
-using NumberOrFormula = std::variant<double, std::string>;
+struct NumberOrFormula {
+  std::variant<double, std::string> held;
+
+  NumberOrFormula(double number = 0) : held(number) {}
+  NumberOrFormula(std::string formula) : held(std::move(formula)) {}
+  bool operator==(const NumberOrFormula&) const = default;
+
+  /// Returns the number; null for a formula.
+  const double* number() const { return std::get_if<double>(&held); }
+  /// Returns the formula. @pre !number()
+  const std::string& formula() const { return std::get<std::string>(held); }
+};
 
 /// Description of one parameter of the program, from which the command-line option, the case-file
 /// key, JSON and the range check are derived.

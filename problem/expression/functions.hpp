@@ -69,6 +69,9 @@ inline constexpr std::array kFunctions{
     Function{"erf", 1, [](double a, double) { return std::erf(a); },
              [](double a, double) { return 2 * std::numbers::inv_sqrtpi * std::exp(-a * a); },
              nullptr, Parity::odd},
+    Function{"erfc", 1, [](double a, double) { return std::erfc(a); },
+             [](double a, double) { return -2 * std::numbers::inv_sqrtpi * std::exp(-a * a); },
+             nullptr},
 };
 
 }  // namespace fpkcheck::problem

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "problem/balances.hpp"
+#include "problem/case_file.hpp"
+#include "problem/energy_averaging.hpp"
+#include "problem/problem_features.hpp"
+#include "refusal.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+Problem case_of_formulas(const std::string& text) {
+  std::istringstream ini(text);
+  return read_case(ini, "a", "a.ini", {}, CaseNaming::with_overrides);
+}
+std::string refusal_of_formulas(const std::string& text) {
+  return tests::refusal([&] { case_of_formulas(text); });
+}
+void expect_refusal(const std::string& text, const std::string& part) {
+  EXPECT_NE(refusal_of_formulas(text).find(part), std::string::npos) << refusal_of_formulas(text);
+}
+
+const std::string kEnergyDamping =
+    "[system]\nforce = 0.1*v + 0.05*v*(y^2+v^2) + y\n[wall]\nnone = true\n"
+    "[noise]\nintensity = 0.2\n";
+const std::string kFactor = "factor = sqrt(1+0.25*(y^2+v^2))\ninterpretation = ";
+const std::string kLinearSpring = "[system]\ndamping = 0.1\nstiffness = 1\n";
+const std::string kUnitImpulses = "[impulse]\nrate = 1\nlaw = gaussian\nintensity = 0.2\n";
+
+TEST(NoiseFactor, ChangesTheForceInStratonovichSense) {
+  const Problem ito = case_of_formulas(kEnergyDamping + kFactor + "ito"),
+                stratonovich = case_of_formulas(kEnergyDamping + kFactor + "stratonovich");
+  // D G_v / 2 = 0.1 * 0.5 v / 2
+  for (const double v : {-0.7, 0.3}) {
+    EXPECT_NEAR(ito.system.force(0.4, v), 0.4 + v * (0.1 + 0.05 * (0.16 + v * v)), 1e-15);
+    EXPECT_NEAR(stratonovich.system.force(0.4, v), ito.system.force(0.4, v) - 0.025 * v, 1e-15);
+  }
+  EXPECT_NEAR(noise_diffusion(ito, 0.4, 0.2), 0.1 * (1 + 0.25 * 0.2), 1e-15);
+}
+
+// Without a factor of v both senses are one equation, and coefficients remain coefficients.
+TEST(NoiseFactor, OfTheDisplacementChangesNoForce) {
+  const Problem p =
+      case_of_formulas(kLinearSpring + "[wall]\nnone = true\n[noise]\nintensity = 0.2\n" +
+                       "factor = sqrt(1+y^2)\ninterpretation = stratonovich\n");
+  EXPECT_TRUE(p.system.has_polynomial_force());
+  EXPECT_NEAR(p.noise_factor->squared(2, 1), 5, 1e-15);
+  EXPECT_FALSE(polynomial_required_reason(p).empty());
+}
+
+TEST(NoiseFactor, IsTransformedToWallCoordinates) {
+  const Problem p = case_of_formulas(
+      "[system]\nforce = 0.2*v + y\n[wall]\nright = 0.5\n"
+      "right_restitution = 0.9\n[noise]\nintensity = 0.2\n"
+      "factor = 1.5 + 0.5*tanh(y + 0.3*v)\ninterpretation = stratonovich\n");
+  const WallFrame frame = wall_frame(p.system);
+  const Problem seen = to_wall_coordinates(frame, p);
+  const double x = 0.7, v = -0.4;
+  const double y = frame.physical_y(x), physical_v = frame.physical_velocity(v);
+  ASSERT_NEAR(y, -0.2, 1e-15);
+  ASSERT_NEAR(physical_v, 0.4, 1e-15);
+  EXPECT_NEAR((*seen.noise_factor)(x, v), (*p.noise_factor)(y, physical_v), 1e-15);
+  EXPECT_NEAR(seen.noise_factor->slope_of_square(x, v),
+              -p.noise_factor->slope_of_square(y, physical_v), 1e-15);
+  EXPECT_NEAR(seen.system.force(x, v), -p.system.force(y, physical_v), 1e-15);
+}
+
+// Damping d(H) = 0.1 + 0.1 H and G = 1 + H/2: exp(-Phi) is the exact density (1 + H/2) exp(-2H) in
+// Ito's sense, and (1 + H/2)^(3/2) exp(-2H) in Stratonovich's.
+TEST(NoiseFactor, HasTheExactLawOfTheEnergyByAveraging) {
+  for (const bool is_ito : {true, false}) {
+    const EnergyAveraging averaging(
+        case_of_formulas(kEnergyDamping + kFactor + (is_ito ? "ito" : "stratonovich")));
+    ASSERT_FALSE(averaging.unconfined_reason());
+    const auto exact = [&](double h) { return 2 * h - (is_ito ? 1 : 1.5) * std::log(1 + h / 2); };
+    const auto& bands = averaging.bands();
+    for (const auto& band : bands) {
+      EXPECT_NEAR(band.potential - bands.front().potential,
+                  exact(band.energy) - exact(bands.front().energy), 2e-3)
+          << band.energy;
+    }
+  }
+}
+
+TEST(NoiseFactor, IsValidated) {
+  expect_refusal(kEnergyDamping + "factor = sqrt(1+v^2)\n", "noise.interpretation is missing");
+  expect_refusal(kEnergyDamping + "interpretation = ito\n", "without noise.factor");
+  expect_refusal(kEnergyDamping + "factor = y\n", "noise.factor = ");
+  expect_refusal(kEnergyDamping + "factor = 1 +\n", "noise.factor column 4");
+  expect_refusal(
+      kLinearSpring + "restitution = 0.9\n" + kUnitImpulses + "[noise]\nfactor = 1 + y^2\n",
+      "noise.intensity is 0");
+}
+
+TEST(RestitutionFormula, IsAFunctionOfTheImpactSpeed) {
+  const Problem p = case_of_formulas(
+      kLinearSpring + "[wall]\nleft = 0\nleft_restitution = 1 - a*min(1,abs(v))^0.2\n" +
+      kUnitImpulses + "[parameters]\na = 0.3\n");
+  const Wall& wall = *p.system.left_wall();
+  EXPECT_FALSE(wall.has_constant_restitution());
+  EXPECT_EQ(wall.restitution, 1);
+  EXPECT_NEAR(wall.restitution_at(0.5), 1 - 0.3 * std::pow(0.5, 0.2), 1e-15);
+  EXPECT_NEAR(wall.restitution_at(7), 0.7, 1e-15);
+  EXPECT_NEAR(energy_lost(wall, ImpactCondition::map, 7), (1 - 0.49) * 49 / 2, 1e-13);
+  EXPECT_NEAR(momentum_change(wall, 7), 1.7 * 7, 1e-13);
+  EXPECT_FALSE(polynomial_required_reason(p).empty());
+  const Problem again = problem_from_sections("a", sections(p));
+  EXPECT_EQ(again.system.left_wall()->restitution_at(0.5), wall.restitution_at(0.5));
+}
+
+TEST(RestitutionFormula, ThatIsConstantIsANumber) {
+  const Problem p = case_of_formulas(kLinearSpring + "[wall]\nleft = 0\nleft_restitution = r\n" +
+                                     kUnitImpulses + "[parameters]\nr = 0.9\n");
+  EXPECT_EQ(p.system.left_wall(), (Wall{0, 0.9}));
+  EXPECT_EQ(polynomial_required_reason(p), "");
+}
+
+// The loss (1 - r(u)^2) u^2 / 2 at the impact speed u of an orbit.
+TEST(RestitutionFormula, IsThatOfTheOrbit) {
+  const Problem p = case_of_formulas(
+      "[system]\ndamping = 0.1\nstiffness = 4\n[wall]\nleft = 0\n"
+      "left_restitution = 1 - 0.2*tanh(v)\n" +
+      kUnitImpulses);
+  const UndampedOrbits orbits(p);
+  const double u = 1.1;
+  const OrbitIntegrals orbit = orbits.orbit_integrals(orbits.half_cycles(u * u / 2)[0], u * u / 2);
+  const double r = 1 - 0.2 * std::tanh(u);
+  EXPECT_NEAR(orbit.loss - 0.1 * orbit.action, (1 - r * r) * u * u / 2, 1e-13);
+}
+
+TEST(RestitutionFormula, IsValidated) {
+  const auto wall = [](const std::string& restitution) {
+    return kLinearSpring + "[wall]\nleft = 0\nleft_restitution = " + restitution + "\n" +
+           kUnitImpulses;
+  };
+  expect_refusal(wall("1.2"), "wall.left_restitution = 1.2 (must be");
+  expect_refusal(wall("1 + 0.1"), "wall.left_restitution = 1.1 (must be");
+  expect_refusal(wall("1 - v"), "at the impact speed");
+  expect_refusal(wall("exp(-2*v)"), "decreases at the impact speed");
+  expect_refusal(wall("1 - y"), "column 5");
+}
+
+}  // namespace
+}  // namespace fpkcheck::problem
