@@ -6,13 +6,13 @@
 namespace fpkcheck::mcs {
 
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
-  // For a Duffing oscillator at a wall, solve() itself reports an inelastic collapse as a failed
-  // solution.
-  if (is_duffing_at_wall(problem)) return "";
   if (problem.noise_factor) return "the simulation does not treat noise.factor; use fd";
   if (!problem.system.has_constant_restitution()) {
     return "the simulation needs constant restitution coefficients; use fd";
   }
+  // For a Duffing oscillator at a wall, solve() itself reports an inelastic collapse as a failed
+  // solution.
+  if (is_duffing_at_wall(problem)) return "";
   const bool has_noise = problem.noise.is_present() || options.equation == DensityEquation::white;
   if (!problem.system.has_polynomial_force() && problem.system.formula().has_jumps() &&
       !has_noise) {

@@ -39,10 +39,10 @@ ProblemFeatures features(const Problem& problem) {
 
 std::string polynomial_required_reason(const Problem& problem) {
   if (problem.noise_factor) {
-    return "the noise is multiplied by the factor noise.factor; use fd or mcs";
+    return "the noise is multiplied by the factor noise.factor; use fd";
   }
   if (!problem.system.has_constant_restitution()) {
-    return "the restitution coefficient depends on the impact speed; use fd or mcs";
+    return "the restitution coefficient depends on the impact speed; use fd";
   }
   if (problem.system.has_polynomial_force()) return "";
   return "the force is not one of the polynomials that this method supports; use fd or mcs";
@@ -63,9 +63,8 @@ std::string inelastic_collapse_reason(const Problem& problem, DensityEquation eq
 
 const std::vector<UnsupportedFeature>& unsupported_features() {
   static const std::vector<UnsupportedFeature> all{
-      {"dry friction", {"friction", "coulomb", "stiction"}},
       {"harmonic forcing", {"forcing", "harmonic", "periodic", "sinusoidal", "frequency"}},
-      {"parametric excitation", {"parametric", "multiplicative"}},
+      {"parametric impulses", {"parametric"}},
       {"coloured noise", {"coloured", "colored", "correlation", "bandwidth", "filter"}},
       {"impulses other than a Poisson process", {"renewal", "arrivals", "interarrival", "levy"}},
       {"two or more degrees of freedom", {"dof", "freedom", "coupling", "oscillators"}},

@@ -59,7 +59,7 @@ Oscillator::Kind kind_of(const problem::Problem& problem, const Oscillator& o) {
 
 bool is_duffing_at_wall(const problem::Problem& problem) {
   const problem::System& system = problem.system;
-  if (!system.has_polynomial_force()) return false;
+  if (!system.has_polynomial_force() || !system.has_constant_restitution()) return false;
   const numerics::Polynomial& g = system.restoring_force();
   const double k = g.coefficient(1), mu = g.coefficient(3);
   const bool is_duffing = g.coefficient(0) == 0 && g.coefficient(2) == 0 && g.degree() <= 3 &&

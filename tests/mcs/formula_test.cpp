@@ -255,6 +255,15 @@ TEST(Formula, IsRefusedWithAReasonWhereItIsNotSupported) {
   EXPECT_NE(unsupported_reason(kSameFormula, {.tails = true}).find("formula"), std::string::npos);
 }
 
+// The spring is that of a Duffing oscillator at a wall, which has its own simulation.
+TEST(Formula, OfTheRestitutionIsRefused) {
+  const Problem variable =
+      with_impulses(System({.damping = 0.1, .stiffness = 1},
+                           {.left = 0, .left_restitution = std::string("1 - 0.3*min(1, v)^0.2")}),
+                    gaussian_impulses(1, 0.2));
+  EXPECT_NE(unsupported_reason(variable, {}), "");
+}
+
 // Beyond the wall sqrt(y) does not exist, and the trial states of a step are beyond the wall.
 TEST(Formula, NeedNotExistBeyondTheWall) {
   const Problem problem =

@@ -20,7 +20,9 @@ using transform::Status;
 results::CaseResult run(const std::string& case_name, const std::vector<std::string>& overrides,
                         const std::string& methods) {
   return compute_case_results({problem::load_case(case_name, overrides)},
-                              builtin_registry().select_methods(methods, {}), {})
+                              // A loaded machine needs more than the default time.
+                              builtin_registry().select_methods(methods, {{"max_seconds", 300.0}}),
+                              {})
       .at(0);
 }
 
