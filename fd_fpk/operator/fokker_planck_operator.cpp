@@ -1,6 +1,9 @@
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
 
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "fd_fpk/axis/impact_map.hpp"
 #include "problem/system.hpp"
@@ -45,11 +48,14 @@ AxisOperator zero_other_rows(const AxisOperator& matrix, int first, int count) {
 }
 
 // Returns the matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner faces of x1.
-SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weight_points) {
+// No stencil of the averages of x2 p crosses a kink of p at x2 = 0.
+SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weight_points,
+                                    bool has_kinks) {
   const Axis& x1 = grid.x1;
-  const AxisOperator minus_speed =
-      weighted_average_operator(grid.x2, weight_points, numerics::Polynomial({0, -1}));
   const int half = grid.nv() / 2;
+  const AxisOperator minus_speed =
+      weighted_average_operator(grid.x2, weight_points, numerics::Polynomial({0, -1}),
+                                has_kinks ? std::optional(half) : std::nullopt);
   const AxisOperator rightwards =
       divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSide::left);
   const AxisOperator leftwards =
@@ -100,21 +106,72 @@ AxisOperator power_divergence_matrix(const Axis& x2, int power, const AxisOperat
   return divergence_operator(x2) * AxisOperator(factor * values);
 }
 
+// Operators from cell averages of x2 to values and derivatives of p on the faces of x2.
+struct FaceReconstruction {
+  AxisOperator centred, derivative, jump;  // jump: value from the left minus value from the right
+};
+
+// Returns the one-sided forces at x2 = 0, for x2 < 0 and x2 > 0.
+std::pair<double, double> forces_at_rest(const problem::System& system, double x1,
+                                         const Grid& grid) {
+  // Velocity at which only jumps change the force
+  const double small = 1e-12 * grid.x2_max();
+  return {system.force(x1, -small), system.force(x1, small)};
+}
+
+// Returns the kink of the density at x2 = 0 for each column of cells of x1, where the force jumps
+// under diffusion. The result is empty if the density is smooth at x2 = 0.
+std::vector<DensityKink> density_kinks(const problem::System& system, const Excitation& excitation,
+                                       const Grid& grid) {
+  const double diffusion = excitation.diffusion;
+  if (system.has_polynomial_force() || !system.formula().has_jumps() || diffusion <= 0) return {};
+  std::vector<DensityKink> kinks;
+  for (int i = 0; i < grid.nx(); ++i) {
+    const auto [below, above] = forces_at_rest(system, grid.x1.cell_centre(i), grid);
+    kinks.push_back({.decay = (above - below) / (2 * diffusion),
+                     .drift = ((above + below) / 2 - excitation.drift) / diffusion});
+  }
+  return kinks;
+}
+
+// Returns the reconstruction on the faces of x2, one for all columns of cells of x1 or, for a
+// density with kinks, one for each column.
+std::vector<FaceReconstruction> face_reconstructions(const Axis& x2, int scheme_order,
+                                                     const std::vector<DensityKink>& kinks) {
+  const int centred = centred_stencil_size(scheme_order);
+  const auto reconstruction = [&](const auto&... kink) {
+    return FaceReconstruction{
+        face_value_operator(x2, centred, UpstreamSide::left, kink...),
+        face_derivative_operator(x2, centred, kink...),
+        face_value_operator(x2, scheme_order, UpstreamSide::left, kink...) -
+            face_value_operator(x2, scheme_order, UpstreamSide::right, kink...)};
+  };
+  std::vector<FaceReconstruction> all;
+  if (kinks.empty()) all.push_back(reconstruction());
+  for (const DensityKink& kink : kinks) all.push_back(reconstruction(kink));
+  return all;
+}
+
 // Returns the matrix of the term d/dx2 [ f(x1, x2) p ] for the formula f of a force, by fluxes
-// through the inner faces of x2. At each face, f is a weight of the averages over cells of x1.
+// through the inner faces of x2. At each face, f is a weight of the averages over cells of x1. On a
+// face at which f jumps, f is the mean of the one-sided forces.
 SparseColumnMatrix formula_force_matrix(const problem::System& system, const Grid& grid,
-                                        int scheme_order, int weight_points) {
+                                        const std::vector<FaceReconstruction>& reconstructions,
+                                        int weight_points) {
   const Axis& x2 = grid.x2;
   const int nv = grid.nv();
-  const AxisOperator values =
-      face_value_operator(x2, centred_stencil_size(scheme_order), UpstreamSide::left);
+  const bool has_kinks = reconstructions.size() > 1;
   std::vector<Eigen::Triplet<double>> entries;
   for (int face = 1; face < nv; ++face) {
     const double at = x2.face_position(face);
-    const AxisOperator force = weighted_average_operator(
-        grid.x1, weight_points, [&](double x1) { return system.force(x1, at); });
+    const AxisOperator force = weighted_average_operator(grid.x1, weight_points, [&](double x1) {
+      if (!has_kinks || at != 0) return system.force(x1, at);
+      const auto [below, above] = forces_at_rest(system, x1, grid);
+      return (below + above) / 2;
+    });
     for (int i = 0; i < grid.nx(); ++i) {
       for (AxisOperator::InnerIterator of_x1(force, i); of_x1; ++of_x1) {
+        const auto& values = reconstructions[has_kinks ? of_x1.col() : 0].centred;
         for (AxisOperator::InnerIterator of_x2(values, face); of_x2; ++of_x2) {
           const double flux = of_x1.value() * of_x2.value();
           const auto column = of_x1.col() * nv + of_x2.col();
@@ -129,16 +186,47 @@ SparseColumnMatrix formula_force_matrix(const problem::System& system, const Gri
   return matrix;
 }
 
+// Returns the block-diagonal matrix of one operator of x2 for each column of cells of x1.
+SparseColumnMatrix block_diagonal(const std::vector<AxisOperator>& blocks) {
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::Index row = 0, column = 0;
+  for (const AxisOperator& block : blocks) {
+    for (int r = 0; r < block.outerSize(); ++r) {
+      for (AxisOperator::InnerIterator e(block, r); e; ++e) {
+        entries.emplace_back(row + e.row(), column + e.col(), e.value());
+      }
+    }
+    row += block.rows();
+    column += block.cols();
+  }
+  SparseColumnMatrix matrix(row, column);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// Returns the matrix of drift and diffusion for densities with kinks.
+SparseColumnMatrix kinked_drift_diffusion_matrix(
+    const Axis& x2, const Excitation& excitation,
+    const std::vector<FaceReconstruction>& reconstructions) {
+  const AxisOperator divergence = divergence_operator(x2);
+  std::vector<AxisOperator> blocks;
+  for (const FaceReconstruction& on : reconstructions) {
+    blocks.push_back(divergence * AxisOperator(excitation.diffusion * on.derivative -
+                                               excitation.drift * on.centred));
+  }
+  return block_diagonal(blocks);
+}
+
 // Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
 // inner faces of x2.
 SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const Grid& grid,
-                                            int scheme_order, int weight_points) {
+                                            const std::vector<FaceReconstruction>& reconstructions,
+                                            int weight_points) {
   if (!system.has_polynomial_force()) {
-    return formula_force_matrix(system, grid, scheme_order, weight_points);
+    return formula_force_matrix(system, grid, reconstructions, weight_points);
   }
   const Axis& x2 = grid.x2;
-  const AxisOperator values =
-      face_value_operator(x2, centred_stencil_size(scheme_order), UpstreamSide::left);
+  const AxisOperator& values = reconstructions.front().centred;
   const AxisOperator force =
       weighted_average_operator(grid.x1, weight_points, system.restoring_force());
   // Constant damping does not couple the cells of x1, so that the matrix remains sparse.
@@ -160,14 +248,20 @@ SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const
 // x2, for an odd order. With the velocity a = -(c(x1) x2 + c_vv x2^3 + g(x1)) the upwind flux is
 //     a (p_left + p_right)/2 + |a| (p_left - p_right)/2.
 // The first term of the upwind flux is the centred flux of the next even order.
-SparseColumnMatrix upwind_correction_matrix(const problem::System& system, const Grid& grid,
-                                            int scheme_order) {
+SparseColumnMatrix upwind_correction_matrix(
+    const problem::System& system, const Grid& grid,
+    const std::vector<FaceReconstruction>& reconstructions) {
   const Axis& x1 = grid.x1;
   const Axis& x2 = grid.x2;
   const AxisOperator columns = identity_matrix(grid.nx());
-  const AxisOperator jump = face_value_operator(x2, scheme_order, UpstreamSide::left) -
-                            face_value_operator(x2, scheme_order, UpstreamSide::right);
-  SparseColumnMatrix flux = kronecker_product(columns, jump);
+  SparseColumnMatrix flux;
+  if (reconstructions.size() == 1) {
+    flux = kronecker_product(columns, reconstructions.front().jump);
+  } else {
+    std::vector<AxisOperator> jumps;
+    for (const FaceReconstruction& on : reconstructions) jumps.push_back(on.jump);
+    flux = block_diagonal(jumps);
+  }
   const int faces = grid.nv() + 1;
   for (Eigen::Index column = 0; column < flux.cols(); ++column) {
     for (SparseColumnMatrix::InnerIterator e(flux, column); e; ++e) {
@@ -207,7 +301,8 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             int scheme_order, ProductAveraging averaging) {
   const int weight_points =
       averaging == ProductAveraging::full ? averaging_stencil_size(scheme_order) : 1;
-  SparseColumnMatrix local = streaming_matrix(grid, scheme_order, weight_points);
+  const std::vector<DensityKink> kinks = density_kinks(system, excitation, grid);
+  SparseColumnMatrix local = streaming_matrix(grid, scheme_order, weight_points, !kinks.empty());
   if (system.left_wall()) {
     local += wall_exchange_matrix(system.left_wall()->restitution, impact, grid, scheme_order,
                                   AxisEnd::left);
@@ -216,11 +311,14 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
     local += wall_exchange_matrix(system.right_wall()->restitution, impact, grid, scheme_order,
                                   AxisEnd::right);
   }
-  local += damping_and_force_matrix(system, grid, scheme_order, weight_points);
-  local += kronecker_product(
-      identity_matrix(grid.nx()),
-      drift_diffusion_matrix(grid.x2, excitation, centred_stencil_size(scheme_order)));
-  if (scheme_order % 2 == 1) local += upwind_correction_matrix(system, grid, scheme_order);
+  const auto reconstructions = face_reconstructions(grid.x2, scheme_order, kinks);
+  local += damping_and_force_matrix(system, grid, reconstructions, weight_points);
+  local += kinks.empty()
+               ? kronecker_product(identity_matrix(grid.nx()),
+                                   drift_diffusion_matrix(grid.x2, excitation,
+                                                          centred_stencil_size(scheme_order)))
+               : kinked_drift_diffusion_matrix(grid.x2, excitation, reconstructions);
+  if (scheme_order % 2 == 1) local += upwind_correction_matrix(system, grid, reconstructions);
   local.prune(0.0);
   local.makeCompressed();
   return {std::move(local), excitation.exchange, grid.cell_areas()};
