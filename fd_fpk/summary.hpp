@@ -64,6 +64,9 @@ struct Summary {
   transform::Moments moments_outside_box = {};  ///< estimated moments of the tails outside the box
   /// Error estimates; absent if the options do not request an estimate
   std::optional<ErrorEstimate> error = {};
+  /// Whether the residuals of the balances are lower limits of the error estimate, since the
+  /// observed order of convergence may be too high
+  bool has_errors_above_residuals = false;
   /// Residuals of the balances of power, virial and momentum; absent without a density
   transform::BalanceResiduals balances = {};
   /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite if the oscillator comes to rest in

@@ -62,21 +62,92 @@ int clamp_at_left_boundary(const Axis& axis, int first, int limit) {
              : first;
 }
 
+// Returns the first cell of the stencil of an inner face.
+int first_face_stencil_cell(const Axis& axis, int face, int stencil_size,
+                            UpstreamSide upstream_side) {
+  const int upstream =
+      upstream_side == UpstreamSide::left ? (stencil_size + 1) / 2 : stencil_size / 2;
+  return clamp_at_right_boundary(axis, clamp_at_left_boundary(axis, face - upstream, 0),
+                                 stencil_size);
+}
+
 // Returns the matrix of a functional, such as the value at xi = 0, on every inner face. The local
 // coordinate is xi = (x - x_face)/width, and the functional is divided by width^derivative.
 AxisOperator inner_face_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
                                  int derivative, const std::function<double(int)>& functional) {
   Triplets entries;
-  const int upstream =
-      upstream_side == UpstreamSide::left ? (stencil_size + 1) / 2 : stencil_size / 2;
   for (int f = 1; f < axis.cell_count(); ++f) {
-    const int first =
-        clamp_at_right_boundary(axis, clamp_at_left_boundary(axis, f - upstream, 0), stencil_size);
+    const int first = first_face_stencil_cell(axis, f, stencil_size, upstream_side);
     const double width = axis.cell_width(f);
     append_stencil(
         entries, axis, f, first,
         exact_weights(axis, first, stencil_size, axis.face_position(f), width, functional) /
             std::pow(width, derivative));
+  }
+  return assemble(axis.cell_count() + 1, axis.cell_count(), entries);
+}
+
+// The basis functions of DensityKink, with x in units of a length.
+class KinkedBasis {
+ public:
+  KinkedBasis(const DensityKink& kink, double length)
+      : decay_(kink.decay * length), drift_(kink.drift * length) {}
+
+  double value(int a, double x) const { return std::exp(-decay_ * std::abs(x)) * factor(a, x); }
+  double derivative(int a, double x) const {
+    const double sign = x > 0 ? 1 : x < 0 ? -1 : 0;
+    return std::exp(-decay_ * std::abs(x)) * (slope(a, x) - decay_ * sign * factor(a, x));
+  }
+
+ private:
+  double factor(int a, double x) const {
+    const double curved = decay_ * x * std::abs(x) / 2;
+    return a == 0 ? 1 + drift_ * curved : a == 1 ? x + curved : std::pow(x, a);
+  }
+  double slope(int a, double x) const {
+    const double curved = decay_ * std::abs(x);
+    return a == 0 ? drift_ * curved : a == 1 ? 1 + curved : a * std::pow(x, a - 1);
+  }
+
+  double decay_, drift_;
+};
+
+// Replaces the rows of stencils with cells on both sides of x = 0, by stencils that are exact for
+// the basis functions of the kink. The functional gives the wanted value of a basis function at x.
+template <class Functional>
+AxisOperator with_kinked_stencils(const AxisOperator& smooth, const Axis& axis, int stencil_size,
+                                  UpstreamSide upstream_side, const DensityKink& kink,
+                                  double derivative, const Functional& functional) {
+  using Gauss = boost::math::quadrature::gauss<double, 10>;
+  Triplets entries;
+  for (int f = 0; f <= axis.cell_count(); ++f) {
+    const int first = f == 0 ? 0 : first_face_stencil_cell(axis, f, stencil_size, upstream_side);
+    const bool has_kink =
+        axis.face_position(first) < 0 && axis.face_position(first + stencil_size) > 0;
+    if (f == 0 || f == axis.cell_count() || !has_kink) {
+      for (AxisOperator::InnerIterator e(smooth, f); e; ++e) {
+        entries.emplace_back(f, e.col(), e.value());
+      }
+      continue;
+    }
+    const double width = axis.cell_width(f);
+    const KinkedBasis basis(kink, width);
+    Eigen::MatrixXd averages(stencil_size, stencil_size);
+    Eigen::VectorXd wanted(stencil_size);
+    for (int c = 0; c < stencil_size; ++c) {
+      const double left = axis.face_position(first + c) / width;
+      const double right = axis.face_position(first + c + 1) / width;
+      for (int a = 0; a < stencil_size; ++a) {
+        averages(a, c) =
+            Gauss::integrate([&](double x) { return basis.value(a, x); }, left, right) /
+            (right - left);
+      }
+    }
+    for (int a = 0; a < stencil_size; ++a) {
+      wanted(a) = functional(basis, a, axis.face_position(f) / width);
+    }
+    append_stencil(entries, axis, f, first,
+                   averages.partialPivLu().solve(wanted) / std::pow(width, derivative));
   }
   return assemble(axis.cell_count() + 1, axis.cell_count(), entries);
 }
@@ -99,6 +170,19 @@ AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSid
 
 AxisOperator face_derivative_operator(const Axis& axis, int stencil_size) {
   return inner_face_operator(axis, stencil_size, UpstreamSide::left, 1, slope_at_zero);
+}
+
+AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
+                                 const DensityKink& kink) {
+  return with_kinked_stencils(
+      face_value_operator(axis, stencil_size, upstream_side), axis, stencil_size, upstream_side,
+      kink, 0, [](const KinkedBasis& basis, int a, double x) { return basis.value(a, x); });
+}
+
+AxisOperator face_derivative_operator(const Axis& axis, int stencil_size, const DensityKink& kink) {
+  return with_kinked_stencils(
+      face_derivative_operator(axis, stencil_size), axis, stencil_size, UpstreamSide::left, kink, 1,
+      [](const KinkedBasis& basis, int a, double x) { return basis.derivative(a, x); });
 }
 
 AxisOperator end_value_operator(const Axis& axis, AxisEnd end, int stencil_size) {

@@ -28,6 +28,23 @@ AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSid
 /// inner faces. The number `stencil_size` of cells in each centred stencil is even.
 AxisOperator face_derivative_operator(const Axis& axis, int stencil_size);
 
+/// Kink of a density p at the face x = 0, at which a force f jumps under the diffusion D. The flux
+/// f p + D p' is continuous, so that p' jumps by -[f] p / D. With the smooth part r of the equation
+/// (f p + D p')' = r, p = q exp(-a |x|), a = [f] / (2 D), and q'' jumps by 2 a (b q + q') with the
+/// mean b D of the two forces.
+struct DensityKink {
+  double decay = 0;  ///< a
+  double drift = 0;  ///< b
+};
+
+/// Return the same matrices for densities with a kink. Each stencil that contains cells on both
+/// sides of x = 0 is exact for the functions exp(-a |x|) (1 + a b x |x| / 2), exp(-a |x|) (x + a x
+/// |x| / 2) and exp(-a |x|) x^k, k >= 2, in place of the polynomials. On the face x = 0 the
+/// derivative is the mean of the one-sided derivatives. The inner face 0 must exist.
+AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
+                                 const DensityKink& kink);
+AxisOperator face_derivative_operator(const Axis& axis, int stencil_size, const DensityKink& kink);
+
 /// Returns the row vector that extrapolates cell averages to the point value at an end of the axis,
 /// shape (1, cells).
 AxisOperator end_value_operator(const Axis& axis, AxisEnd end, int stencil_size);

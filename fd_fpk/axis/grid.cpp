@@ -51,10 +51,11 @@ std::vector<double> graded_faces(double length, int cells, const Grading& gradin
 }
 
 std::vector<double> faces_graded_to_points(double from, double to, double step,
-                                           std::span<const RefinementPoint> refinement_points) {
+                                           std::span<const RefinementPoint> refinement_points,
+                                           const std::function<double(double)>& stretched) {
   // Returns the number of cells below x, apart from an additive constant.
   const auto cells_to = [&](double x) {
-    double cells = x;
+    double cells = stretched(x);
     for (const auto& [centre, grading] : refinement_points) {
       cells += std::copysign(grading.reach * std::log1p(std::abs(x - centre) / grading.core),
                              x - centre);

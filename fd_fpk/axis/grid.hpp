@@ -66,10 +66,12 @@ struct RefinementPoint {
 };
 
 /// Returns faces from `from` to `to`, including every refinement point in this interval. Cells far
-/// from all refinement points have the width `step`.
+/// from all refinement points have the width `step` in the coordinate `stretched`.
 /// @param refinement_points refinement points in the order of their positions
-std::vector<double> faces_graded_to_points(double from, double to, double step,
-                                           std::span<const RefinementPoint> refinement_points);
+/// @param stretched increasing function of the position; the position itself by default
+std::vector<double> faces_graded_to_points(
+    double from, double to, double step, std::span<const RefinementPoint> refinement_points,
+    const std::function<double(double)>& stretched = [](double x) { return x; });
 
 /// Returns the unrounded number of cells of a graded axis whose cells have the width `step` far
 /// from the origin.

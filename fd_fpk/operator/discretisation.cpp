@@ -71,15 +71,6 @@ LengthScales standard_deviations(const problem::Problem& problem) {
   return {scales.displacement_deviation, scales.velocity_deviation};
 }
 
-// Returns the number of cells of an axis times the cell width far from the refinement points.
-double refined_length(double length, std::span<const RefinementPoint> points) {
-  double total = length;
-  for (const RefinementPoint& point : points) {
-    total += graded_cell_count(length, 1, point.grading) - length;
-  }
-  return total;
-}
-
 // Returns the number of cells of an axis as a double, since a box may need more cells than an int
 // can represent.
 double cell_count(double refined_length, double width, double least) {
@@ -148,17 +139,80 @@ int additional_cells(int cells, double length, double factor, const Grading& gra
   return static_cast<int>(std::lround((quotient - 1) * cells));
 }
 
-std::vector<double> x1_faces(const Box& box, int cells, std::span<const RefinementPoint> points) {
-  const double length = box.x1_max - box.x1_min;
-  // The factor 1 + 1e-12 prevents an additional cell due to rounding errors.
-  const double step = refined_length(length, points) / cells * (1 + 1e-12);
-  return faces_graded_to_points(box.x1_min, box.x1_max, step, points);
-}
+// Coordinate s(x) in which the cells of x1 have equal widths, apart from the refinement points: the
+// integral of l / l(x), with the local length scale l(x) of the density. Near an equilibrium of
+// stiffness k the deviation of the displacement is the deviation of the velocity divided by
+// sqrt(k). Hence l(x) = l_v / sqrt(f'(x)), at most the length scale l of the whole density. The
+// slope of l(x) is at most 1, so that the widths of neighbouring cells differ by at most a quarter.
+// A force without kinks has s(x) = x, because only kinks separate springs of very different
+// stiffness.
+class StretchedCoordinate {
+ public:
+  StretchedCoordinate(const problem::System& system, const Box& box, const LengthScales& lengths)
+      : from_(box.x1_min), interval_((box.x1_max - box.x1_min) / kIntervals) {
+    if (system.kinks_in_y(box.x1_min, box.x1_max).empty()) return;
+    std::vector<double> length(kIntervals, lengths.x1);
+    const auto restoring_force = [&](int node) { return system.force(position(node), 0); };
+    for (int n = 0; n < kIntervals; ++n) {
+      const double stiffness = (restoring_force(n + 1) - restoring_force(n)) / interval_;
+      if (stiffness > 0) length[n] = std::min(length[n], lengths.x2 / std::sqrt(stiffness));
+    }
+    for (int n = 1; n < kIntervals; ++n) {
+      length[n] = std::min(length[n], length[n - 1] + interval_);
+    }
+    for (int n = kIntervals - 1; n-- > 0;) {
+      length[n] = std::min(length[n], length[n + 1] + interval_);
+    }
+    values_.push_back(0);
+    for (const double l : length) values_.push_back(values_.back() + interval_ * lengths.x1 / l);
+  }
+
+  bool is_identity() const { return values_.empty(); }
+  double operator()(double x) const {
+    if (is_identity()) return x;
+    const double node = (x - from_) / interval_;
+    const int n = std::clamp(static_cast<int>(node), 0, kIntervals - 1);
+    return values_[n] + (node - n) * (values_[n + 1] - values_[n]);
+  }
+
+ private:
+  // Two intervals in the narrowest cell of the largest grids (kMaxCells, with 300 x 300 cells)
+  static constexpr int kIntervals = 2000;
+
+  double position(int node) const { return from_ + node * interval_; }
+
+  double from_, interval_;
+  std::vector<double> values_;  // s at the ends of the intervals
+};
+
+/// Cells of x1 between refinement points.
+struct X1Cells {
+  const Box& box;
+  const std::vector<RefinementPoint>& points;
+  const StretchedCoordinate& stretched;
+
+  // Returns the number of cells times the cell width far from the refinement points.
+  double refined_length() const {
+    const double length = box.x1_max - box.x1_min;
+    double total = stretched(box.x1_max) - stretched(box.x1_min);
+    for (const RefinementPoint& point : points) {
+      total += graded_cell_count(length, 1, point.grading) - length;
+    }
+    return total;
+  }
+  std::vector<double> faces(int cells) const {
+    // The factor 1 + 1e-12 prevents an additional cell due to rounding errors.
+    const double step = refined_length() / cells * (1 + 1e-12);
+    return faces_graded_to_points(box.x1_min, box.x1_max, step, points, stretched);
+  }
+};
 
 }  // namespace
 
-LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
+LengthScales fisher_length_scales(const problem::System& system, const Box& box, const Grid& grid,
+                                  const Eigen::VectorXd& averages,
                                   const problem::MotionScales& scales) {
+  const StretchedCoordinate stretched(system, box, box.lengths);
   // Fraction of the peak below which densities may be numerical errors
   constexpr double kFaint = 1e-3;
   constexpr double kShortest = 0.25;  // minimum length scale, in standard deviations
@@ -177,8 +231,9 @@ LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& avera
       const double area = grid.x1.cell_width(x1) * grid.x2.cell_width(x2), p = averages(i * nv + j);
       mass += area * p;
       if (i + 1 < nx) {
-        of_x1 += area * slope(p, averages((i + 1) * nv + j),
-                              grid.x1.cell_centre(x1 + 1) - grid.x1.cell_centre(x1));
+        of_x1 += area *
+                 slope(p, averages((i + 1) * nv + j),
+                       stretched(grid.x1.cell_centre(x1 + 1)) - stretched(grid.x1.cell_centre(x1)));
       }
       if (j + 1 < nv) {
         of_x2 += area * slope(p, averages(i * nv + j + 1),
@@ -251,10 +306,12 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   }
   for (const double kink : kinks) points.push_back({kink, {}});
   if (graded.at_right_wall) points.push_back({box.x1_max, graded.x1});
+  const StretchedCoordinate stretched(system, box, lengths);
+  const X1Cells x1_cells{box, points, stretched};
   const double least = fewest_cells(options);
   // The call value_or() would convert the double to int.
   const double nx = options.nx ? *options.nx
-                               : cell_count(refined_length(length, points),
+                               : cell_count(x1_cells.refined_length(),
                                             std::min(widths.x1, length / least), least);
   const double nv =
       options.nv ? *options.nv
@@ -262,7 +319,7 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   std::string failure = grid_failure_reason(problem, options, box, nx, nv);
   if (!failure.empty()) return failed_discretisation(box, std::move(failure), nx * nv);
   Grid grid =
-      symmetric_grid(x1_faces(box, static_cast<int>(nx), points),
+      symmetric_grid(x1_cells.faces(static_cast<int>(nx)),
                      graded_faces(box.x2_max, static_cast<int>(nv) / 2, graded.x2),
                      system.left_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum,
                      system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum);

@@ -34,7 +34,8 @@ struct Discretisation {
 
 /// Returns the grid and the excitation discretised on the grid. The cell widths are about 1/7 (x1)
 /// and 1/6 (x2) of a standard deviation, or of a length scale of the box. On a graded grid the
-/// cells far from the origin are 1.6 times as wide as the cells of a uniform grid.
+/// cells far from the origin are 1.6 times as wide as the cells of a uniform grid. If the force has
+/// kinks in x1, the cells of x1 are narrower where the spring is stiffer.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
 /// Box, and the numbers of cells of the grid in the box.
@@ -72,7 +73,9 @@ Box initial_box(const problem::Problem& problem, const problem::MotionScales& sc
 /// Returns the length scales l of a density on a coarse grid from the Fisher information, l^-2 =
 /// E[(d ln p/dx)^2]. The length scales of a normal density are the standard deviations. A density
 /// with several peaks or a ring has length scales below the standard deviations.
-LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
+/// In x1 the derivative is taken in the coordinate in which the cells of the box have equal widths.
+LengthScales fisher_length_scales(const problem::System& system, const Box& box, const Grid& grid,
+                                  const Eigen::VectorXd& averages,
                                   const problem::MotionScales& scales);
 
 }  // namespace fpkcheck::fd_fpk

@@ -1,6 +1,9 @@
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
 
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "fd_fpk/axis/impact_map.hpp"
 #include "problem/system.hpp"
@@ -45,11 +48,14 @@ AxisOperator zero_other_rows(const AxisOperator& matrix, int first, int count) {
 }
 
 // Returns the matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner faces of x1.
-SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weight_points) {
+// No stencil of the averages of x2 p crosses a kink of p at x2 = 0.
+SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weight_points,
+                                    bool has_kinks) {
   const Axis& x1 = grid.x1;
-  const AxisOperator minus_speed =
-      weighted_average_operator(grid.x2, weight_points, numerics::Polynomial({0, -1}));
   const int half = grid.nv() / 2;
+  const AxisOperator minus_speed =
+      weighted_average_operator(grid.x2, weight_points, numerics::Polynomial({0, -1}),
+                                has_kinks ? std::optional(half) : std::nullopt);
   const AxisOperator rightwards =
       divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSide::left);
   const AxisOperator leftwards =
@@ -100,12 +106,61 @@ AxisOperator power_divergence_matrix(const Axis& x2, int power, const AxisOperat
   return divergence_operator(x2) * AxisOperator(factor * values);
 }
 
+// Operators from cell averages of x2 to values and derivatives of p on the faces of x2.
+struct FaceReconstruction {
+  AxisOperator centred, derivative, jump;  // jump: value from the left minus value from the right
+};
+
+// Returns the one-sided forces at x2 = 0, for x2 < 0 and x2 > 0.
+std::pair<double, double> forces_at_rest(const problem::System& system, double x1,
+                                         const Grid& grid) {
+  // Velocity at which only jumps change the force
+  const double small = 1e-12 * grid.x2_max();
+  return {system.force(x1, -small), system.force(x1, small)};
+}
+
+// Returns the kink of the density at x2 = 0 for each column of cells of x1, where the force jumps
+// under diffusion. The result is empty if the density is smooth at x2 = 0.
+std::vector<DensityKink> density_kinks(const problem::System& system, const Excitation& excitation,
+                                       const Grid& grid) {
+  const double diffusion = excitation.diffusion;
+  if (system.has_polynomial_force() || !system.formula().has_jumps() || diffusion <= 0 ||
+      excitation.multiplicative) {
+    return {};
+  }
+  std::vector<DensityKink> kinks;
+  for (int i = 0; i < grid.nx(); ++i) {
+    const auto [below, above] = forces_at_rest(system, grid.x1.cell_centre(i), grid);
+    kinks.push_back({.decay = (above - below) / (2 * diffusion),
+                     .drift = ((above + below) / 2 - excitation.drift) / diffusion});
+  }
+  return kinks;
+}
+
+// Returns the reconstruction on the faces of x2, one for all columns of cells of x1 or, for a
+// density with kinks, one for each column.
+std::vector<FaceReconstruction> face_reconstructions(const Axis& x2, int scheme_order,
+                                                     const std::vector<DensityKink>& kinks) {
+  const int centred = centred_stencil_size(scheme_order);
+  const auto reconstruction = [&](const auto&... kink) {
+    return FaceReconstruction{
+        face_value_operator(x2, centred, UpstreamSide::left, kink...),
+        face_derivative_operator(x2, centred, kink...),
+        face_value_operator(x2, scheme_order, UpstreamSide::left, kink...) -
+            face_value_operator(x2, scheme_order, UpstreamSide::right, kink...)};
+  };
+  std::vector<FaceReconstruction> all;
+  if (kinks.empty()) all.push_back(reconstruction());
+  for (const DensityKink& kink : kinks) all.push_back(reconstruction(kink));
+  return all;
+}
+
 // Returns the matrix of the term d/dx2 [ weight(x1, x2) L p ], by fluxes through the inner faces of
-// x2. At each face, `weight` is a weight of the averages over cells of x1. The matrix `values` maps
-// cell averages of x2 to the values of L p on the faces.
-template <class Weight>
+// x2. At each face, `weight` is a weight of the averages over cells of x1. The matrix
+// values_of(column) maps cell averages of x2 to the values of L p on the faces, in a column of cells.
+template <class ValuesOf, class Weight>
 SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_points,
-                                              const AxisOperator& values, const Weight& weight) {
+                                              const ValuesOf& values_of, const Weight& weight) {
   const Axis& x2 = grid.x2;
   const int nv = grid.nv();
   std::vector<Eigen::Triplet<double>> entries;
@@ -115,6 +170,7 @@ SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_point
         grid.x1, weight_points, [&](double x1) { return weight(x1, at); });
     for (int i = 0; i < grid.nx(); ++i) {
       for (AxisOperator::InnerIterator of_x1(of_face, i); of_x1; ++of_x1) {
+        const AxisOperator& values = values_of(of_x1.col());
         for (AxisOperator::InnerIterator of_x2(values, face); of_x2; ++of_x2) {
           const double flux = of_x1.value() * of_x2.value();
           const auto column = of_x1.col() * nv + of_x2.col();
@@ -129,19 +185,37 @@ SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_point
   return matrix;
 }
 
+// Returns the matrix of the term d/dx2 [ f(x1, x2) p ] for the formula f of a force. On a face at
+// which f jumps, f is the mean of the one-sided forces.
+SparseColumnMatrix formula_force_matrix(const problem::System& system, const Grid& grid,
+                                        const std::vector<FaceReconstruction>& reconstructions,
+                                        int weight_points) {
+  const bool has_kinks = reconstructions.size() > 1;
+  return weighted_divergence_matrix(
+      grid, weight_points,
+      [&](Eigen::Index column) -> const AxisOperator& {
+        return reconstructions[has_kinks ? column : 0].centred;
+      },
+      [&](double x1, double x2) {
+        if (!has_kinks || x2 != 0) return system.force(x1, x2);
+        const auto [below, above] = forces_at_rest(system, x1, grid);
+        return (below + above) / 2;
+      });
+}
+
 // Returns the matrix of the term d^2/dx2^2 [ D G(x1, x2) p ] of multiplicative noise, as the
 // divergence of D G p' + D G' p.
 SparseColumnMatrix multiplicative_noise_matrix(const MultiplicativeNoise& noise, const Grid& grid,
-                                               int scheme_order, int weight_points) {
-  const int points = centred_stencil_size(scheme_order);
+                                               const FaceReconstruction& on, int weight_points) {
   const auto diffusion = [&](double x1, double x2) {
     return noise.diffusion * noise.factor.squared(x1, x2);
   };
   SparseColumnMatrix matrix = weighted_divergence_matrix(
-      grid, weight_points, face_derivative_operator(grid.x2, points), diffusion);
+      grid, weight_points, [&](Eigen::Index) -> const AxisOperator& { return on.derivative; },
+      diffusion);
   if (noise.factor.depends_on_v()) {
     matrix += weighted_divergence_matrix(
-        grid, weight_points, face_value_operator(grid.x2, points, UpstreamSide::left),
+        grid, weight_points, [&](Eigen::Index) -> const AxisOperator& { return on.centred; },
         [&](double x1, double x2) {
           return noise.diffusion * noise.factor.slope_of_square(x1, x2);
         });
@@ -149,18 +223,47 @@ SparseColumnMatrix multiplicative_noise_matrix(const MultiplicativeNoise& noise,
   return matrix;
 }
 
+// Returns the block-diagonal matrix of one operator of x2 for each column of cells of x1.
+SparseColumnMatrix block_diagonal(const std::vector<AxisOperator>& blocks) {
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::Index row = 0, column = 0;
+  for (const AxisOperator& block : blocks) {
+    for (int r = 0; r < block.outerSize(); ++r) {
+      for (AxisOperator::InnerIterator e(block, r); e; ++e) {
+        entries.emplace_back(row + e.row(), column + e.col(), e.value());
+      }
+    }
+    row += block.rows();
+    column += block.cols();
+  }
+  SparseColumnMatrix matrix(row, column);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// Returns the matrix of drift and diffusion for densities with kinks.
+SparseColumnMatrix kinked_drift_diffusion_matrix(
+    const Axis& x2, const Excitation& excitation,
+    const std::vector<FaceReconstruction>& reconstructions) {
+  const AxisOperator divergence = divergence_operator(x2);
+  std::vector<AxisOperator> blocks;
+  for (const FaceReconstruction& on : reconstructions) {
+    blocks.push_back(divergence * AxisOperator(excitation.diffusion * on.derivative -
+                                               excitation.drift * on.centred));
+  }
+  return block_diagonal(blocks);
+}
+
 // Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
 // inner faces of x2.
 SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const Grid& grid,
-                                            int scheme_order, int weight_points) {
-  const Axis& x2 = grid.x2;
-  const AxisOperator values =
-      face_value_operator(x2, centred_stencil_size(scheme_order), UpstreamSide::left);
+                                            const std::vector<FaceReconstruction>& reconstructions,
+                                            int weight_points) {
   if (!system.has_polynomial_force()) {
-    return weighted_divergence_matrix(grid, weight_points, values, [&](double x1_at, double x2_at) {
-      return system.force(x1_at, x2_at);
-    });
+    return formula_force_matrix(system, grid, reconstructions, weight_points);
   }
+  const Axis& x2 = grid.x2;
+  const AxisOperator& values = reconstructions.front().centred;
   const AxisOperator force =
       weighted_average_operator(grid.x1, weight_points, system.restoring_force());
   // Constant damping does not couple the cells of x1, so that the matrix remains sparse.
@@ -182,14 +285,20 @@ SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const
 // x2, for an odd order. With the velocity a = -(c(x1) x2 + c_vv x2^3 + g(x1)) the upwind flux is
 //     a (p_left + p_right)/2 + |a| (p_left - p_right)/2.
 // The first term of the upwind flux is the centred flux of the next even order.
-SparseColumnMatrix upwind_correction_matrix(const problem::System& system, const Grid& grid,
-                                            int scheme_order) {
+SparseColumnMatrix upwind_correction_matrix(
+    const problem::System& system, const Grid& grid,
+    const std::vector<FaceReconstruction>& reconstructions) {
   const Axis& x1 = grid.x1;
   const Axis& x2 = grid.x2;
   const AxisOperator columns = identity_matrix(grid.nx());
-  const AxisOperator jump = face_value_operator(x2, scheme_order, UpstreamSide::left) -
-                            face_value_operator(x2, scheme_order, UpstreamSide::right);
-  SparseColumnMatrix flux = kronecker_product(columns, jump);
+  SparseColumnMatrix flux;
+  if (reconstructions.size() == 1) {
+    flux = kronecker_product(columns, reconstructions.front().jump);
+  } else {
+    std::vector<AxisOperator> jumps;
+    for (const FaceReconstruction& on : reconstructions) jumps.push_back(on.jump);
+    flux = block_diagonal(jumps);
+  }
   const int faces = grid.nv() + 1;
   for (Eigen::Index column = 0; column < flux.cols(); ++column) {
     for (SparseColumnMatrix::InnerIterator e(flux, column); e; ++e) {
@@ -229,22 +338,26 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             int scheme_order, ProductAveraging averaging) {
   const int weight_points =
       averaging == ProductAveraging::full ? averaging_stencil_size(scheme_order) : 1;
-  SparseColumnMatrix local = streaming_matrix(grid, scheme_order, weight_points);
+  const std::vector<DensityKink> kinks = density_kinks(system, excitation, grid);
+  SparseColumnMatrix local = streaming_matrix(grid, scheme_order, weight_points, !kinks.empty());
   if (system.left_wall()) {
     local += wall_exchange_matrix(*system.left_wall(), impact, grid, scheme_order, AxisEnd::left);
   }
   if (system.right_wall()) {
     local += wall_exchange_matrix(*system.right_wall(), impact, grid, scheme_order, AxisEnd::right);
   }
-  local += damping_and_force_matrix(system, grid, scheme_order, weight_points);
-  local += kronecker_product(
-      identity_matrix(grid.nx()),
-      drift_diffusion_matrix(grid.x2, excitation, centred_stencil_size(scheme_order)));
+  const auto reconstructions = face_reconstructions(grid.x2, scheme_order, kinks);
+  local += damping_and_force_matrix(system, grid, reconstructions, weight_points);
+  local += kinks.empty()
+               ? kronecker_product(identity_matrix(grid.nx()),
+                                   drift_diffusion_matrix(grid.x2, excitation,
+                                                          centred_stencil_size(scheme_order)))
+               : kinked_drift_diffusion_matrix(grid.x2, excitation, reconstructions);
   if (excitation.multiplicative) {
-    local +=
-        multiplicative_noise_matrix(*excitation.multiplicative, grid, scheme_order, weight_points);
+    local += multiplicative_noise_matrix(*excitation.multiplicative, grid, reconstructions.front(),
+                                         weight_points);
   }
-  if (scheme_order % 2 == 1) local += upwind_correction_matrix(system, grid, scheme_order);
+  if (scheme_order % 2 == 1) local += upwind_correction_matrix(system, grid, reconstructions);
   local.prune(0.0);
   local.makeCompressed();
   return {std::move(local), excitation.exchange, grid.cell_areas()};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 
 #include "fd_fpk/axis/axis_operators.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
@@ -41,10 +42,10 @@ double integrate_joint_density(const Grid& grid, const Eigen::VectorXd& averages
 }
 
 // Returns the integral of a function of x1 and x2 times the joint density, by Gauss points in the
-// cells.
+// cells. Where the force jumps at x2 = 0, the density has a kink, which no stencil may cross.
 template <class Function>
-double integrate_function(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
-                          const Function& f) {
+double integrate_function(const problem::System& system, const Grid& grid,
+                          const Eigen::VectorXd& averages, int scheme_order, const Function& f) {
   using Gauss = boost::math::quadrature::gauss<double, 3>;
   // Nodes and weights of the rule with three points, on the unit interval.
   const double end = Gauss::abscissa()[1] / 2;
@@ -52,8 +53,10 @@ double integrate_function(const Grid& grid, const Eigen::VectorXd& averages, int
   const std::array weights{Gauss::weights()[1] / 2, Gauss::weights()[0] / 2,
                            Gauss::weights()[1] / 2};
   const int points = averaging_stencil_size(scheme_order);
+  const bool has_jumps = !system.has_polynomial_force() && system.formula().has_jumps();
+  const auto barrier = has_jumps ? std::optional(grid.nv() / 2) : std::nullopt;
   const AxisOperator of_x1 = point_value_operator(grid.x1, points, fractions),
-                     of_x2 = point_value_operator(grid.x2, points, fractions);
+                     of_x2 = point_value_operator(grid.x2, points, fractions, barrier);
   const Eigen::MatrixXd p =
       of_x2 * Eigen::Map<const Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) *
       of_x1.transpose();
@@ -244,7 +247,7 @@ double mean_damping_power(const problem::System& system, const transform::Moment
                           const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
   if (system.has_constant_damping()) return system.damping() * moments.v2;
   if (!system.has_polynomial_force()) {
-    return integrate_function(grid, averages, scheme_order, [&](double x1, double x2) {
+    return integrate_function(system, grid, averages, scheme_order, [&](double x1, double x2) {
       return x2 * system.damping_force(x1, x2);
     });
   }
@@ -274,7 +277,7 @@ problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
                                    .right_impact_loss = loss(system.right_wall(), AxisEnd::right)};
   if (problem.noise_factor) {
     terms.mean_square_noise_factor = integrate_function(
-        grid, averages, scheme_order,
+        system, grid, averages, scheme_order,
         [&](double x1, double x2) { return problem.noise_factor->squared(x1, x2); });
   }
   terms.mean_damping_power = mean_damping_power(system, moments, grid, averages, scheme_order);
@@ -312,7 +315,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
     }
   } else {
     const auto mean = [&](const auto& f) {
-      return integrate_function(grid, averages, scheme_order, f);
+      return integrate_function(system, grid, averages, scheme_order, f);
     };
     for_virial.mean_virial = mean([&](double x1, double x2) { return x1 * system.force(x1, x2); });
     for_momentum.mean_force = mean([&](double x1, double x2) { return system.force(x1, x2); });

@@ -99,7 +99,8 @@ void find_box_and_lengths(const problem::Problem& problem, const problem::Motion
     box.lengths = before;
     const DirectSolution found = solve_in_wide_enough_box(problem, scales, coarse, deadline, box);
     if (!found.averages || !found.converged) return;
-    box.lengths = fisher_length_scales(found.discretisation.grid, *found.averages, scales);
+    box.lengths = fisher_length_scales(problem.system, box, found.discretisation.grid,
+                                       *found.averages, scales);
     if (box.lengths.x1 >= kSame * before.x1 && box.lengths.x2 >= kSame * before.x2) return;
     box.lengths = {std::min(box.lengths.x1, before.x1), std::min(box.lengths.x2, before.x2)};
   }

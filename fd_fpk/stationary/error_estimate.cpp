@@ -139,13 +139,13 @@ Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cell
 }
 
 // Raises the error estimates of the moments at least to the residuals of the balances of power and
-// momentum, for solutions along characteristics. The observed order of convergence along
-// characteristics may be too high. A relative error below the residual of a balance would
-// contradict the balance. The dissipated power is proportional to E[v^2], and so to E[y^2]; the
-// mean force is proportional to E[y].
+// momentum, for solutions along characteristics and for formulas of the force. The observed order
+// of convergence may be too high along characteristics, and for a formula with kinks. A relative
+// error below the residual of a balance would contradict the balance. The dissipated power is
+// proportional to E[v^2], and so to E[y^2]; the mean force is proportional to E[y].
 Moments raise_to_balance_residuals(Moments error, const Result& fine) {
   const auto& [solution, summary] = fine;
-  if (summary.transport != TransportScheme::characteristics) return error;
+  if (!summary.has_errors_above_residuals) return error;
   const double power = std::abs(solution.energy_residual);
   const double momentum = std::abs(summary.balances.momentum.value_or(0));
   const auto at_least = [&, &moments = solution.moments](double Moments::*moment, double part) {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <variant>
+#include <vector>
 
 #include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
@@ -98,6 +101,85 @@ TEST(Formula, HasFacesAtItsKinks) {
     for (const double face : faces) nearest = std::min(nearest, std::abs(face - kink));
     EXPECT_LT(nearest, 1e-12) << kink;
   }
+}
+
+// The spring is 9 times as stiff at y < 0, where the density is 3 times as narrow.
+TEST(Formula, HasNarrowerCellsOnTheStiffSideOfAKink) {
+  const auto p =
+      tests::with_impulses(system_of("0.1*v + y - 8*max(-y, 0)"), tests::gaussian_impulses(1, 0.2));
+  const Box box{.x1_max = 4, .x2_max = 3, .x1_min = -4, .lengths = {1, 1}};
+  const Axis x1 = discretise(p, {}, box).grid.x1;
+  EXPECT_NEAR(x1.cell_width(x1.cell_count() - 1) / x1.cell_width(0), 3, 0.1);
+  for (int i = 0; i + 1 < x1.cell_count(); ++i) {
+    EXPECT_LT(std::abs(std::log(x1.cell_width(i + 1) / x1.cell_width(i))), 0.25) << i;
+  }
+}
+
+// Dry friction 0.3 between elastic walls under white noise: the law C exp(-(0.1 v^2 + 0.3 |v|)/D),
+// uniform in y, has a kink at v = 0 (T. K. Caughey, J. K. Dienes, J. Appl. Phys. 32, 1961).
+TEST(Formula, HasTheExactLawOfDryFrictionInABox) {
+  constexpr double kDiffusion = 0.1, kLength = 2;
+  const problem::WallParameters walls{
+      .left = 0, .left_restitution = 1, .right = kLength, .right_restitution = 1};
+  const auto p = tests::with_noise(system_of("0.2*v + 0.3*sign(v)", walls), 2 * kDiffusion);
+  const auto law = [](double v) {
+    return std::exp(-(0.1 * v * v + 0.3 * std::abs(v)) / kDiffusion);
+  };
+  const auto [solution, summary] = solve(p, {});
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  const auto& [y, v, averages] = std::get<transform::GridDensity>(*solution.density);
+  std::vector<double> masses;
+  double total = 0;
+  for (std::size_t j = 0; j + 1 < v.size(); ++j) {
+    double mass = 0;
+    for (const auto& point : numerics::composite_gauss_points(v[j], v[j + 1], 1)) {
+      mass += point.weight * law(point.at);
+    }
+    masses.push_back(mass);
+    total += masses.back();
+  }
+  double l1 = 0;
+  for (std::size_t i = 0; i + 1 < y.size(); ++i) {
+    for (std::size_t j = 0; j < masses.size(); ++j) {
+      const double area = (y[i + 1] - y[i]) * (v[j + 1] - v[j]);
+      const double exact = masses[j] / total * (y[i + 1] - y[i]) / kLength;
+      l1 += std::abs(area * averages[i * masses.size() + j] - exact);
+    }
+  }
+  EXPECT_LT(l1, 1e-6);
+  EXPECT_LT(std::abs(solution.energy_residual), 1e-6);
+}
+
+// Dry friction 0.2 under white noise of intensity 2 D = 0.2 has no known law of y. Exact are
+// E|v| = D/0.2, the balance of power, and E[v^2] = E[y^2] + 0.2 E[y sign v], the virial.
+TEST(Formula, KeepsTheBalancesOfDryFrictionUnderWhiteNoise) {
+  const auto p = tests::with_noise(system_of("0.2*sign(v) + y"), 0.2);
+  const auto [solution, summary] = solve(p, {});
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  EXPECT_LT(std::abs(solution.energy_residual), 3e-5);
+  EXPECT_LT(std::abs(*summary.balances.virial), 3e-5);
+  // fpkcheck fd with --refinement 2 --origin-refinement 8
+  EXPECT_NEAR(solution.moments.y2, 0.469358, 2 * summary.error->moments.y2);
+  EXPECT_NEAR(solution.moments.v2, 0.465973, 2 * summary.error->moments.v2);
+}
+
+// Impulses of intensity I and rate 1, no wall: the balance of power is E[v f] = I/2. With the
+// damping 0.1 v, E[v^2] = 1.
+TEST(Formula, KeepsTheBalanceOfPowerWithKinksWithinItsError) {
+  for (const char* formula : {"0.1*v + y + 4*max(y - 0.5, 0)", "0.1*v + y - 50*max(-y, 0)^1.5"}) {
+    const auto p = tests::with_impulses(system_of(formula), tests::gaussian_impulses(1, 0.2));
+    const auto [solution, summary] = solve(p, {});
+    ASSERT_EQ(solution.status, Status::ok) << formula << ": " << solution.reason;
+    EXPECT_NEAR(solution.moments.v2, 1, summary.error->moments.v2) << formula;
+    EXPECT_LT(summary.error->moments.v2, 1e-4) << formula;
+  }
+  const auto p = tests::with_impulses(system_of("0.2*v*abs(v) + y + 0.1*y^3"),
+                                      tests::gaussian_impulses(1, 0.5));
+  const auto [solution, summary] = solve(p, {});
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  EXPECT_LE(std::abs(solution.energy_residual),
+            summary.error->moments.v2 / solution.moments.v2 * (1 + 1e-9));
+  EXPECT_LT(std::abs(solution.energy_residual), 2e-5);
 }
 
 // A wall on the right at 0.4: the solver sees the mirrored and shifted formula.

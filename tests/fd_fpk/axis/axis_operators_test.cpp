@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fpkcheck::fd_fpk {
@@ -46,6 +47,39 @@ TEST(AxisOperators, FaceValuesAndSlopesAreExactOnPolynomialsUpToTheLeftBoundary)
       EXPECT_NEAR((end_value_operator(kLine, AxisEnd::left, points) * averages)(0),
                   std::pow(kLine.face_position(0), power), 1e-11);
     }
+  }
+}
+
+// Zero flux f p + p' with f = b - a for x < 0, b + a for x > 0 (D = 1): p = exp(-b x - a |x|). A
+// constant flux 1 has the solution p = (1 - exp(-f x))/f. Both have a kink at x = 0.
+TEST(AxisOperators, AKinkIsReconstructedWithSecondOrderFluxes) {
+  constexpr double kDecay = 2, kDrift = 0.7;
+  const auto force = [&](double x) { return kDrift + (x < 0 ? -kDecay : kDecay); };
+  const auto flux_error = [&](int cells, bool has_flux) {
+    const Axis axis = Axis::with_uniform_cells(-2, 4.0 / cells, cells);
+    Eigen::VectorXd averages(cells);
+    for (int i = 0; i < cells; ++i) {
+      const double f = force(axis.cell_centre(i)), width = axis.cell_width(i);
+      const double exponentials =
+          (std::exp(-f * axis.face_position(i)) - std::exp(-f * axis.face_position(i + 1))) /
+          (f * width);
+      averages(i) = has_flux ? (1 - exponentials) / f : exponentials;
+    }
+    const DensityKink kink{.decay = kDecay, .drift = kDrift};
+    const Eigen::VectorXd value = face_value_operator(axis, 8, UpstreamSide::left, kink) * averages;
+    const Eigen::VectorXd slope = face_derivative_operator(axis, 8, kink) * averages;
+    double worst = 0;
+    for (int f = 8; f <= cells - 8; ++f) {
+      const double x = axis.face_position(f);
+      const double flux = (f == cells / 2 ? kDrift : force(x)) * value(f) + slope(f);
+      worst = std::max(worst, std::abs(flux - (has_flux ? 1 : 0)));
+    }
+    return worst;
+  };
+  for (const bool has_flux : {false, true}) {
+    const double coarse = flux_error(64, has_flux), fine = flux_error(128, has_flux);
+    EXPECT_LT(fine, 1e-3) << has_flux;
+    EXPECT_GT(std::log2(coarse / fine), 1.9) << has_flux;
   }
 }
 
