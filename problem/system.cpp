@@ -68,12 +68,12 @@ bool set_coefficients_of_formula(const Expression& formula, SystemCoefficients& 
   const auto polynomial = formula.polynomial_coefficients();
   if (!polynomial) return false;
   SystemCoefficients of_formula = c;
-  for (const auto& [exponents, coefficient] : *polynomial) {
+  for (const auto& monomial : *polynomial) {
     const auto term = std::ranges::find_if(kMonomials, [&](const Monomial& known) {
-      return std::pair(known.y_power, known.v_power) == exponents;
+      return std::pair(known.y_power, known.v_power) == monomial.first;
     });
     if (term == std::end(kMonomials)) return false;
-    of_formula.*term->coefficient = coefficient;
+    of_formula.*term->coefficient = monomial.second;
   }
   c = of_formula;
   return true;

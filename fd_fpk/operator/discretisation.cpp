@@ -46,7 +46,7 @@ Excitation excitation(const problem::Problem& problem, const Options& options, c
                       double regularisation_length) {
   Excitation terms = impulse_excitation(problem.impulses, options, axis, regularisation_length);
   if (problem.noise_factor) {
-    terms.multiplicative.emplace(problem.noise.diffusion(), *problem.noise_factor);
+    terms.multiplicative = MultiplicativeNoise{problem.noise.diffusion(), *problem.noise_factor};
   } else {
     terms.diffusion += problem.noise.diffusion();
   }
