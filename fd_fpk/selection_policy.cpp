@@ -75,14 +75,9 @@ bool has_wall_singularity(const problem::Problem& problem, const Options& option
          (options.equation == DensityEquation::white || are_impulses_small(problem));
 }
 
-// Returns whether the force jumps at a velocity, as dry friction does at x2 = 0.
-bool has_force_jumps(const problem::System& system) {
-  return !system.has_polynomial_force() && system.formula().has_jumps();
-}
-
 double automatic_origin_refinement(const problem::Problem& problem, const Options& options) {
   if (!has_dissipative_wall(problem.system)) {
-    return has_force_jumps(problem.system) ? kForceJumpRefinement : 1;
+    return problem.system.has_force_jumps() ? kForceJumpRefinement : 1;
   }
   const bool singular = has_wall_singularity(problem, options);
   // Schemes of high order oscillate on narrow cells at the spike of the density that rare impulses

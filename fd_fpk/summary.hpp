@@ -66,7 +66,7 @@ struct Summary {
   std::optional<ErrorEstimate> error = {};
   /// Whether the residuals of the balances are lower limits of the error estimate, since the
   /// observed order of convergence may be too high
-  bool has_errors_above_residuals = false;
+  bool balances_limit_errors = false;
   /// Residuals of the balances of power, virial and momentum; absent without a density
   transform::BalanceResiduals balances = {};
   /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite if the oscillator comes to rest in

@@ -14,8 +14,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   // solution.
   if (is_duffing_at_wall(problem)) return "";
   const bool has_noise = problem.noise.is_present() || options.equation == DensityEquation::white;
-  if (!problem.system.has_polynomial_force() && problem.system.formula().has_jumps() &&
-      !has_noise) {
+  if (problem.system.has_force_jumps() && !has_noise) {
     return "the mass sticks where the force jumps (sign); smooth it: tanh(v/eps)";
   }
   if (options.tails) {

@@ -24,8 +24,8 @@ const Description<WhiteNoise>& noise_parameter_description() {
           .with_symbol("g", "g")
           .with_default_omitted_from_files(Value())
           .add("interpretation", &WhiteNoise::interpretation,
-               {"SENSE", "sense of noise whose factor depends on v"})
-          .with_symbol("sense", "sense")
+               {"SENSE", "interpretation of noise whose factor depends on v"})
+          .with_symbol("interpretation", "interpretation")
           .with_default_omitted_from_files(Value());
   return description;
 }

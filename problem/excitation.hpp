@@ -13,7 +13,7 @@ namespace fpkcheck::problem {
 struct WhiteNoise {
   double intensity = 0;  ///< 2 D >= 0, an intensity like lambda E[Y^2] of impulses
   std::optional<std::string> factor = {};  ///< formula of g (NoiseFactor); if absent, g = 1
-  std::optional<StochasticCalculus> interpretation = {};  ///< given if g depends on v
+  std::optional<NoiseInterpretation> interpretation = {};  ///< given if g depends on v
 
   /// Returns the diffusion coefficient D, the coefficient of p'' in the density equation.
   double diffusion() const { return intensity / 2; }

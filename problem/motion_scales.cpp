@@ -55,9 +55,10 @@ double overdamped_relaxation_rate(const Problem& problem, const MotionScales& sc
   return slowest_relaxation_rate(chain, std::move(y));
 }
 
-MotionScales by_averaging(const Problem& problem) {
+}  // namespace
+
+MotionScales scales_by_averaging(const Problem& problem, const EnergyAveraging& averaging) {
   constexpr double kLevel = kDeviations * kDeviations / 2;
-  const EnergyAveraging averaging(problem);
   const auto& bands = averaging.bands();
   const double bottom = averaging.orbits().lowest_potential();
   MotionScales scales;
@@ -90,10 +91,10 @@ MotionScales by_averaging(const Problem& problem) {
   return scales;
 }
 
-}  // namespace
-
 MotionScales scales(const Problem& problem) {
-  return has_equivalent_linearisation(problem) ? by_linearisation(problem) : by_averaging(problem);
+  return has_equivalent_linearisation(problem)
+             ? by_linearisation(problem)
+             : scales_by_averaging(problem, EnergyAveraging(problem));
 }
 
 double impulses_per_decay_time(const Problem& problem, const MotionScales& scales) {

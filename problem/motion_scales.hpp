@@ -4,6 +4,8 @@
 
 namespace fpkcheck::problem {
 
+class EnergyAveraging;
+
 /// Characteristic scales of the stationary motion, in the coordinates of the problem. Methods
 /// choose grids, axes, initial conditions and burn-in times by the characteristic scales.
 struct MotionScales {
@@ -26,6 +28,10 @@ struct MotionScales {
 /// energy averaging for all other problems. Energy averaging treats multiple wells, limit cycles
 /// and two walls.
 MotionScales scales(const Problem& problem);
+
+/// Computes the scales of a problem from its energy averaging.
+/// @pre the motion is confined: !averaging.unconfined_reason()
+MotionScales scales_by_averaging(const Problem& problem, const EnergyAveraging& averaging);
 
 /// Returns the mean number of impulses in the time in which the slowest deviation from the
 /// stationary density decays by a factor e; 0 without impulses.

@@ -11,10 +11,10 @@ namespace fpkcheck::problem {
 
 /// Sense in which an equation with noise sqrt(2D) g(y, v) W(t) is understood. The senses differ
 /// only if g depends on v.
-enum class StochasticCalculus { ito, stratonovich };
-inline constexpr base::EnumEntry<StochasticCalculus> kCalculusNames[] = {
-    {StochasticCalculus::ito, "ito"}, {StochasticCalculus::stratonovich, "stratonovich"}};
-constexpr const auto& enumerator_names(StochasticCalculus) { return kCalculusNames; }
+enum class NoiseInterpretation { ito, stratonovich };
+inline constexpr base::EnumEntry<NoiseInterpretation> kInterpretationNames[] = {
+    {NoiseInterpretation::ito, "ito"}, {NoiseInterpretation::stratonovich, "stratonovich"}};
+constexpr const auto& enumerator_names(NoiseInterpretation) { return kInterpretationNames; }
 
 /// The factor g(y, v) of multiplicative noise sqrt(2D) g W, with the diffusion coefficient D G and
 /// G = g^2.

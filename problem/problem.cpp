@@ -79,7 +79,7 @@ void read_noise_factor(Problem& problem) {
           "noise.interpretation is missing: the factor depends on v, so that the senses of Ito and "
           "Stratonovich differ; give noise.interpretation = ito or stratonovich");
     }
-    if (*noise.interpretation == StochasticCalculus::stratonovich) {
+    if (*noise.interpretation == NoiseInterpretation::stratonovich) {
       problem.system = problem.system.in_ito_sense(factor, noise.diffusion());
     }
   }
@@ -227,13 +227,13 @@ namespace {
 
 // Requires that force and noise factor are finite, the noise factor positive, and the restitution
 // coefficients valid, on a grid of the states that the motion reaches.
-void require_valid_formulas(const Problem& problem) {
+void require_valid_formulas(const Problem& problem, const EnergyAveraging& averaging) {
   const System& system = problem.system;
   if (system.has_polynomial_force() && !problem.noise_factor && system.has_constant_restitution()) {
     return;
   }
   constexpr int kPoints = 41;
-  const MotionScales reached = scales(problem);
+  const MotionScales reached = scales_by_averaging(problem, averaging);
   require_valid_restitution(system.walls(), reached.v_high);
   for (int i = 0; i < kPoints; ++i) {
     const double y = reached.y_low + (reached.y_high - reached.y_low) * i / (kPoints - 1);
@@ -282,7 +282,7 @@ void require_stationary_density(const Problem& problem) {
         "system.rayleigh, or give a wall a restitution below 1",
         *why));
   }
-  require_valid_formulas(problem);
+  require_valid_formulas(problem, averaging);
 }
 
 }  // namespace fpkcheck::problem

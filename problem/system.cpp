@@ -129,8 +129,8 @@ std::vector<double> System::kinks_in_y(double low, double high) const {
 System System::in_ito_sense(const NoiseFactor& factor, double diffusion) const {
   System transformed = *this;
   if (!formula_) transformed.formula_.emplace(formula_of_coefficients(c_));
-  transformed.ito_factor_ = factor;
-  transformed.ito_diffusion_ = diffusion;
+  transformed.stratonovich_factor_ = factor;
+  transformed.stratonovich_diffusion_ = diffusion;
   return transformed;
 }
 
@@ -149,7 +149,9 @@ System System::to_wall_coordinates(const WallFrame& frame) const {
   transformed.potential_ = transformed.force_.antiderivative();
   transformed.damping_ = damping_.compose_affine(frame.origin, frame.sign());
   if (formula_) transformed.formula_ = formula_->to_wall_coordinates(frame);
-  if (ito_factor_) transformed.ito_factor_ = ito_factor_->to_wall_coordinates(frame);
+  if (stratonovich_factor_) {
+    transformed.stratonovich_factor_ = stratonovich_factor_->to_wall_coordinates(frame);
+  }
   transformed.sign_ = frame.sign();
   return transformed;
 }

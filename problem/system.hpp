@@ -59,20 +59,22 @@ class System {
   /// Returns whether force and damping are the polynomials of the class comment, given by their
   /// coefficients or by a formula. Otherwise only force() describes the force.
   bool has_polynomial_force() const { return !formula_; }
-  /// Returns the total force f(y, v) + g(y), under multiplicative noise that of the equation in
-  /// Ito's sense, in which the Fokker-Planck equation has the terms (f p)_v + D (G p)_vv.
+  /// Returns the total force f(y, v) + g(y). Under multiplicative noise the result is the force of
+  /// the equation in Ito's sense, whose Fokker-Planck equation has the terms (f p)_v + D (G p)_vv.
   double force(double y, double v) const {
     if (!formula_) return damping_force(y, v) + force_(y);
     double force = sign_ * (*formula_)(y, v);
-    if (ito_factor_) force -= ito_diffusion_ / 2 * ito_factor_->slope_of_square(y, v);
+    if (stratonovich_factor_) {
+      force -= stratonovich_diffusion_ / 2 * stratonovich_factor_->slope_of_square(y, v);
+    }
     return force;
   }
   /// Returns the oscillator of an equation in Stratonovich's sense, with noise of diffusion
   /// coefficient D and factor g: force() is then f - D G_v / 2.
   System in_ito_sense(const NoiseFactor& factor, double diffusion) const;
   /// Computes the force f(y, v) + g(y) of the formula at `count` <= Expression::kBatch points,
-  /// faster than one by one. Under multiplicative noise this is the force as written, in the sense
-  /// of noise.interpretation.
+  /// faster than one by one. Under multiplicative noise the result is the force of the equation in
+  /// the sense of noise.interpretation, without the drift D G_v / 2.
   /// @pre !has_polynomial_force()
   void evaluate_forces(std::size_t count, const double* y, const double* v, double* force) const;
   /// Returns the part f(y, v) of the force that vanishes at v = 0.
@@ -85,6 +87,8 @@ class System {
     assert(formula_);
     return formula_->formula();
   }
+  /// Returns whether the force jumps, as dry friction mu_c sign(v) does at v = 0.
+  bool has_force_jumps() const { return formula_ && formula_->formula().has_jumps(); }
   /// Returns the values of y in (low, high) at which the force or its slope jumps, increasing.
   std::vector<double> kinks_in_y(double low, double high) const;
 
@@ -116,8 +120,8 @@ class System {
 
   /// Returns whether no restitution coefficient depends on the impact speed.
   bool has_constant_restitution() const {
-    return !(walls_.left && walls_.left->restitution_formula) &&
-           !(walls_.right && walls_.right->restitution_formula);
+    return (!walls_.left || walls_.left->has_constant_restitution()) &&
+           (!walls_.right || walls_.right->has_constant_restitution());
   }
 
   const numerics::Polynomial& restoring_force() const {
@@ -152,8 +156,9 @@ class System {
   numerics::Polynomial force_{{}}, tangent_{{}}, potential_{{}}, damping_{{}};
   std::optional<StateFunction> formula_;  // force that is no such polynomial
   double sign_ = 1;                       // sign of velocities and forces in wall coordinates
-  std::optional<NoiseFactor> ito_factor_;
-  double ito_diffusion_ = 0;
+  // Noise in Stratonovich's sense, whose drift D G_v / 2 force() subtracts
+  std::optional<NoiseFactor> stratonovich_factor_;
+  double stratonovich_diffusion_ = 0;
 };
 
 }  // namespace fpkcheck::problem

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "numerics/roots/bracketed_root.hpp"
+#include "problem/balances.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -24,12 +25,7 @@ double mean_damping(const System& system, double y, double v) {
 
 }  // namespace
 
-UndampedOrbits::UndampedOrbits(const Problem& problem)
-    : system_(problem.system),
-      noise_factor_(problem.noise_factor),
-      noise_diffusion_(problem.noise.diffusion()),
-      impulse_diffusion_(problem.impulses.rate_times_moment(2) / 2),
-      potential_(problem) {
+UndampedOrbits::UndampedOrbits(const Problem& problem) : problem_(problem), potential_(problem) {
   // V is monotone between neighbouring knots. The slope of V after a knot decides whether the knot
   // is a minimum.
   std::vector<double> knots{potential_.low()};
@@ -38,18 +34,19 @@ UndampedOrbits::UndampedOrbits(const Problem& problem)
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
     const double after = potential_.slope((knots[n] + knots[n + 1]) / 2);
     const bool is_turn = n > 0;
-    if (is_turn ? after > 0 : system_.left_wall() && after >= 0) minima_.push_back(knots[n]);
+    if (is_turn ? after > 0 : problem_.system.left_wall() && after >= 0)
+      minima_.push_back(knots[n]);
     const bool last = n + 2 == knots.size();
-    if (last && system_.right_wall() && after < 0) minima_.push_back(potential_.high());
+    if (last && problem_.system.right_wall() && after < 0) minima_.push_back(potential_.high());
   }
 }
 
 bool UndampedOrbits::is_confining_on_right() const {
-  return system_.right_wall() || potential_.rises_on_right();
+  return problem_.system.right_wall() || potential_.rises_on_right();
 }
 
 bool UndampedOrbits::is_confining_on_left() const {
-  return system_.left_wall() || potential_.rises_on_left();
+  return problem_.system.left_wall() || potential_.rises_on_left();
 }
 
 double UndampedOrbits::deepest_minimum() const {
@@ -72,8 +69,9 @@ double UndampedOrbits::half_cycle_end(double knot, double outwards, double energ
 std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
   assert(is_confining());
   std::vector<double> knots = potential_.extrema();
-  if (system_.left_wall()) knots.insert(knots.begin(), system_.left_wall()->position);
-  if (system_.right_wall()) knots.push_back(system_.right_wall()->position);
+  if (problem_.system.left_wall())
+    knots.insert(knots.begin(), problem_.system.left_wall()->position);
+  if (problem_.system.right_wall()) knots.push_back(problem_.system.right_wall()->position);
   if (knots.empty()) return {};
   const auto above = [&](double y) { return potential_(y) - energy; };
   const auto below = [&](double y) { return above(y) < 0; };
@@ -81,7 +79,7 @@ std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
   HalfCycle open{};
   bool inside = below(knots.front());
   if (inside) {
-    open.at_left = system_.left_wall().has_value();
+    open.at_left = problem_.system.left_wall().has_value();
     open.left = open.at_left ? knots.front() : half_cycle_end(knots.front(), -1, energy);
   }
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
@@ -98,7 +96,7 @@ std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
     inside = next;
   }
   if (inside) {
-    open.at_right = system_.right_wall().has_value();
+    open.at_right = problem_.system.right_wall().has_value();
     open.right = open.at_right ? knots.back() : half_cycle_end(knots.back(), 1, energy);
     all.push_back(open);
   }
@@ -120,14 +118,14 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     // The factor 2 counts both half-cycles of the period.
     const double dy = 2 * weight * half * std::cos(phase);
     const double v = speed(y);
-    const double damping = mean_damping(system_, y, v);
+    const double damping = mean_damping(problem_.system, y, v);
     orbit.action += v * dy;
     orbit.loss += damping * v * dy;
-    if (noise_factor_) {
-      const NoiseFactor& g = *noise_factor_;
-      const double slope = (g.slope_of_square(y, v) - g.slope_of_square(y, -v)) / 2;
-      orbit.loss += noise_diffusion_ * slope * dy;
-      orbit.diffusion += noise_diffusion_ * (g.squared(y, v) + g.squared(y, -v)) / 2 * v * dy;
+    if (const auto& g = problem_.noise_factor) {
+      const double slope = (g->slope_of_square(y, v) - g->slope_of_square(y, -v)) / 2;
+      orbit.loss += problem_.noise.diffusion() * slope * dy;
+      orbit.diffusion +=
+          (noise_diffusion(problem_, y, v) + noise_diffusion(problem_, y, -v)) / 2 * v * dy;
     }
     if (v <= 0) return;
     orbit.period += dy / v;
@@ -141,14 +139,15 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     add(kQuarter * x, weight);
     add(-kQuarter * x, weight);
   }
+  const double of_impulses = problem_.impulses.rate_times_moment(2) / 2;
   orbit.diffusion +=
-      (noise_factor_ ? impulse_diffusion_ : noise_diffusion_ + impulse_diffusion_) * orbit.action;
+      (problem_.noise_factor ? of_impulses : problem_.noise.diffusion() + of_impulses) *
+      orbit.action;
   const auto bounce = [&](const Wall& wall) {
-    const double u = speed(wall.position), r = wall.restitution_at(u);
-    orbit.loss += (1 - r * r) * u * u / 2;
+    orbit.loss += energy_lost(wall, ImpactCondition::map, speed(wall.position));
   };
-  if (half_cycle.at_left) bounce(*system_.left_wall());
-  if (half_cycle.at_right) bounce(*system_.right_wall());
+  if (half_cycle.at_left) bounce(*problem_.system.left_wall());
+  if (half_cycle.at_right) bounce(*problem_.system.right_wall());
   return orbit;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "problem/effective_potential.hpp"
@@ -59,9 +58,7 @@ class UndampedOrbits {
  private:
   double half_cycle_end(double knot, double outwards, double energy) const;
 
-  const System system_;
-  std::optional<NoiseFactor> noise_factor_;
-  double noise_diffusion_, impulse_diffusion_;  // D and lambda E[Y^2]/2
+  const Problem problem_;
   EffectivePotential potential_;
   std::vector<double> minima_;
 };

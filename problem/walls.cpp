@@ -21,8 +21,8 @@ const Description<WallParameters>& wall_parameter_description() {
           .with_default_omitted_from_files(Value())
           .add("left_restitution", &W::left_restitution,
                {"R",
-                "coefficient of restitution of the wall on the left; or a formula of the "
-                "impact speed v"},
+                "coefficient of restitution of the wall on the left, or a formula of this "
+                "coefficient in the impact speed v"},
                restitution_range())
           .with_symbol("r_a", "r_a")
           .with_default_omitted_from_files(Value())
@@ -31,8 +31,8 @@ const Description<WallParameters>& wall_parameter_description() {
           .with_default_omitted_from_files(Value())
           .add("right_restitution", &W::right_restitution,
                {"R",
-                "coefficient of restitution of the wall on the right; or a formula of the "
-                "impact speed v"},
+                "coefficient of restitution of the wall on the right, or a formula of this "
+                "coefficient in the impact speed v"},
                restitution_range())
           .with_symbol("r_b", "r_b")
           .with_default_omitted_from_files(Value())
@@ -47,15 +47,16 @@ void require_valid_restitution(const char* side, const Wall& wall, double speed)
   constexpr int kSpeeds = 2000;
   double before = 0;
   for (int n = 0; n <= kSpeeds; ++n) {
-    // Half of the speeds are close to 0, where powers of the speed change most.
+    // The quadratic spacing resolves low speeds, where powers of the speed change most.
     const double fraction = static_cast<double>(n) / kSpeeds;
     const double u = speed * fraction * fraction;
     const double r =
         wall.restitution_formula ? (*wall.restitution_formula)(0.0, u) : wall.restitution;
-    if (!(r > 0 && r <= 1)) {
-      throw InputError(fmt::format(
-          "wall.{}_restitution = {:.6g}{} (must be above 0 and at most 1)", side, r,
-          wall.restitution_formula ? fmt::format(" at the impact speed {:.3g}", u) : ""));
+    if (!restitution_range().contains(r)) {
+      throw InputError(
+          fmt::format("wall.{}_restitution = {:.6g}{} (must be {})", side, r,
+                      wall.restitution_formula ? fmt::format(" at the impact speed {:.3g}", u) : "",
+                      restitution_range().requirement));
     }
     if (n > 0 && !(u * r > before)) {
       throw InputError(fmt::format(

@@ -9,7 +9,8 @@
 
 namespace fpkcheck::problem {
 
-/// Limit of a formula r(u) beyond the impact speeds at which require_valid_restitution() checks it.
+/// Least restitution coefficient of a formula r(u) at impact speeds above those that
+/// require_valid_restitution() checks. Any positive value keeps the speed after an impact positive.
 inline constexpr double kSmallestRestitution = 1e-6;
 
 /// A rigid wall, at which an impact multiplies the velocity y' by -r.

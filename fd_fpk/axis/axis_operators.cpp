@@ -21,14 +21,14 @@ double monomial_average(double a, double b, int power) {
 Eigen::VectorXd exact_weights(const Axis& axis, int first, int stencil_size, double origin,
                               double scale, const std::function<double(int)>& functional) {
   Eigen::MatrixXd averages(stencil_size, stencil_size);
-  Eigen::VectorXd wanted(stencil_size);
+  Eigen::VectorXd exact(stencil_size);
   for (int c = 0; c < stencil_size; ++c) {
     const double left = (axis.face_position(first + c) - origin) / scale;
     const double right = (axis.face_position(first + c + 1) - origin) / scale;
     for (int a = 0; a < stencil_size; ++a) averages(a, c) = monomial_average(left, right, a);
   }
-  for (int a = 0; a < stencil_size; ++a) wanted(a) = functional(a);
-  return averages.partialPivLu().solve(wanted);
+  for (int a = 0; a < stencil_size; ++a) exact(a) = functional(a);
+  return averages.partialPivLu().solve(exact);
 }
 
 AxisOperator assemble(int rows, int columns, const Triplets& entries) {
@@ -113,11 +113,12 @@ class KinkedBasis {
 };
 
 // Replaces the rows of stencils with cells on both sides of x = 0, by stencils that are exact for
-// the basis functions of the kink. The functional gives the wanted value of a basis function at x.
+// the basis functions of the kink. The functional returns the value or derivative of a basis
+// function at x, which the stencil must reproduce.
 template <class Functional>
 AxisOperator with_kinked_stencils(const AxisOperator& smooth, const Axis& axis, int stencil_size,
                                   UpstreamSide upstream_side, const DensityKink& kink,
-                                  double derivative, const Functional& functional) {
+                                  int derivative, const Functional& functional) {
   using Gauss = boost::math::quadrature::gauss<double, 10>;
   Triplets entries;
   for (int f = 0; f <= axis.cell_count(); ++f) {
@@ -133,7 +134,7 @@ AxisOperator with_kinked_stencils(const AxisOperator& smooth, const Axis& axis, 
     const double width = axis.cell_width(f);
     const KinkedBasis basis(kink, width);
     Eigen::MatrixXd averages(stencil_size, stencil_size);
-    Eigen::VectorXd wanted(stencil_size);
+    Eigen::VectorXd exact(stencil_size);
     for (int c = 0; c < stencil_size; ++c) {
       const double left = axis.face_position(first + c) / width;
       const double right = axis.face_position(first + c + 1) / width;
@@ -144,10 +145,10 @@ AxisOperator with_kinked_stencils(const AxisOperator& smooth, const Axis& axis, 
       }
     }
     for (int a = 0; a < stencil_size; ++a) {
-      wanted(a) = functional(basis, a, axis.face_position(f) / width);
+      exact(a) = functional(basis, a, axis.face_position(f) / width);
     }
     append_stencil(entries, axis, f, first,
-                   averages.partialPivLu().solve(wanted) / std::pow(width, derivative));
+                   averages.partialPivLu().solve(exact) / std::pow(width, derivative));
   }
   return assemble(axis.cell_count() + 1, axis.cell_count(), entries);
 }

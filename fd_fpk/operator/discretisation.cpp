@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -185,7 +186,7 @@ class StretchedCoordinate {
   std::vector<double> values_;  // s at the ends of the intervals
 };
 
-/// Cells of x1 between refinement points.
+// Cells of x1 with faces at the refinement points
 struct X1Cells {
   const Box& box;
   const std::vector<RefinementPoint>& points;
@@ -295,14 +296,12 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   const double length = box.x1_max - box.x1_min;
   std::vector<RefinementPoint> points;
   if (graded.at_left_wall) points.push_back({box.x1_min, graded.x1});
-  // Faces at the kinks of the force keep the order of the averages over cells.
-  std::vector<double> kinks = system.kinks_in_y(box.x1_min, box.x1_max);
+  // Faces at the kinks of force and noise factor keep the order of the averages over cells.
+  const auto of_force = system.kinks_in_y(box.x1_min, box.x1_max);
+  std::set<double> kinks(of_force.begin(), of_force.end());
   if (problem.noise_factor) {
-    for (const double kink : problem.noise_factor->kinks_in_y(box.x1_min, box.x1_max)) {
-      kinks.push_back(kink);
-    }
-    std::ranges::sort(kinks);
-    kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
+    const auto of_factor = problem.noise_factor->kinks_in_y(box.x1_min, box.x1_max);
+    kinks.insert(of_factor.begin(), of_factor.end());
   }
   for (const double kink : kinks) points.push_back({kink, {}});
   if (graded.at_right_wall) points.push_back({box.x1_max, graded.x1});

@@ -112,25 +112,23 @@ struct FaceReconstruction {
 };
 
 // Returns the one-sided forces at x2 = 0, for x2 < 0 and x2 > 0.
-std::pair<double, double> forces_at_rest(const problem::System& system, double x1,
-                                         const Grid& grid) {
-  // Velocity at which only jumps change the force
+std::pair<double, double> one_sided_forces(const problem::System& system, double x1,
+                                           const Grid& grid) {
+  // At this velocity the force differs from its limit at x2 = 0 by rounding only.
   const double small = 1e-12 * grid.x2_max();
   return {system.force(x1, -small), system.force(x1, small)};
 }
 
 // Returns the kink of the density at x2 = 0 for each column of cells of x1, where the force jumps
-// under diffusion. The result is empty if the density is smooth at x2 = 0.
+// under diffusion. The result is empty if the density is smooth at x2 = 0, and under multiplicative
+// noise, whose kinks the stencils do not represent.
 std::vector<DensityKink> density_kinks(const problem::System& system, const Excitation& excitation,
                                        const Grid& grid) {
   const double diffusion = excitation.diffusion;
-  if (system.has_polynomial_force() || !system.formula().has_jumps() || diffusion <= 0 ||
-      excitation.multiplicative) {
-    return {};
-  }
+  if (!system.has_force_jumps() || diffusion <= 0 || excitation.multiplicative) return {};
   std::vector<DensityKink> kinks;
   for (int i = 0; i < grid.nx(); ++i) {
-    const auto [below, above] = forces_at_rest(system, grid.x1.cell_centre(i), grid);
+    const auto [below, above] = one_sided_forces(system, grid.x1.cell_centre(i), grid);
     kinks.push_back({.decay = (above - below) / (2 * diffusion),
                      .drift = ((above + below) / 2 - excitation.drift) / diffusion});
   }
@@ -198,7 +196,7 @@ SparseColumnMatrix formula_force_matrix(const problem::System& system, const Gri
       },
       [&](double x1, double x2) {
         if (!has_kinks || x2 != 0) return system.force(x1, x2);
-        const auto [below, above] = forces_at_rest(system, x1, grid);
+        const auto [below, above] = one_sided_forces(system, x1, grid);
         return (below + above) / 2;
       });
 }

@@ -53,8 +53,7 @@ double integrate_function(const problem::System& system, const Grid& grid,
   const std::array weights{Gauss::weights()[1] / 2, Gauss::weights()[0] / 2,
                            Gauss::weights()[1] / 2};
   const int points = averaging_stencil_size(scheme_order);
-  const bool has_jumps = !system.has_polynomial_force() && system.formula().has_jumps();
-  const auto barrier = has_jumps ? std::optional(grid.nv() / 2) : std::nullopt;
+  const auto barrier = system.has_force_jumps() ? std::optional(grid.nv() / 2) : std::nullopt;
   const AxisOperator of_x1 = point_value_operator(grid.x1, points, fractions),
                      of_x2 = point_value_operator(grid.x2, points, fractions, barrier);
   const Eigen::MatrixXd p =
@@ -217,30 +216,38 @@ double mean_energy(const problem::System& system, const Grid& grid, const Eigen:
          integrate_marginal(grid.x1, y, scheme_order, system.potential());
 }
 
-double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
-                         int speed_exponent, AxisEnd end) {
+namespace {
+
+// Returns the integral of weight(v) p(a, v) over velocities v into a wall. The weight is a
+// polynomial or a function.
+template <class Weight>
+double wall_integral(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                     const Weight& weight, AxisEnd end) {
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  const bool left = end == AxisEnd::left;
   const int half = grid.nv() / 2;
   const Eigen::VectorXd wall = p * end_value_operator(grid.x1, end, scheme_order).transpose();
-  // The polynomial `speed` equals |v|^speed_exponent for velocities into the wall.
-  const auto speed = monomial(speed_exponent, left && speed_exponent % 2 == 1 ? -1 : 1);
   const AxisOperator weighted =
-      weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order), speed, half);
-  const int first = left ? 0 : half;
+      weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order), weight, half);
+  const int first = end == AxisEnd::left ? 0 : half;
   return grid.x2.cell_widths().segment(first, half).dot((weighted * wall).segment(first, half));
+}
+
+}  // namespace
+
+double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                         int speed_exponent, AxisEnd end) {
+  // The monomial equals |v|^speed_exponent for velocities into the wall.
+  const bool is_negative = end == AxisEnd::left && speed_exponent % 2 == 1;
+  return wall_integral(grid, averages, scheme_order, monomial(speed_exponent, is_negative ? -1 : 1),
+                       end);
 }
 
 double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
                         const std::function<double(double)>& weight, AxisEnd end) {
-  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  const int half = grid.nv() / 2;
-  const Eigen::VectorXd wall = p * end_value_operator(grid.x1, end, scheme_order).transpose();
-  const AxisOperator weighted = weighted_average_operator(
-      grid.x2, averaging_stencil_size(scheme_order),
-      [&](double v) { return std::abs(v) * weight(std::abs(v)); }, half);
-  const int first = end == AxisEnd::left ? 0 : half;
-  return grid.x2.cell_widths().segment(first, half).dot((weighted * wall).segment(first, half));
+  const std::function<double(double)> flux_weight = [&](double v) {
+    return std::abs(v) * weight(std::abs(v));
+  };
+  return wall_integral(grid, averages, scheme_order, flux_weight, end);
 }
 
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
@@ -263,10 +270,6 @@ problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
   const problem::System& system = problem.system;
   const auto loss = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
-    if (wall->has_constant_restitution()) {
-      return problem::impact_loss(wall, impact,
-                                  wall_speed_moment(grid, averages, scheme_order, 3, end));
-    }
     return sum_over_impacts(
         grid, averages, scheme_order,
         [&](double u) { return problem::energy_lost(*wall, impact, u); }, end);
@@ -336,10 +339,6 @@ WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const
                                             const Eigen::VectorXd& averages, int scheme_order) {
   const auto momentum = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
-    if (wall->has_constant_restitution()) {
-      return problem::impact_momentum_change(
-          wall, wall_speed_moment(grid, averages, scheme_order, 2, end));
-    }
     return sum_over_impacts(
         grid, averages, scheme_order, [&](double u) { return problem::momentum_change(*wall, u); },
         end);

@@ -46,12 +46,12 @@ double mean_energy(const problem::System& system, const Grid& grid, const Eigen:
 
 /// Returns the speed moment of the density at a wall, int_{v<0} |v|^n p(0, v) dv, or int_{v>0} v^n
 /// p(b, v) dv at the end b. The exponent n >= 1 is the argument `speed_exponent`. The speed moment
-/// with n = 1 is the impact rate; the energy balance contains the speed moment with n = 3.
+/// with n = 1 is the impact rate.
 double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
                          int speed_exponent, AxisEnd end = AxisEnd::left);
 
-/// Returns the sum over impacts per unit time of a function of the impact speed u, int u weight(u)
-/// p(a, -u) du at the left wall a, for any function.
+/// Returns the sum of weight(u) over all impacts at a wall per unit time, with the impact speeds u:
+/// int_{u>0} u weight(u) p(a, -u) du at the left wall a.
 double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
                         const std::function<double(double)>& weight, AxisEnd end);
 

@@ -145,7 +145,7 @@ Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cell
 // proportional to E[v^2], and so to E[y^2]; the mean force is proportional to E[y].
 Moments raise_to_balance_residuals(Moments error, const Result& fine) {
   const auto& [solution, summary] = fine;
-  if (!summary.has_errors_above_residuals) return error;
+  if (!summary.balances_limit_errors) return error;
   const double power = std::abs(solution.energy_residual);
   const double momentum = std::abs(summary.balances.momentum.value_or(0));
   const auto at_least = [&, &moments = solution.moments](double Moments::*moment, double part) {

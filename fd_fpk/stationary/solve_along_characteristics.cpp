@@ -188,7 +188,7 @@ Result solve_along_characteristics(const problem::Problem& problem,
   summary.x2_max = on.grid.x2_max();
   summary.refinement = options.refinement;
   summary.transport = TransportScheme::characteristics;
-  summary.has_errors_above_residuals = true;
+  summary.balances_limit_errors = true;
   summary.visits = on.found.visits;
   summary.krylov_iterations = on.found.iterations;
   summary.krylov_seconds = stopwatch.seconds();

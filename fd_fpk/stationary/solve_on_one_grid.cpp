@@ -216,7 +216,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
   DirectSolution direct = solve_directly(problem, scales_and_box, options, deadline);
   set_grid_data(direct.discretisation, summary);
   summary.order = transport_order(options);
-  summary.has_errors_above_residuals = !problem.system.has_polynomial_force();
+  summary.balances_limit_errors = !problem.system.has_polynomial_force();
   summary.refinement = direct.refinement;
   summary.origin_refinement = direct.origin_refinement;
   if (direct.averages) {

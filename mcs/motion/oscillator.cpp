@@ -77,7 +77,7 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
     set_polynomials(system, has_noise_kicks && system.has_constant_damping(), o);
   } else {
     o.system = &system;
-    o.has_jumps = system.formula().has_jumps();
+    o.has_jumps = system.has_force_jumps();
     o.has_kinks = system.formula().has_kinks();
   }
   o.force[0] -= mean_force;

@@ -185,11 +185,8 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
   const auto loss = [&](const std::optional<problem::Wall>& wall) {
     return [&](double u) { return problem::energy_lost(*wall, external.impact, u); };
   };
-  const auto left_loss =
-                 system.left_wall() ? integrals.sum_over_left_impacts(loss(system.left_wall())) : 0,
-             right_loss = system.right_wall()
-                              ? integrals.sum_over_right_impacts(loss(system.right_wall()))
-                              : 0;
+  const double left_loss = integrals.sum_over_left_impacts(loss(system.left_wall()));
+  const double right_loss = integrals.sum_over_right_impacts(loss(system.right_wall()));
   const double square_noise_factor = integrals.integrate_times_density([&](double y, double v) {
     return problem.noise_factor ? problem.noise_factor->squared(y, v) : 1;
   });
