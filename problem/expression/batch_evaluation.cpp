@@ -92,8 +92,9 @@ constexpr double kLargestHalfInteger = 8;
 
 }  // namespace
 
-// One version for each instruction set, all with the same bits; the loader selects one.
-#if defined(__x86_64__) && defined(__linux__)
+// One version for each instruction set, all with the same bits; the loader selects one. With Clang 14
+// the versions neither compile nor link: only the version of the baseline exists.
+#if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
 __attribute__((target_clones("avx512f", "avx2", "default")))
 #endif
 void Expression::evaluate_batch(std::size_t count, const double* ys, const double* vs,
