@@ -40,8 +40,16 @@ class NoiseFactor {
     g_.evaluate(count, y, v, g);
   }
 
+  /// Computes dG/dv at `count` points.
+  void evaluate_slopes_of_square(std::size_t count, const double* y, const double* v,
+                                 double* slopes) const {
+    for (std::size_t k = 0; k < count; ++k) slopes[k] = slope_of_square(y[k], v[k]);
+  }
+
   const std::string& text() const { return g_.formula().text(); }
   bool depends_on_v() const { return g_.formula().depends_on_v(); }
+  bool has_jumps() const { return g_.formula().has_jumps(); }
+  bool has_kinks() const { return g_.formula().has_kinks(); }
   /// Returns the values of y in (low, high) at which g or its slope jumps, increasing.
   std::vector<double> kinks_in_y(double low, double high) const { return g_.kinks_in_x(low, high); }
 

@@ -39,10 +39,10 @@ ProblemFeatures features(const Problem& problem) {
 
 std::string polynomial_required_reason(const Problem& problem) {
   if (problem.noise_factor) {
-    return "the noise is multiplied by the factor noise.factor; use fd";
+    return "the noise is multiplied by the factor noise.factor; use fd or mcs";
   }
   if (!problem.system.has_constant_restitution()) {
-    return "the restitution coefficient depends on the impact speed; use fd";
+    return "the restitution coefficient depends on the impact speed; use fd or mcs";
   }
   if (problem.system.has_polynomial_force()) return "";
   return "the force is not one of the polynomials that this method supports; use fd or mcs";

@@ -117,7 +117,10 @@ System::System(const SystemCoefficients& coefficients, const WallParameters& wal
 
 void System::evaluate_forces(std::size_t count, const double* y, const double* v,
                              double* force) const {
-  assert(formula_);
+  if (!formula_) {
+    for (std::size_t k = 0; k < count; ++k) force[k] = damping_force(y[k], v[k]) + force_(y[k]);
+    return;
+  }
   formula_->evaluate(count, y, v, force);
   for (std::size_t k = 0; k < count; ++k) force[k] *= sign_;
 }

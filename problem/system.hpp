@@ -72,10 +72,9 @@ class System {
   /// Returns the oscillator of an equation in Stratonovich's sense, with noise of diffusion
   /// coefficient D and factor g: force() is then f - D G_v / 2.
   System in_ito_sense(const NoiseFactor& factor, double diffusion) const;
-  /// Computes the force f(y, v) + g(y) of the formula at `count` <= Expression::kBatch points,
-  /// faster than one by one. Under multiplicative noise the result is the force of the equation in
-  /// the sense of noise.interpretation, without the drift D G_v / 2.
-  /// @pre !has_polynomial_force()
+  /// Computes the force f(y, v) + g(y) at `count` <= Expression::kBatch points, faster than one by
+  /// one. Under multiplicative noise the result is the force of the equation in the sense of
+  /// noise.interpretation, without the drift D G_v / 2.
   void evaluate_forces(std::size_t count, const double* y, const double* v, double* force) const;
   /// Returns the part f(y, v) of the force that vanishes at v = 0.
   double damping_force(double y, double v) const {
