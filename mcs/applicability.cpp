@@ -1,19 +1,44 @@
 #include "mcs/applicability.hpp"
 
+#include <cmath>
+
 #include "mcs/motion/oscillator.hpp"
+#include "problem/motion_scales.hpp"
 #include "problem/problem_features.hpp"
 
 namespace fpkcheck::mcs {
 
+namespace {
+
+// Returns whether bounces on a wall do not end because r(u) tends to 1 as u -> 0.
+bool has_endless_bounces(const problem::Problem& problem) {
+  const Oscillator oscillator = make_oscillator(problem, problem::scales(problem));
+  const auto is_endless = [](const Wall& wall) {
+    return wall.formula != nullptr && wall.contact_force > 0 &&
+           std::isinf(time_of_bounces(wall, wall.rest_speed));
+  };
+  return is_endless(oscillator.left) || is_endless(oscillator.right);
+}
+
+}  // namespace
+
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
-  if (problem.noise_factor) return "the simulation does not treat noise.factor; use fd";
-  if (!problem.system.has_constant_restitution()) {
-    return "the simulation needs constant restitution coefficients; use fd";
-  }
   // For a Duffing oscillator at a wall, solve() itself reports an inelastic collapse as a failed
   // solution.
   if (is_duffing_at_wall(problem)) return "";
+  if (problem.noise_factor) {
+    if (problem.impulses.is_present() && options.equation == DensityEquation::white) {
+      return "noise.factor excludes white noise in place of the impulses; use kf";
+    }
+    if (problem.noise_factor->depends_on_v() && problem.noise_factor->has_jumps()) {
+      return "noise.factor depends on v and has jumps (sign); smooth them: tanh(v/eps)";
+    }
+  }
   const bool has_noise = problem.noise.is_present() || options.equation == DensityEquation::white;
+  if (!problem.system.has_constant_restitution() && !has_noise && has_endless_bounces(problem)) {
+    return "the mass bounces on the wall without end, since the restitution coefficient tends to 1 "
+           "with the impact speed; choose r(0) < 1";
+  }
   if (problem.system.has_force_jumps() && !has_noise) {
     return "the mass sticks where the force jumps (sign); smooth it: tanh(v/eps)";
   }

@@ -57,6 +57,40 @@ double damping_power(const problem::System& system, const Simulation& simulation
          system.rayleigh_coefficient() * moment_in_wall_coordinates(simulation, r, 0, 4);
 }
 
+/// Returns the energy lost per unit time at a wall, from StreamStatistics::left_energy or
+/// right_energy.
+double impact_loss(const std::optional<problem::Wall>& wall, const Simulation& simulation,
+                   double energy_sum) {
+  const double rate = energy_sum / simulation.simulated_time_per_stream();
+  if (wall && !wall->has_constant_restitution()) return rate;
+  return problem::impact_loss(wall, problem::ImpactCondition::exact, rate);
+}
+
+/// Returns the momentum per unit time from a wall, from StreamStatistics::left_momentum or
+/// right_momentum.
+double impact_momentum_change(const std::optional<problem::Wall>& wall,
+                              const Simulation& simulation, double momentum_sum) {
+  const double rate = momentum_sum / simulation.simulated_time_per_stream();
+  if (wall && !wall->has_constant_restitution()) return rate;
+  return problem::impact_momentum_change(wall, rate);
+}
+
+problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
+                                               const Simulation& simulation,
+                                               const StreamStatistics& r) {
+  const problem::System& system = problem.system;
+  problem::PowerBalanceTerms terms{
+      .mean_velocity = moment_in_wall_coordinates(simulation, r, 0, 1),
+      .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
+      .left_impact_loss = impact_loss(system.left_wall(), simulation, r.left_energy),
+      .right_impact_loss = impact_loss(system.right_wall(), simulation, r.right_energy),
+      .mean_damping_power = damping_power(system, simulation, r)};
+  if (problem.noise_factor) {
+    terms.mean_square_noise_factor = r.noise_factor / simulation.expected_samples_per_stream();
+  }
+  return terms;
+}
+
 void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
                       const StreamWeights& weights, Result& result) {
   result.summary.impacts_accumulate = simulation.plan().has_contact_atoms;
@@ -64,21 +98,29 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
       weights.estimate(statistic_per_stream(simulation.streams(), [&](const auto& r) {
         return r.impacts / simulation.simulated_time_per_stream();
       }));
-  // The weighted mean of the residuals of the streams estimates the residual, since the residual is
-  // linear in the averages.
-  const auto residual =
-      weights.estimate(statistic_per_stream(simulation.streams(), [&](const auto& r) {
-        return problem::energy_residual(
-            problem, {.mean_velocity = moment_in_wall_coordinates(simulation, r, 0, 1),
-                      .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
-                      .left_impact_loss = problem::impact_loss(
-                          problem.system.left_wall(), problem::ImpactCondition::exact,
-                          r.left_energy / simulation.simulated_time_per_stream()),
-                      .right_impact_loss = problem::impact_loss(
-                          problem.system.right_wall(), problem::ImpactCondition::exact,
-                          r.right_energy / simulation.simulated_time_per_stream()),
-                      .mean_damping_power = damping_power(problem.system, simulation, r)});
-      }));
+  const auto estimate_of_streams = [&](auto of) {
+    return weights.estimate(statistic_per_stream(simulation.streams(), [&](const auto& r) {
+      return of(power_balance_terms(problem, simulation, r));
+    }));
+  };
+  // The weighted mean over the streams estimates a quantity that is linear in the averages of the
+  // streams. With multiplicative noise, only the difference of input and dissipation is linear.
+  Estimate residual{};
+  if (problem.noise_factor) {
+    residual = estimate_of_streams([&](const problem::PowerBalanceTerms& terms) {
+      const auto [input, dissipated] = problem::power_balance(problem, terms);
+      return input - dissipated;
+    });
+    const double input = estimate_of_streams([&](const problem::PowerBalanceTerms& terms) {
+                           return problem::power_balance(problem, terms).input;
+                         }).mean;
+    residual.mean /= input;
+    residual.standard_error /= input;
+  } else {
+    residual = estimate_of_streams([&](const problem::PowerBalanceTerms& terms) {
+      return problem::energy_residual(problem, terms);
+    });
+  }
   result.solution.energy_residual = residual.mean;
   result.solution.standard_errors->energy_residual = residual.standard_error;
 }
@@ -103,8 +145,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   };
   const Oscillator& o = simulation.plan().oscillator;
   const auto right_momentum = [&](const StreamStatistics& r) {
-    return problem::impact_momentum_change(system.right_wall(),
-                                           r.right_speed / simulation.simulated_time_per_stream());
+    return impact_momentum_change(system.right_wall(), simulation, r.right_momentum);
   };
   // Mean contact force of the mass at rest, 0 without atoms. The sums over impacts already include
   // the momentum of accumulating impacts.
@@ -141,13 +182,12 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   set(
       [&](const StreamStatistics& r) {
         return problem::momentum_balance(
-            problem,
-            {.mean_force = mean_force(r),
-             .left_impact_momentum = problem::impact_momentum_change(
-                 system.left_wall(), r.left_speed / simulation.simulated_time_per_stream()),
-             .right_impact_momentum = right_momentum(r),
-             .mean_cubed_velocity = moment_in_wall_coordinates(simulation, r, 0, 3),
-             .contact_momentum_rate = contact_force_at_rest(r)});
+            problem, {.mean_force = mean_force(r),
+                      .left_impact_momentum =
+                          impact_momentum_change(system.left_wall(), simulation, r.left_momentum),
+                      .right_impact_momentum = right_momentum(r),
+                      .mean_cubed_velocity = moment_in_wall_coordinates(simulation, r, 0, 3),
+                      .contact_momentum_rate = contact_force_at_rest(r)});
       },
       &transform::BalanceResiduals::momentum);
 }
@@ -197,7 +237,7 @@ void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                     transform::Solution& solution) {
   if (!simulation.plan().has_contact_atoms) return;
   const auto add = [&](const Wall& wall, double StreamStatistics::*rest) {
-    if (!(wall.exists && wall.contact_force > 0 && wall.restitution < 1)) return;
+    if (!(wall.is_lossy() && wall.contact_force > 0)) return;
     const Estimate p =
         weights.estimate(statistic_per_stream(simulation.streams(), [&](const StreamStatistics& r) {
           return r.*rest / simulation.expected_samples_per_stream();

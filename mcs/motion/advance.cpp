@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "problem/noise_factor.hpp"
+
 namespace fpkcheck::mcs {
 
 void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
@@ -29,19 +31,21 @@ void advance(const MotionParameters& motion, std::span<Stream* const> streams, d
 }
 
 double time_to_next_kick(const MotionParameters& motion, double y, double v) {
-  const auto& [diffusion, damping, longest_interval, shortest_interval, has_lossy_wall] =
-      motion.kicks;
-  if (!has_lossy_wall) return longest_interval;
+  const double longest_interval = motion.kicks.longest_interval;
+  if (!motion.kicks.has_lossy_wall) return longest_interval;
+  double diffusion = motion.kicks.diffusion;
+  if (motion.kicks.factor != nullptr) diffusion *= motion.kicks.factor->squared(y, v);
   constexpr double kPart = 0.1;
   const double in_velocity = kPart * v * v / diffusion;
   if (in_velocity >= longest_interval) return longest_interval;
   double distance = std::numeric_limits<double>::infinity();
   for (const Wall* wall : {&motion.oscillator.left, &motion.oscillator.right}) {
-    if (!wall->exists || wall->restitution == 1) continue;
+    if (!wall->is_lossy()) continue;
     distance = std::min(distance, std::abs(y - wall->position));
   }
   const double in_distance = kPart * std::cbrt(distance * distance / diffusion);
-  return std::clamp(std::max(in_velocity, in_distance), shortest_interval, longest_interval);
+  return std::clamp(std::max(in_velocity, in_distance), motion.kicks.shortest_interval,
+                    longest_interval);
 }
 
 }  // namespace fpkcheck::mcs

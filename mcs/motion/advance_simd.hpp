@@ -4,6 +4,7 @@
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/duffing_flight.hpp"
 #include "mcs/motion/formula_flight.hpp"
+#include "mcs/motion/multiplicative_kick.hpp"
 #include "mcs/motion/polynomial_flight.hpp"
 #include "mcs/motion/sample_statistics_simd.hpp"
 #include "mcs/motion/scalar_events.hpp"
@@ -69,7 +70,8 @@ struct LaneState {
   Real y5{}, y6{};
   Real force{}, force_y{}, force_v{};
   Real samples{}, impacts{}, flights{};
-  Real left_speed{}, left_energy{}, right_speed{}, right_energy{};
+  Real noise_factor{};  // sum of G = g^2
+  Real left_momentum{}, left_energy{}, right_momentum{}, right_energy{};
   Real rest_left{}, rest_right{};
   IntegratorState<Real> integrator{};  // used if Motion::kHasFormula
   Real beyond_wall{};  // y of the flight polynomial at the next impact, 0 up to rounding
@@ -117,13 +119,14 @@ struct LaneState {
     add(force, &StreamStatistics::force);
     add(force_y, &StreamStatistics::force_y);
     add(force_v, &StreamStatistics::force_v);
+    add(noise_factor, &StreamStatistics::noise_factor);
     add(samples, &StreamStatistics::samples);
     add(rest_left, &StreamStatistics::rest_left);
     add(rest_right, &StreamStatistics::rest_right);
     add(impacts, &StreamStatistics::impacts);
-    add(left_speed, &StreamStatistics::left_speed);
+    add(left_momentum, &StreamStatistics::left_momentum);
     add(left_energy, &StreamStatistics::left_energy);
-    add(right_speed, &StreamStatistics::right_speed);
+    add(right_momentum, &StreamStatistics::right_momentum);
     add(right_energy, &StreamStatistics::right_energy);
     for (int i = 0; i < W; ++i) {
       StreamStatistics& record = streams[i]->record;
@@ -137,19 +140,30 @@ struct LaneState {
   /// the mass rests.
   FPKCHECK_INLINE void apply_impacts(const Mask& active) {
     if constexpr (Motion::kHasAnyWalls) {
-      if (oscillator.left.exists) apply_impact(oscillator.left, 1, active, left_speed, left_energy);
+      if (oscillator.left.exists)
+        apply_impact(oscillator.left, 1, active, left_momentum, left_energy);
       if (oscillator.right.exists)
-        apply_impact(oscillator.right, -1, active, right_speed, right_energy);
+        apply_impact(oscillator.right, -1, active, right_momentum, right_energy);
     } else {
-      apply_impact(oscillator.left, 1, active, left_speed, left_energy);
+      apply_impact(oscillator.left, 1, active, left_momentum, left_energy);
     }
+  }
+
+  /// Applies a function of the lane number to the lanes of a mask; other lanes return 0.
+  template <class Function>
+  FPKCHECK_INLINE static Real in_lanes(const Mask& wanted, const Function& function) {
+    Array<double> values{};
+    for (int i = 0; i < W; ++i) {
+      if (simd::lane_value(wanted, i) != 0) values.at[i] = function(i);
+    }
+    return simd::load<Real>(values.at);
   }
 
   /// Applies the impact law, paper (2), at one wall.
   /// @param inwards 1 at the left wall, -1 at the right wall
   FPKCHECK_INLINE void apply_impact(const Wall& wall, double inwards, const Mask& active,
-                                    Real& speed_sum, Real& energy_sum) {
-    const double r = wall.restitution, position = Motion::kHasAnyWalls ? wall.position : 0.0;
+                                    Real& momentum_sum, Real& energy_sum) {
+    const double position = Motion::kHasAnyWalls ? wall.position : 0.0;
     const Real speed = -inwards * v;
     Mask impact = active & (inwards * (y - position) <= 0.0);
     if constexpr (Motion::kHasRest) {
@@ -161,15 +175,21 @@ struct LaneState {
       impact = impact & (speed > 0.0);
     }
     if (!simd::any_lane_set(impact)) return;
-    if (motion.records) {
-      const Real counted_weight = simd::select_or_zero(impact, weight);
-      impacts = impacts + counted_weight;
-      speed_sum = speed_sum + counted_weight * speed;
-      energy_sum = energy_sum + counted_weight * (speed * speed);
-    }
-    Real after = -r * v;
-    if constexpr (Motion::kHasRest) {
-      if (wall.contact_force > 0) sum_bounces(wall, speed, impact, after, speed_sum, energy_sum);
+    const Real counted_weight = simd::select_or_zero(impact, weight);
+    if (motion.records) impacts = impacts + counted_weight;
+    Real after{};
+    if (Motion::kHasAnyWalls && wall.formula != nullptr) {
+      after = velocity_after_impact(wall, speed, impact, counted_weight, momentum_sum, energy_sum);
+    } else {
+      if (motion.records) {
+        momentum_sum = momentum_sum + counted_weight * speed;
+        energy_sum = energy_sum + counted_weight * (speed * speed);
+      }
+      after = -wall.restitution * v;
+      if constexpr (Motion::kHasRest) {
+        if (wall.contact_force > 0)
+          sum_bounces(wall, speed, impact, after, momentum_sum, energy_sum);
+      }
     }
     if constexpr (Motion::kDeposits) {
       if (motion.deposit) deposit_impacts(impact, after);
@@ -177,10 +197,44 @@ struct LaneState {
     v = simd::select(impact, after, v);
   }
 
+  /// Returns the velocity after impacts at a wall with a formula r(u), and adds the changes of the
+  /// momentum and the lost energies. After an impact slower than Wall::rest_speed the bounces end
+  /// after time_of_bounces() with the mass at rest: the bounces lose the remaining energy, and
+  /// contact force and wall change the momentum by equal amounts.
+  FPKCHECK_INLINE Real velocity_after_impact(const Wall& wall, const Real& speed,
+                                             const Mask& impact, const Real& counted_weight,
+                                             Real& momentum_sum, Real& energy_sum) {
+    const Real r = in_lanes(
+        impact, [&](int i) __attribute__((always_inline)) {
+          return restitution_at(wall, simd::lane_value(speed, i));
+        });
+    Real after = -r * v, momentum = (1.0 + r) * speed,
+         energy = (1.0 - r * r) * (speed * speed) * 0.5;
+    if constexpr (Motion::kHasRest) {
+      const Mask stays = impact & (speed < wall.rest_speed);
+      if (wall.contact_force > 0 && simd::any_lane_set(stays)) {
+        const Real time = in_lanes(
+            stays, [&](int i) __attribute__((always_inline)) {
+              return time_of_bounces(wall, simd::lane_value(speed, i));
+            });
+        time_to_rest = simd::select(stays, time, time_to_rest);
+        after = simd::select(stays, Real{}, after);
+        const Mask ends = stays & (time < std::numeric_limits<double>::infinity());
+        momentum = simd::select(ends, speed + wall.contact_force * time, momentum);
+        energy = simd::select(ends, speed * speed * 0.5, energy);
+      }
+    }
+    if (motion.records) {
+      momentum_sum = momentum_sum + counted_weight * momentum;
+      energy_sum = energy_sum + counted_weight * energy;
+    }
+    return after;
+  }
+
   /// Replaces the bounces after an impact slower than Wall::rest_speed by the sum of a geometric
   /// series, and keeps the mass at the wall.
   FPKCHECK_INLINE void sum_bounces(const Wall& wall, const Real& speed, const Mask& impact,
-                                   Real& after, Real& speed_sum, Real& energy_sum) {
+                                   Real& after, Real& momentum_sum, Real& energy_sum) {
     const double r = wall.restitution;
     const Mask stays = impact & (speed < wall.rest_speed);
     if (!simd::any_lane_set(stays)) return;
@@ -193,7 +247,7 @@ struct LaneState {
     after = simd::select(stays, Real{}, after);
     if (motion.records && r < 1) {
       const Real counted_weight = simd::select_or_zero(stays, weight);
-      speed_sum = speed_sum + counted_weight * (speed * (r / (1 - r)));
+      momentum_sum = momentum_sum + counted_weight * (speed * (r / (1 - r)));
       energy_sum = energy_sum + counted_weight * (speed * speed * (r * r / (1 - r * r)));
     }
   }
@@ -252,10 +306,7 @@ struct LaneState {
     add_weighted_monomials(at, counted_weight, powers);
     samples = samples + counted_weight;
     if constexpr (Motion::kHasFormula) {
-      const Real weighted = counted_weight * formula_force(oscillator, at, due);
-      force = force + weighted;
-      force_y = force_y + weighted * at.y;
-      force_v = force_v + weighted * at.v;
+      count_forces(at, counted_weight, due);
     }
     Real into_bins = counted_weight;
     if constexpr (Motion::kHasRest) {
@@ -269,6 +320,21 @@ struct LaneState {
     }
     add_to_histogram(*motion.y_bins, *motion.v_bins, clamp_between_walls(at.y), at.v, into_bins,
                      streams, cells);
+  }
+
+  FPKCHECK_INLINE void count_forces(const PhaseState<Real>& at, const Real& counted_weight,
+                                    const Mask& due) {
+    const PackedStates<Real> states(at, due);
+    typename PackedStates<Real>::Numbers values;
+    evaluate_ito_forces(oscillator, states.count, states.y.at, states.v.at, values.at);
+    const Real weighted = counted_weight * states.unpack(values);
+    force = force + weighted;
+    force_y = force_y + weighted * at.y;
+    force_v = force_v + weighted * at.v;
+    if (motion.kicks.factor == nullptr) return;
+    evaluate_noise_factor(motion.kicks, states.count, states.y.at, states.v.at, values.at);
+    const Real g = states.unpack(values);
+    noise_factor = noise_factor + counted_weight * (g * g);
   }
 
   FPKCHECK_INLINE void count_resting_samples(const Real& x, const Real& resting) {
@@ -406,6 +472,8 @@ struct LaneState {
     simd::store(v, vs.at);
     simd::store(until_impulse, untils.at);
     if constexpr (Motion::kHasKicks) simd::store(until_kick, kicks.at);
+    Stream* kicked[W];  // streams with kicks of multiplicative noise
+    int kicked_lane[W], kicked_count = 0;
     for (int i = 0; i < W; ++i) {
       if (simd::lane_value(now, i) == 0) continue;
       Stream& stream = *streams[i];
@@ -418,11 +486,23 @@ struct LaneState {
       }
       if constexpr (Motion::kHasKicks) {
         if (kicks.at[i] <= 0) {
-          apply_kick(motion, stream);
-          kicks.at[i] = b.until_kick;
+          if (Motion::kHasFormula && motion.kicks.factor != nullptr) {
+            kicked[kicked_count] = &stream;
+            kicked_lane[kicked_count++] = i;
+          } else {
+            apply_kick(motion, stream);
+            kicks.at[i] = b.until_kick;
+          }
         }
       }
       vs.at[i] = b.v;
+    }
+    if constexpr (Motion::kHasFormula) {
+      if (kicked_count > 0) apply_multiplicative_kicks(motion, kicked, kicked_count);
+      for (int k = 0; k < kicked_count; ++k) {
+        vs.at[kicked_lane[k]] = kicked[k]->branch.v;
+        kicks.at[kicked_lane[k]] = kicked[k]->branch.until_kick;
+      }
     }
     v = simd::load<Real>(vs.at);
     until_impulse = simd::load<Real>(untils.at);

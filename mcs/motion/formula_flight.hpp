@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mcs/motion/dormand_prince.hpp"
 #include "mcs/motion/free_flight.hpp"
 #include "numerics/simd/elementary_functions.hpp"
 
@@ -7,28 +8,44 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Computes the force of the formula in the lanes of `wanted`; other lanes return 0.
-template <class Real, class Mask>
-FPKCHECK_INLINE Real formula_force(const Oscillator& oscillator, const PhaseState<Real>& at,
-                                   const Mask& wanted) {
-  constexpr int W = simd::kWidth<Real>;
+/// States of the lanes of a mask, packed for the evaluation of formulas.
+template <class Real>
+struct PackedStates {
+  static constexpr int W = simd::kWidth<Real>;
   struct alignas(64) Numbers {
     double at[W];
   };
-  Numbers y, v, force;
-  simd::store(at.y, y.at);
-  simd::store(at.v, v.at);
+  Numbers y, v;
   int lane[W], count = 0;
-  for (int i = 0; i < W; ++i) {
-    if (simd::lane_value(wanted, i) == 0) continue;
-    y.at[count] = y.at[i];
-    v.at[count] = v.at[i];
-    lane[count++] = i;
+
+  template <class Mask>
+  FPKCHECK_INLINE PackedStates(const PhaseState<Real>& at, const Mask& wanted) {
+    simd::store(at.y, y.at);
+    simd::store(at.v, v.at);
+    for (int i = 0; i < W; ++i) {
+      if (simd::lane_value(wanted, i) == 0) continue;
+      y.at[count] = y.at[i];
+      v.at[count] = v.at[i];
+      lane[count++] = i;
+    }
   }
-  evaluate_forces(oscillator, count, y.at, v.at, force.at);
-  Numbers result{};
-  for (int k = 0; k < count; ++k) result.at[lane[k]] = force.at[k];
-  return simd::load<Real>(result.at);
+
+  /// Returns packed values in the lanes of the mask, 0 in other lanes.
+  FPKCHECK_INLINE Real unpack(const Numbers& values) const {
+    Numbers result{};
+    for (int k = 0; k < count; ++k) result.at[lane[k]] = values.at[k];
+    return simd::load<Real>(result.at);
+  }
+};
+
+/// Computes the force of the flights in the lanes of `wanted`; other lanes return 0.
+template <class Real, class Mask>
+FPKCHECK_INLINE Real formula_force(const Oscillator& oscillator, const PhaseState<Real>& at,
+                                   const Mask& wanted) {
+  const PackedStates<Real> states(at, wanted);
+  typename PackedStates<Real>::Numbers force;
+  evaluate_forces(oscillator, states.count, states.y.at, states.v.at, force.at);
+  return states.unpack(force);
 }
 
 /// End of the previous flight and the next trial step, one trajectory per lane.
@@ -131,20 +148,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   /// @return the error estimate relative to the extent of the motion
   template <class Mask>
   FPKCHECK_INLINE Real take_step(const Real& first, const Mask& open) {
-    constexpr int kStages = 7;
-    // The last row has the weights of order 5.
-    constexpr double a[kStages][kStages - 1] = {
-        {},
-        {1.0 / 5},
-        {3.0 / 40, 9.0 / 40},
-        {44.0 / 45, -56.0 / 15, 32.0 / 9},
-        {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-        {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-        {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
-    constexpr double c[kStages] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
-    // Differences between the weights of order 5 and of order 4.
-    constexpr double e[kStages] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-                                   -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+    using namespace dormand_prince;
     const Real h = step_, y = a_[0], v = a_[1];
     // Velocities are v + h u; the sums of u have no rounding errors of v.
     Real k[kStages] = {first}, u[kStages]{};
@@ -154,16 +158,16 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     for (int stage = 1; stage < kStages; ++stage) {
       moved = Real{};
       for (int j = 0; j < stage; ++j) {
-        u[stage] = u[stage] + a[stage][j] * k[j];
-        moved = moved + a[stage][j] * u[j];
+        u[stage] = u[stage] + kStage[stage][j] * k[j];
+        moved = moved + kStage[stage][j] * u[j];
       }
-      end = {y + h * (c[stage] * v + h * moved), v + h * u[stage]};
+      end = {y + h * (kNode[stage] * v + h * moved), v + h * u[stage]};
       k[stage] = acceleration(end, open);
     }
     Real y_error{}, v_error{};
     for (int j = 0; j < kStages; ++j) {
-      y_error = y_error + e[j] * u[j];
-      v_error = v_error + e[j] * k[j];
+      y_error = y_error + kError[j] * u[j];
+      v_error = v_error + kError[j] * k[j];
     }
     // Differences between the end of the step and the parabola of the start, divided by h^2 and h.
     const Real p = moved - 0.5 * first, q = u[kStages - 1] - first, r = k[kStages - 1] - first;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "problem/motion_scales.hpp"
 #include "problem/problem.hpp"
@@ -32,6 +33,42 @@ double largest_damping(const problem::System& system, const problem::MotionScale
   return largest + std::abs(system.rayleigh_coefficient()) * v2;
 }
 
+// Returns the largest value of (dg/dv)^2 = G_v^2 / (4 G).
+double largest_square_slope(const problem::NoiseFactor& factor,
+                            const problem::MotionScales& scales) {
+  double largest = 0;
+  for (const double y : {-1.0, 0.0, 1.0}) {
+    for (const double v : {-1.0, -0.3, 0.3, 1.0}) {
+      const double at_y = scales.centre + y * scales.displacement_deviation,
+                   at_v = v * scales.velocity_deviation;
+      const double slope = factor.slope_of_square(at_y, at_v);
+      largest = std::max(largest, slope * slope / (4 * factor.squared(at_y, at_v)));
+    }
+  }
+  return largest;
+}
+
+void set_formulas(const problem::Problem& problem, Oscillator& o) {
+  const problem::System& system = problem.system;
+  o.system = &system;
+  if (!system.has_polynomial_force()) {
+    o.has_jumps = system.has_force_jumps();
+    o.has_kinks = system.formula().has_kinks();
+  }
+  if (!problem.noise_factor || !problem.noise_factor->depends_on_v()) return;
+  o.noise_factor = &*problem.noise_factor;
+  o.diffusion = problem.noise.diffusion();
+  o.is_ito = problem.noise.interpretation == problem::NoiseInterpretation::ito;
+  // The force of the flights then contains the slope of g, which jumps at a kink of g.
+  if (o.is_ito && problem.noise_factor->has_kinks()) o.has_jumps = o.has_kinks = true;
+}
+
+double position_between_walls(const Oscillator& o, double y) {
+  if (o.left.exists) y = std::max(y, o.left.position);
+  if (o.right.exists) y = std::min(y, o.right.position);
+  return y;
+}
+
 void set_polynomials(const problem::System& system, bool damping_in_kicks, Oscillator& o) {
   for (std::size_t n = 0; n < o.force.size(); ++n)
     o.force[n] = system.restoring_force().coefficient(n);
@@ -46,7 +83,7 @@ void set_polynomials(const problem::System& system, bool damping_in_kicks, Oscil
 
 Oscillator::Kind kind_of(const problem::Problem& problem, const Oscillator& o) {
   using Kind = Oscillator::Kind;
-  if (!problem.system.has_polynomial_force()) return Kind::formula;
+  if (o.system != nullptr) return Kind::formula;
   const auto degree = problem.system.restoring_force().degree();
   const bool even_damping = o.damping[1] == 0 && o.damping[2] == 0;
   return is_duffing_at_wall(problem)                      ? Kind::duffing_at_wall
@@ -73,12 +110,10 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
                            double mean_force, bool has_noise_kicks) {
   const problem::System& system = problem.system;
   Oscillator o;
-  if (system.has_polynomial_force()) {
+  if (system.has_polynomial_force() && !problem.noise_factor) {
     set_polynomials(system, has_noise_kicks && system.has_constant_damping(), o);
   } else {
-    o.system = &system;
-    o.has_jumps = system.has_force_jumps();
-    o.has_kinks = system.formula().has_kinks();
+    set_formulas(problem, o);
   }
   o.force[0] -= mean_force;
   o.kind = kind_of(problem, o);
@@ -87,7 +122,13 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
   const double rate = scales.frequency + largest_damping(system, scales);
   const auto make_wall = [&](const problem::Wall& wall, double inwards) {
     Wall w{.exists = true, .position = wall.position, .restitution = wall.restitution};
-    w.contact_force = inwards * (system.force(wall.position, 0) - mean_force);
+    if (!wall.has_constant_restitution()) w.formula = &wall;
+    double force = system.force(wall.position, 0);
+    if (o.noise_factor != nullptr) {
+      constexpr double kAtRest = 0;
+      evaluate_forces(o, 1, &wall.position, &kAtRest, &force);
+    }
+    w.contact_force = inwards * (force - mean_force);
     if (w.contact_force > 0) {
       w.rest_speed =
           kRestSpeedFraction * std::min(scales.velocity_deviation, w.contact_force / rate);
@@ -104,28 +145,83 @@ NoiseKicks make_noise_kicks(const problem::Problem& problem, const problem::Moti
   if (diffusion == 0) return {};
   const problem::System& system = problem.system;
   NoiseKicks kicks{.diffusion = diffusion};
-  if (system.has_constant_damping()) kicks.damping = system.damping();
-  kicks.longest_interval = step / (scales.frequency + 2 * largest_damping(system, scales));
+  if (system.has_constant_damping() && !problem.noise_factor) kicks.damping = system.damping();
+  double rate = scales.frequency + 2 * largest_damping(system, scales);
+  if (problem.noise_factor) {
+    kicks.factor = &*problem.noise_factor;
+    kicks.velocity_scale = scales.velocity_deviation;
+    rate += 2 * diffusion * largest_square_slope(*problem.noise_factor, scales);
+  }
+  kicks.longest_interval = step / rate;
   constexpr double kGrading = 1e-5;
   kicks.shortest_interval = kGrading * kicks.longest_interval;
   const auto has_losses = [](const std::optional<problem::Wall>& w) {
-    return w && w->restitution < 1;
+    return w && (w->restitution < 1 || !w->has_constant_restitution());
   };
   kicks.has_lossy_wall = has_losses(system.left_wall()) || has_losses(system.right_wall());
   return kicks;
 }
 
-void evaluate_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
-                     double* force) {
+double restitution_at(const Wall& wall, double speed) {
+  return wall.formula->restitution_at(speed);
+}
+
+double time_of_bounces(const Wall& wall, double speed) {
+  // The geometric series of a constant r replaces the remaining bounces as soon as r(u) is close to
+  // r(0), or the remaining bounces are short. If r(u) = 1 - O(u^a) with a < 1, some hundred bounces
+  // suffice. If a >= 1, the bounces never end.
+  constexpr int kMostBounces = 1000;
+  constexpr double kTolerance = 1e-3;
+  double sum = 0, u = speed;
+  for (int n = 0;; ++n) {
+    const double r = restitution_at(wall, u);
+    const bool is_constant = std::abs(wall.restitution - r) <= kTolerance * (1 - r);
+    const double others = u * (2 * r / ((1 - r) * wall.contact_force));
+    if (is_constant || others < kTolerance * sum) return sum + others;
+    if (n == kMostBounces) return std::numeric_limits<double>::infinity();
+    u *= r;
+    sum += 2 * u / wall.contact_force;
+  }
+}
+
+namespace {
+
+// Computes the force as written; beyond a wall, a value that is not finite is that at the wall.
+void evaluate_written_forces(const Oscillator& oscillator, int count, const double* y,
+                             const double* v, double* force) {
   const problem::System& system = *oscillator.system;
   system.evaluate_forces(static_cast<std::size_t>(count), y, v, force);
   for (int k = 0; k < count; ++k) {
     if (std::isfinite(force[k])) continue;
-    double inside = y[k];
-    if (oscillator.left.exists) inside = std::max(inside, oscillator.left.position);
-    if (oscillator.right.exists) inside = std::min(inside, oscillator.right.position);
-    if (inside != y[k]) force[k] = system.force(inside, v[k]);
+    const double inside = position_between_walls(oscillator, y[k]);
+    if (inside != y[k]) system.evaluate_forces(1, &inside, &v[k], &force[k]);
   }
+}
+
+// Adds a multiple of the slope G_v.
+void add_slopes_of_square(const Oscillator& oscillator, int count, const double* y, const double* v,
+                          double multiple, double* force) {
+  std::array<double, problem::Expression::kBatch> inside{}, slopes{};
+  for (int k = 0; k < count; ++k) inside[k] = position_between_walls(oscillator, y[k]);
+  oscillator.noise_factor->evaluate_slopes_of_square(static_cast<std::size_t>(count), inside.data(),
+                                                     v, slopes.data());
+  for (int k = 0; k < count; ++k) force[k] += multiple * slopes[k];
+}
+
+}  // namespace
+
+void evaluate_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
+                     double* force) {
+  evaluate_written_forces(oscillator, count, y, v, force);
+  if (oscillator.noise_factor != nullptr && oscillator.is_ito)
+    add_slopes_of_square(oscillator, count, y, v, oscillator.diffusion / 2, force);
+}
+
+void evaluate_ito_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
+                         double* force) {
+  evaluate_written_forces(oscillator, count, y, v, force);
+  if (oscillator.noise_factor != nullptr && !oscillator.is_ito)
+    add_slopes_of_square(oscillator, count, y, v, -oscillator.diffusion / 2, force);
 }
 
 }  // namespace fpkcheck::mcs

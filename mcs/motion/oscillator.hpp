@@ -5,7 +5,9 @@
 namespace fpkcheck::problem {
 struct Problem;
 class System;
+class NoiseFactor;
 struct MotionScales;
+struct Wall;
 }  // namespace fpkcheck::problem
 
 namespace fpkcheck::mcs {
@@ -13,12 +15,25 @@ namespace fpkcheck::mcs {
 struct Wall {
   bool exists = false;
   double position = 0;
-  double restitution = 1;
+  double restitution = 1;  ///< r, or r(0) if r depends on the impact speed
   /// Force that presses the mass at rest on the wall; if 0 or negative, the mass lifts off
   double contact_force = 0;
   /// Impact speed below which the series of bounces is summed and the mass stays at the wall
   double rest_speed = 0;
+  /// Wall with the formula of r(u), which must outlive the oscillator; null for a constant r
+  const problem::Wall* formula = nullptr;
+
+  /// Returns whether impacts dissipate energy.
+  bool is_lossy() const { return exists && (restitution < 1 || formula != nullptr); }
 };
+
+/// Returns the restitution coefficient r(u). @pre wall.formula is not null
+double restitution_at(const Wall& wall, double speed);
+/// Returns the total time of the bounces that follow an impact at the speed u < Wall::rest_speed,
+/// the sum of 2 u_n / contact_force with u_n = r(u_(n-1)) u_(n-1), u_0 = u. The result is infinite
+/// if the sum does not converge within 1000 bounces.
+/// @pre wall.formula is not null and the contact force is positive
+double time_of_bounces(const Wall& wall, double speed);
 
 /// Oscillator of a problem in wall coordinates, with precomputed coefficients,
 ///
@@ -56,23 +71,35 @@ struct Oscillator {
   /// 1/100 of the frequency scale
   double frequency = 1;
 
-  /// System with the formula of the kind `formula`, which must outlive the oscillator; otherwise null
+  /// System of the kind `formula`, which must outlive the oscillator; otherwise null
   const problem::System* system = nullptr;
+  /// Factor g of multiplicative noise that depends on v, which must outlive the oscillator;
+  /// otherwise null. With G = g^2 and the diffusion coefficient D, the forces f of the senses of Ito
+  /// and Stratonovich differ by f_Ito = f_Stratonovich - D G_v / 2.
+  const problem::NoiseFactor* noise_factor = nullptr;
+  double diffusion = 0;    ///< D, used with `noise_factor`
+  bool is_ito = false;     ///< whether the force of `system` as written is that of Ito's sense
   bool has_jumps = false;  ///< Expression::has_jumps()
   bool has_kinks = false;  ///< Expression::has_kinks()
 };
 
-/// Computes the force f(y, v) of a formula at `count` <= 8 points. Beyond a wall a formula without
-/// a finite value is continued by the value at the wall.
+/// Computes the force of the flights, that of Stratonovich's sense, at `count` <= 8 points. Beyond
+/// a wall a formula without a finite value is continued by the value at the wall.
 /// @pre oscillator.kind is `formula`
 void evaluate_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
                      double* force);
+/// Computes the force of Ito's sense, which the balances contain, at `count` <= 8 points between
+/// the walls.
+/// @pre oscillator.kind is `formula`
+void evaluate_ito_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
+                         double* force);
 
 /// Gaussian white noise, integrated by Strang splitting with the interval h. At a kick y' follows
 /// the Ornstein-Uhlenbeck process with damping c for a time h. Between kicks the motion has neither
 /// noise nor damping c y'. Kicks and flights both preserve the density exp(-c (v^2/2 + U)/D).
 /// Without impact losses and impulses a finite h therefore causes no error; otherwise the error is
-/// of second order in h. Damping other than c y' is part of the flights.
+/// of second order in h. Damping other than c y' is part of the flights, and all damping if the
+/// noise is multiplicative; apply_multiplicative_kicks() describes the kicks of multiplicative noise.
 struct NoiseKicks {
   double diffusion = 0;         ///< diffusion coefficient D of the noise; 0 without kicks
   double damping = 0;           ///< coefficient c of the damping force c y'
@@ -80,6 +107,9 @@ struct NoiseKicks {
   /// Lower limit of h next to a wall with losses, see time_to_next_kick()
   double shortest_interval = 0;
   bool has_lossy_wall = false;
+  /// Factor g of multiplicative noise, which must outlive the kicks; null for g = 1
+  const problem::NoiseFactor* factor = nullptr;
+  double velocity_scale = 1;  ///< scale of the velocities, used with `factor`
 
   bool is_present() const { return diffusion > 0; }
 };
@@ -92,13 +122,14 @@ struct NoiseKicks {
 /// excluded, since noise would increase the energy during a flight.
 bool is_duffing_at_wall(const problem::Problem& problem);
 
-/// @param problem for the kind `formula`, problem.system must outlive the oscillator
+/// @param problem must outlive the oscillator if the kind is `formula` or a wall has a formula
 /// @param mean_force mean force of the impulses if kicks replace the impulses, otherwise 0
 /// @param has_noise_kicks whether the motion has NoiseKicks
 Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
                            double mean_force = 0, bool has_noise_kicks = false);
 
 /// Returns the parameters of the kicks that represent Gaussian noise.
+/// @param problem must outlive the kicks of multiplicative noise
 /// @param diffusion D > 0, or 0 without noise
 /// @param step interval h between kicks, in radians
 NoiseKicks make_noise_kicks(const problem::Problem& problem, const problem::MotionScales& scales,

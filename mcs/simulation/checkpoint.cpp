@@ -75,9 +75,9 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
                          fmt::join(problem.system.damping_polynomial().coefficients(), " "));
   } else {
     force += fmt::format(" + {}", problem.system.formula().text());
-    for (const auto& [name, value] : problem.system.named_constants())
-      force += fmt::format("; {} {:a}", name, value);
   }
+  for (const auto& [name, value] : problem.system.named_constants())
+    force += fmt::format("; {} {:a}", name, value);
   std::string text = fmt::format(
       "{} {:a}; kicks {:a} {:a}; excitation {} {:a} {} {:a} {:a}; seed {}; "
       "streams {}; step {:a}; burn-in {:a}; sampling {:a} {}; y {:a}; v {:a}",
@@ -85,8 +85,16 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
       static_cast<int>(e.arrivals), e.interval, e.law, e.mean, e.width, plan.seed, plan.streams,
       plan.step, plan.burn_in, plan.sampling_interval, plan.samples_per_round,
       fmt::join(plan.y_bins.edges(), " "), fmt::join(plan.v_bins.edges(), " "));
-  for (const Wall& w : {o.left, o.right})
+  if (problem.noise_factor) {
+    text += fmt::format("; factor {}", problem.noise_factor->text());
+    if (problem.noise.interpretation) {
+      text += fmt::format(" {}", base::name_of(*problem.noise.interpretation));
+    }
+  }
+  for (const Wall& w : {o.left, o.right}) {
     text += fmt::format("; wall {} {:a} {:a}", w.exists, w.position, w.restitution);
+    if (w.formula != nullptr) text += " " + w.formula->restitution_formula->text();
+  }
   if (e.pieces) text += fmt::format("; pieces {:x}", e.pieces->checksum());
   if (plan.deposit) {
     const DepositGrid& g = plan.deposit->grid;

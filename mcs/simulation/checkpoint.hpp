@@ -9,7 +9,7 @@
 
 namespace fpkcheck::mcs {
 
-inline constexpr std::string_view kCheckpointFormatLine = "fpkcheck mcs checkpoint 6\n";
+inline constexpr std::string_view kCheckpointFormatLine = "fpkcheck mcs checkpoint 7\n";
 
 /// Returns a text that identifies a simulation by all inputs that determine its results, except the
 /// duration. The text states numbers with full precision.

@@ -39,17 +39,23 @@ struct StreamStatistics {
   std::array<double, kPowers.size()> powers{};
   /// Sums of y^5 and y^6 over samples; 0 with DuffingFlights, whose balances do not need these sums
   double y5 = 0, y6 = 0;
-  /// Sums of f, y f and y' f over samples for a force f(y, y') that is a formula; otherwise 0
+  /// Sums of f, y f and y' f over samples for Oscillator::Kind::formula, with the force f of Ito's
+  /// sense; otherwise 0
   double force = 0, force_y = 0, force_v = 0;
+  double noise_factor = 0;  ///< sum of G = g^2 over samples with multiplicative noise; otherwise 0
   double samples = 0;
   double rest_left = 0;  ///< weight of samples at rest on the left wall, which the histogram omits
   /// Weight of samples at rest on the right wall, which the histogram omits
   double rest_right = 0;
-  double impacts = 0;          ///< number of impacts, summed over the left and the right wall
-  double left_speed = 0;       ///< sum of |v| over impacts on the left wall
-  double left_energy = 0;      ///< sum of v^2 over impacts on the left wall
-  double right_speed = 0;      ///< sum of |v| over impacts on the right wall
-  double right_energy = 0;     ///< sum of v^2 over impacts on the right wall
+  double impacts = 0;  ///< number of impacts, summed over the left and the right wall
+  /// Sum of the changes of the momentum, (1 + r) |v|, over impacts on the left wall; for a constant
+  /// r the sum is divided by 1 + r
+  double left_momentum = 0;
+  /// Sum of the lost energies, (1 - r^2) v^2 / 2, over impacts on the left wall; for a constant r
+  /// the sum is divided by (1 - r^2) / 2
+  double left_energy = 0;
+  double right_momentum = 0;   ///< the same sum as left_momentum, for the right wall
+  double right_energy = 0;     ///< the same sum as left_energy, for the right wall
   double work = 0;             ///< work of the impulses, defined as in Excitation::work
   std::uint64_t impulses = 0;  ///< number of impulses of the main branch
   std::uint64_t branch_impulses = 0;
@@ -68,10 +74,10 @@ struct StreamStatistics {
 template <class Record, class Visit>
 void for_each_statistic(Record& record, Visit visit) {
   visit(record.powers);
-  for (auto* sum :
-       {&record.y5, &record.y6, &record.force, &record.force_y, &record.force_v, &record.samples,
-        &record.rest_left, &record.rest_right, &record.impacts, &record.left_speed,
-        &record.left_energy, &record.right_speed, &record.right_energy, &record.work}) {
+  for (auto* sum : {&record.y5, &record.y6, &record.force, &record.force_y, &record.force_v,
+                    &record.noise_factor, &record.samples, &record.rest_left, &record.rest_right,
+                    &record.impacts, &record.left_momentum, &record.left_energy,
+                    &record.right_momentum, &record.right_energy, &record.work}) {
     visit(*sum);
   }
   for (auto* number : {&record.impulses, &record.branch_impulses, &record.flights}) {

@@ -3,14 +3,19 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "base/input_error.hpp"
 #include "general_oscillators.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/motion/advance.hpp"
+#include "mcs/motion/multiplicative_kick.hpp"
 #include "mcs/motion/taylor_flight.hpp"
+#include "mcs/simulation/checkpoint.hpp"
 #include "mcs/solve.hpp"
+#include "problem/case_file.hpp"
 #include "problem/motion_scales.hpp"
 #include "simulate_and_compare.hpp"
 #include "uniform_edges.hpp"
@@ -255,15 +260,6 @@ TEST(Formula, IsRefusedWithAReasonWhereItIsNotSupported) {
   EXPECT_NE(unsupported_reason(kSameFormula, {.tails = true}).find("formula"), std::string::npos);
 }
 
-// The spring is that of a Duffing oscillator at a wall, which has its own simulation.
-TEST(Formula, OfTheRestitutionIsRefused) {
-  const Problem variable =
-      with_impulses(System({.damping = 0.1, .stiffness = 1},
-                           {.left = 0, .left_restitution = std::string("1 - 0.3*min(1, v)^0.2")}),
-                    gaussian_impulses(1, 0.2));
-  EXPECT_NE(unsupported_reason(variable, {}), "");
-}
-
 // Beyond the wall sqrt(y) does not exist, and the trial states of a step are beyond the wall.
 TEST(Formula, NeedNotExistBeyondTheWall) {
   const Problem problem =
@@ -272,6 +268,290 @@ TEST(Formula, NeedNotExistBeyondTheWall) {
   const Result result = simulated(problem, 1e4);
   ASSERT_TRUE(result.solution.is_ok()) << result.solution.reason;
   expect_balance(result);
+}
+
+Problem of_case(const std::string& ini) {
+  std::istringstream file(ini);
+  return problem::read_case(file, "test", "test.ini");
+}
+
+Problem with_factor(const std::string& force, const std::string& factor, const char* interpretation,
+                    const std::string& walls = "none = true", const std::string& impulses = "") {
+  const std::string sense = *interpretation == '\0'
+                                ? std::string()
+                                : "interpretation = " + std::string(interpretation) + '\n';
+  return of_case("[system]\nforce = " + force + "\n[wall]\n" + walls +
+                 "\n[noise]\nintensity = 0.2\nfactor = " + factor + '\n' + sense + impulses);
+}
+
+const std::string kEnergyForce = "0.1*v + 0.05*v*(y^2+v^2) + y",
+                  kEnergyFactor = "sqrt(1+0.25*(y^2+v^2))",
+                  kImpulses = "[impulse]\nrate = 1\nlaw = gaussian\nintensity = 0.2\nmean = 0\n";
+
+struct ExactMoments {
+  double y2, y4, v2, v4;
+};
+
+void expect_moments(const Result& result, const ExactMoments& exact) {
+  const auto& m = result.solution.moments;
+  const auto& e = result.solution.standard_errors->moments;
+  expect_near(m.y2, exact.y2, e.y2, "E[y^2]");
+  expect_near(m.y4, exact.y4, e.y4, "E[y^4]");
+  expect_near(m.v2, exact.v2, e.v2, "E[v^2]");
+  expect_near(m.v4, exact.v4, e.v4, "E[v^4]");
+}
+
+// Caughey and Ma: with damping v d(H) and G = 1 + H/2, d = (1 + H)/10, D = 1/10 the law is
+// C (1 + H/2) exp(-2 H) in Ito's sense and C (1 + H/2)^(3/2) exp(-2 H) in Stratonovich's. The
+// moments are E[y^2] = E[H], E[y^4] = 3/2 E[H^2].
+TEST(MultiplicativeNoise, HasTheExactLawOfEachSense) {
+  const Result ito = simulated(with_factor(kEnergyForce, kEnergyFactor, "ito"), 1e5),
+               other = simulated(with_factor(kEnergyForce, kEnergyFactor, "stratonovich"), 1e5);
+  expect_moments(ito, {.y2 = 0.6, .y4 = 1.05, .v2 = 0.6, .v4 = 1.05});
+  expect_moments(other, {.y2 = 0.660996, .y4 = 1.25213, .v2 = 0.660996, .v4 = 1.25213});
+  expect_balance(ito);
+  expect_balance(other);
+  // The difference between the senses exceeds all standard errors.
+  EXPECT_GT(other.solution.moments.y2 - ito.solution.moments.y2,
+            10 * ito.solution.standard_errors->moments.y2);
+}
+
+// With g = g(y) and f = c v g^2 + V' the law is C exp(-c H/D).
+TEST(MultiplicativeNoise, OfADisplacementHasItsExactLaw) {
+  const Result polynomial =
+      simulated(with_factor("0.2*v*(1+y^2) + y + 0.1*y^3", "sqrt(1+y^2)", ""), 1e5);
+  const auto& m = polynomial.solution.moments;
+  const auto& e = polynomial.solution.standard_errors->moments;
+  expect_near(m.y2, 0.444353, e.y2, "E[y^2]");
+  expect_near(m.v2, 0.5, e.v2, "E[v^2]");
+  expect_near(m.v4, 0.75, e.v4, "E[v^4]");
+  expect_balance(polynomial);
+  // A step of g, a formula of the force, an elastic wall and a mirrored frame.
+  const Result step =
+      simulated(with_factor("0.2*v*(1+0.8*tanh(10*y))^2 + sinh(y)", "1+0.8*tanh(10*y)",
+                            "stratonovich", "right = 0.5\nright_restitution = 1"),
+                1e5);
+  expect_near(step.solution.moments.v2, 0.5, step.solution.standard_errors->moments.v2, "E[v^2]");
+  expect_near(step.solution.moments.v4, 0.75, step.solution.standard_errors->moments.v4, "E[v^4]");
+  expect_balance(step);
+}
+
+// The error of the splitting is of second order in the interval between kicks.
+TEST(MultiplicativeNoise, ErrorOfTheSplittingDecreases) {
+  const Problem problem = with_factor(kEnergyForce, kEnergyFactor, "ito");
+  const auto v4 = [&](double white_step) {
+    const Result result =
+        solve(problem, {.time = 1e6, .accuracy = 1, .seed = 20261126, .white_step = white_step});
+    return Estimate{result.solution.moments.v4, result.solution.standard_errors->moments.v4};
+  };
+  const Estimate coarse = v4(0.5), fine = v4(0.2);
+  EXPECT_GT(coarse.mean - 1.05, 3 * coarse.standard_error);
+  // The error of the shorter interval is a sixth of the error of the longer.
+  EXPECT_NEAR(fine.mean - 1.05, (coarse.mean - 1.05) * 0.16,
+              4 * std::hypot(fine.standard_error, 0.16 * coarse.standard_error));
+}
+
+// The flow of dv/ds = sqrt(1 + v^2) is v = sinh(s + asinh v).
+TEST(MultiplicativeNoise, KicksFollowTheFlowOfTheFactor) {
+  const problem::NoiseFactor factor("sqrt(1+v^2)", {});
+  double y[8] = {}, v[8], start[8], s[8], g[8];
+  for (int i = 0; i < 8; ++i) {
+    v[i] = start[i] = i - 3.5;
+    s[i] = 0.6 * (i % 2 == 0 ? 1 : -1) * (i + 1);
+  }
+  follow_noise_flow(factor, 8, y, v, s, 1, g);
+  for (int i = 0; i < 8; ++i) {
+    const double exact = std::sinh(s[i] + std::asinh(start[i]));
+    EXPECT_NEAR(v[i], exact, 2e-6 * std::cosh(s[i] + std::asinh(start[i]))) << i;
+    EXPECT_NEAR(g[i], std::hypot(1, start[i]), 1e-14);
+  }
+}
+
+// The formula of a constant factor gives the law of additive noise, also with impulses and losses.
+TEST(MultiplicativeNoise, OfAConstantFactorIsAdditive) {
+  const std::string wall = "left = -0.3\nleft_restitution = 0.7";
+  const Problem constant = with_factor("0.1*v + y + 0.1*y^3", "1 + 0*v", "ito", wall, kImpulses),
+                additive = of_case("[system]\nforce = 0.1*v + y + 0.1*y^3\n[wall]\n" + wall +
+                                   "\n[noise]\nintensity = 0.2\n" + kImpulses);
+  const Result a = simulated(constant, 3e4), b = simulated(additive, 3e4);
+  const auto &m = a.solution.moments, &n = b.solution.moments;
+  const auto &e = a.solution.standard_errors->moments, &f = b.solution.standard_errors->moments;
+  expect_near(m.y2, n.y2, std::hypot(e.y2, f.y2), "E[y^2]");
+  expect_near(m.v2, n.v2, std::hypot(e.v2, f.v2), "E[v^2]");
+  expect_near(m.v4, n.v4, std::hypot(e.v4, f.v4), "E[v^4]");
+  expect_balance(a);
+}
+
+TEST(MultiplicativeNoise, WithImpulsesAndLossesHasTheExactBalances) {
+  for (const char* sense : {"ito", "stratonovich"}) {
+    expect_balance(simulated(
+        with_factor("0.2*v + 0.3*v*abs(v) + y", "sqrt(0.5+v^2/(1+v^2)+0.3*sin(y)+0.2*tanh(v))",
+                    sense, "right = 0.4\nright_restitution = 0.9 - 0.2*min(1,v)", kImpulses),
+        1e5));
+  }
+}
+
+TEST(MultiplicativeNoise, GivesTheSameBitsForAnyWidthAndInstructions) {
+  const Problem problem = tests::in_wall_coordinates(
+      with_factor("0.1*v + sinh(y)", "sqrt(1+0.2*y^2+0.3*v^2)", "ito",
+                  "left = -0.3\nleft_restitution = 1 - 0.3*min(1,v)^0.2"));
+  std::vector<State> starts;
+  for (int s = 0; s < 11; ++s) starts.push_back({0.1 * s, 1 - 0.2 * s});
+  const NoiseKicks kicks = make_noise_kicks(problem, problem::scales(problem), 0.1, 0.2);
+  FreeStreams reference(problem, starts, 0.9, kicks);
+  reference.advance(50, {simd::InstructionSet::baseline, 1});
+  for (const simd::SimdVariant& lanes : simd::available_simd_variants()) {
+    SCOPED_TRACE(lanes.width);
+    FreeStreams group(problem, starts, 0.9, kicks);
+    group.advance(50, lanes);
+    for (std::size_t s = 0; s < starts.size(); ++s) {
+      const Stream &a = reference.streams[s], &b = group.streams[s];
+      EXPECT_EQ(a.branch.y, b.branch.y);
+      EXPECT_EQ(a.branch.v, b.branch.v);
+      EXPECT_EQ(a.record.powers, b.record.powers);
+      EXPECT_EQ(a.record.force_v, b.record.force_v);
+      EXPECT_EQ(a.record.noise_factor, b.record.noise_factor);
+      EXPECT_EQ(a.record.left_energy, b.record.left_energy);
+      EXPECT_EQ(a.record.work, b.record.work);
+    }
+  }
+}
+
+TEST(MultiplicativeNoise, ResumesFromACheckpointOfTheSameFactorAndSenseOnly) {
+  const std::string file = testing::TempDir() + "fpkcheck_factor";
+  const Problem one = with_factor(kEnergyForce, kEnergyFactor, "ito"),
+                other = with_factor(kEnergyForce, kEnergyFactor, "stratonovich"),
+                another = with_factor(kEnergyForce, "sqrt(1+0.24*(y^2+v^2))", "ito");
+  // The fingerprint also contains the burn-in and the bins, which depend on the factor.
+  const Options options{.time = 1e4, .accuracy = 1, .streams = 20};
+  const SimulationPlan plan = make_simulation_plan(one, options);
+  const std::string print = simulation_fingerprint(one, plan, nullptr);
+  EXPECT_NE(print, simulation_fingerprint(other, plan, nullptr));
+  EXPECT_NE(print, simulation_fingerprint(another, plan, nullptr));
+  Options first = options, second = options;
+  int rounds = 0;
+  first.checkpoint = second.resume = file;
+  first.stop = [&] { return ++rounds == 3; };
+  solve(one, first);
+  EXPECT_EQ(solve(one, second).solution.energy_residual,
+            solve(one, options).solution.energy_residual);
+  EXPECT_ANY_THROW(solve(other, second));
+  std::remove(file.c_str());
+}
+
+TEST(MultiplicativeNoise, IsRefusedWithAReasonWhereItIsNotSupported) {
+  const Problem noise = with_factor(kEnergyForce, kEnergyFactor, "ito");
+  EXPECT_EQ(unsupported_reason(noise, {}), "");
+  EXPECT_NE(unsupported_reason(noise, {.tails = true}), "");
+  EXPECT_THROW(solve(noise, {.tails = true}), InputError);
+  const Problem both = with_factor(kEnergyForce, kEnergyFactor, "ito", "none = true", kImpulses);
+  EXPECT_EQ(unsupported_reason(both, {}), "");
+  EXPECT_NE(unsupported_reason(both, {.equation = DensityEquation::white}).find("noise.factor"),
+            std::string::npos);
+  EXPECT_NE(unsupported_reason(with_factor(kEnergyForce, "1+0.5*sign(v)", "ito"), {}).find("tanh"),
+            std::string::npos);
+}
+
+const std::string kViscoelastic = "left = 0\nleft_restitution = 1 - 0.3*min(1,abs(v))^0.2";
+
+Problem with_wall(const std::string& force, const std::string& walls) {
+  return of_case("[system]\nforce = " + force + "\n[wall]\n" + walls + '\n' + kImpulses);
+}
+
+// The reference is that of finite volumes, `fpkcheck fd`, with its stated error of 4e-6.
+TEST(RestitutionFormula, HasTheMomentsOfFiniteVolumes) {
+  const Result result = simulated(with_wall("0.1*v + y", kViscoelastic), 1e6);
+  expect_near(result.solution.moments.y2, 0.32530, result.solution.standard_errors->moments.y2,
+              "E[y^2]", 4e-6);
+  expect_balance(result);
+  // The mirrored problem.
+  const Result mirrored = simulated(
+      with_wall("0.1*v + y", "right = 0\nright_restitution = 1 - 0.3*min(1,abs(v))^0.2"), 1e6);
+  expect_near(mirrored.solution.moments.y2, 0.32530, mirrored.solution.standard_errors->moments.y2,
+              "E[y^2]", 4e-6);
+  expect_balance(mirrored);
+}
+
+TEST(RestitutionFormula, OfAConstantGivesTheBitsOfTheConstant) {
+  const std::string walls = "right = 1.5\nright_restitution = 0.9\nleft = ";
+  for (const std::string force : {"0.1*v + y", "0.1*v + sinh(y)"}) {
+    for (const std::string left : {"-0.5", "0.3"}) {  // the mass rests on the wall at 0.3
+      for (const std::string noise : {"", "[noise]\nintensity = 0.1\n"}) {
+        SCOPED_TRACE(force + ", " + left + ' ' + noise);
+        const auto problem = [&](const char* restitution) {
+          return of_case("[system]\nforce = " + force + "\n[wall]\n" + walls + left +
+                         "\nleft_restitution = " + restitution + '\n' + kImpulses + noise);
+        };
+        const Result constant = simulated(problem("0.8"), 3e3),
+                     same = simulated(problem("0.8 + 0*v"), 3e3);
+        EXPECT_EQ(same.solution.moments.y2, constant.solution.moments.y2);
+        EXPECT_EQ(same.solution.moments.v4, constant.solution.moments.v4);
+        EXPECT_EQ(same.summary.impact_rate.mean, constant.summary.impact_rate.mean);
+        EXPECT_NEAR(same.solution.energy_residual, constant.solution.energy_residual, 1e-9);
+        EXPECT_NEAR(*same.summary.balances.momentum, *constant.summary.balances.momentum, 1e-9);
+        EXPECT_NEAR(*same.summary.balances.virial, *constant.summary.balances.virial, 1e-9);
+        ASSERT_EQ(same.solution.atoms.size(), constant.solution.atoms.size());
+        for (std::size_t n = 0; n < same.solution.atoms.size(); ++n) {
+          EXPECT_EQ(same.solution.atoms[n].probability, constant.solution.atoms[n].probability);
+        }
+      }
+    }
+  }
+}
+
+// A ball on a floor. Each law of restitution has a known sum of the bounces.
+TEST(RestitutionFormula, BouncesEndInTheirExactTime) {
+  const auto time_of = [](const char* formula, double speed) {
+    const Problem problem =
+        with_wall("0.1*v + 2 + y", "left = 0\nleft_restitution = " + std::string(formula));
+    const Oscillator ball = make_oscillator(problem, problem::scales(problem));
+    EXPECT_EQ(ball.left.contact_force, 2);
+    return time_of_bounces(ball.left, speed);
+  };
+  double sum = 0;
+  for (double u = 1e-3; u > 1e-30;) {
+    u *= 1 - 0.3 * std::pow(u, 0.2);
+    sum += u;
+    if (u < 1e-12) break;
+  }
+  EXPECT_NEAR(time_of("1 - 0.3*min(1,v)^0.2", 1e-3), sum, 2e-3 * sum);
+  EXPECT_NEAR(time_of("0.7 + 0*v", 1e-3), 1e-3 * 0.7 / 0.3, 1e-12);
+  EXPECT_NEAR(time_of("0.7 - 0.1*min(1,v)", 1e-3), 1e-3 * 0.7 / 0.3, 1e-5);
+  EXPECT_TRUE(std::isinf(time_of("1 - 0.3*min(1,v)", 1e-3)));
+}
+
+TEST(RestitutionFormula, WithEndlessBouncesIsRefused) {
+  const auto reason = [](const std::string& force) {
+    return unsupported_reason(with_wall(force, "left = 0\nleft_restitution = 1 - 0.3*min(1,v)"),
+                              {});
+  };
+  EXPECT_NE(reason("0.1*v + y + 0.5").find("without end"), std::string::npos);
+  EXPECT_EQ(reason("0.1*v + y - 0.5"), "");
+}
+
+TEST(RestitutionFormula, RestsInContactWithTheExactBalances) {
+  for (const char* restitution : {"0.5 + 0.3*exp(-v)", "1 - 0.3*min(1,v)^0.2"}) {
+    const Result result = simulated(
+        with_wall("0.1*v + y + 0.5", "left = 0\nleft_restitution = " + std::string(restitution)),
+        1e5);
+    expect_balance(result);
+    ASSERT_EQ(result.solution.atoms.size(), 1u);
+    EXPECT_GT(result.solution.atoms[0].probability, 1e-3);
+  }
+}
+
+TEST(RestitutionFormula, IsPartOfTheFingerprint) {
+  const auto print = [](const char* formula) {
+    const Problem problem =
+        with_wall("0.1*v + y", "left = 0.2\nleft_restitution = " + std::string(formula));
+    const Problem same =
+        with_wall("0.1*v + y", "left = 0.2\nleft_restitution = 0.8 - 0.1*min(1,v)");
+    SimulationPlan plan =
+        make_simulation_plan(tests::in_wall_coordinates(same), {.time = 1e4, .accuracy = 1});
+    plan.oscillator = make_oscillator(problem, problem::scales(problem));
+    return simulation_fingerprint(problem, plan, nullptr);
+  };
+  EXPECT_NE(print("0.8 - 0.1*min(1,v)"), print("0.8 - 0.2*min(1,v)"));
 }
 
 }  // namespace

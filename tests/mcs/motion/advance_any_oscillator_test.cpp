@@ -146,7 +146,7 @@ TEST(AdvanceAnyOscillator, FindsImpactsWithinAFlight) {
   free.advance(100 * period);
   for (const Stream& stream : free.streams) {
     EXPECT_EQ(stream.record.impacts, 100);
-    EXPECT_NEAR(stream.record.left_speed, 100 * u, 1e-3);
+    EXPECT_NEAR(stream.record.left_momentum, 100 * u, 1e-3);
     EXPECT_NEAR(stream.record.left_energy, 100 * u * u, 1e-3);
   }
   // The mirror image of this motion, with the wall on the other side.
@@ -157,8 +157,8 @@ TEST(AdvanceAnyOscillator, FindsImpactsWithinAFlight) {
   right.advance(100 * period);
   for (const Stream& stream : right.streams) {
     EXPECT_EQ(stream.record.impacts, 100);
-    EXPECT_NEAR(stream.record.right_speed, 100 * u, 1e-3);
-    EXPECT_EQ(stream.record.left_speed, 0);
+    EXPECT_NEAR(stream.record.right_momentum, 100 * u, 1e-3);
+    EXPECT_EQ(stream.record.left_momentum, 0);
   }
 }
 
@@ -174,8 +174,8 @@ TEST(AdvanceAnyOscillator, MovesBetweenTwoWalls) {
   EXPECT_EQ(stream.record.impacts, 3);
   EXPECT_NEAR(stream.branch.y, b / 2, 1e-12);
   EXPECT_NEAR(stream.branch.v, -u * r * s * s, 1e-12);
-  EXPECT_NEAR(stream.record.right_speed, u + u * r * s, 1e-12);
-  EXPECT_NEAR(stream.record.left_speed, u * s, 1e-12);
+  EXPECT_NEAR(stream.record.right_momentum, u + u * r * s, 1e-12);
+  EXPECT_NEAR(stream.record.left_momentum, u * s, 1e-12);
 }
 
 /// A ball on a floor, g = 1.
@@ -200,7 +200,7 @@ TEST(AdvanceAnyOscillator, ComesToRestAfterInfinitelyManyBounces) {
     EXPECT_EQ(free[0].branch.y, 0);
     EXPECT_EQ(free[0].branch.v, 0);
     EXPECT_NEAR(record.rest_left, (time - to_rest) / kBetweenSamples, 1.0);
-    EXPECT_NEAR(record.left_speed, u / (1 - r), 1e-8);
+    EXPECT_NEAR(record.left_momentum, u / (1 - r), 1e-8);
     EXPECT_NEAR(record.left_energy, u * u / (1 - r * r), 1e-8);
     double in_bins = 0;
     for (const double weight : record.histogram.weights()) in_bins += weight;

@@ -78,7 +78,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
         EXPECT_EQ(a.record.troughs, b.record.troughs);
         EXPECT_EQ(a.record.work, b.record.work);
         EXPECT_EQ(a.record.impacts, b.record.impacts);
-        EXPECT_EQ(a.record.left_speed, b.record.left_speed);
+        EXPECT_EQ(a.record.left_momentum, b.record.left_momentum);
         EXPECT_EQ(a.record.left_energy, b.record.left_energy);
         EXPECT_EQ(a.record.flights, b.record.flights);
       }
@@ -124,7 +124,7 @@ TEST(Advance, AgreesWithTheScalarTrajectory) {
     EXPECT_NEAR(stream.record.powers[6], tally.yyv, 1e-9);  // y^2 v
     EXPECT_EQ(stream.record.samples, tally.samples);
     EXPECT_EQ(stream.record.impacts, tally.impacts);
-    EXPECT_NEAR(stream.record.left_speed, tally.impact_speed, 1e-9);
+    EXPECT_NEAR(stream.record.left_momentum, tally.impact_speed, 1e-9);
     EXPECT_NEAR(stream.record.left_energy, tally.impact_energy, 1e-9);
     EXPECT_NEAR(stream.record.work, tally.work, 1e-9);
   }

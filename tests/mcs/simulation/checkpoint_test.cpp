@@ -146,7 +146,7 @@ TEST_F(Checkpoint, ThatIsDamagedIsRefused) {
 TEST_F(Checkpoint, OfAnEarlierVersionIsRefused) {
   interrupted(brief(false));
   std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);
-  file.seekp(static_cast<std::streamoff>(kCheckpointFormatLine.find('6')));
+  file.seekp(static_cast<std::streamoff>(kCheckpointFormatLine.find('7')));
   file.put('4').flush();
   Options options = brief(false);
   options.resume = file_;

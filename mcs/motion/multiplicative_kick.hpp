@@ -1,0 +1,25 @@
+#pragma once
+
+#include "mcs/motion/advance.hpp"
+
+namespace fpkcheck::mcs {
+
+/// Advances velocities at fixed displacements along the flow dv/ds = g(y, v), by the method of
+/// Dormand and Prince with steps of a relative error below 1e-7.
+/// @param count number of points, at most 8
+/// @param s duration of the flow, of either sign
+/// @param velocity_scale scale of the velocities, for relative errors
+/// @param g_at_start receives g at the initial velocities
+void follow_noise_flow(const problem::NoiseFactor& factor, int count, const double* y, double* v,
+                       const double* s, double velocity_scale, double* g_at_start);
+
+/// Computes g at `count` <= 8 points. @pre kicks.factor is not null
+void evaluate_noise_factor(const NoiseKicks& kicks, int count, const double* y, const double* v,
+                           double* g);
+
+/// Applies a kick of multiplicative noise to each of at most 8 streams. The kick is the exact
+/// solution of the equation dv = sqrt(2D) g(y, v) o dW in Stratonovich's sense at a fixed y, over a
+/// time h: the flow dv/ds = g(y, v) for the duration s = sqrt(2D h) N(0, 1).
+void apply_multiplicative_kicks(const MotionParameters& motion, Stream* const* streams, int count);
+
+}  // namespace fpkcheck::mcs
