@@ -25,6 +25,7 @@
 #include "methods/run_cases.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/problem_features.hpp"
+#include "random_formula.hpp"
 #include "random_oscillator.hpp"
 #include "random_problem.hpp"
 #include "transform/solution.hpp"
@@ -33,7 +34,7 @@
 // compared with the simulation. For each method: the number of `ok` solutions, how many of these
 // are wrong, and whether errors are below the error estimates.
 //
-//   fpkcheck_random [--count 200] [--first 0] [--family] [--methods fd-kf] [--keep DIR] [--verbose]
+//   fpkcheck_random [--count 200] [--first 0] [--family | --formulas] [--methods fd-kf] [--keep DIR] [--verbose]
 //
 // With --tails: time and memory of the splitting simulation of each problem, and the lowest density
 // that it resolves.
@@ -58,8 +59,9 @@ struct Settings {
   // Limit on the impulses and radians of a simulation: with 1e4 impulses per decay time the full
   // duration would take hours. The many impulses compensate for the shorter duration.
   double events = 4e8;
-  bool family = false;  // problems of any oscillator, not only of the paper's oscillator
-  bool tails = false;   // run print_tails only
+  bool family = false;    // problems of any oscillator, not only of the paper's oscillator
+  bool formulas = false;  // oscillators whose force is a formula
+  bool tails = false;     // run print_tails only
 };
 
 // The results of the simulation of a problem, as reference.
@@ -286,6 +288,7 @@ std::vector<int> problem_numbers(const Settings& settings) {
 
 problem::Problem make_problem(int number, const Settings& settings) {
   const auto seed = static_cast<std::uint64_t>(number);
+  if (settings.formulas) return tests::random_formula(seed);
   return settings.family ? tests::random_oscillator(seed) : tests::random_problem(seed);
 }
 
@@ -398,7 +401,7 @@ int run(const Settings& settings) {
     answers.push_back(std::move(row));
   }
   print_table(methods, references, answers);
-  for (std::size_t m = 0; m < methods.size() && !settings.family; ++m) {
+  for (std::size_t m = 0; m < methods.size() && !settings.family && !settings.formulas; ++m) {
     print_domain(methods[m], m, problems, answers);
   }
   return 0;
@@ -423,6 +426,8 @@ int main(int argc, char** argv) {
       "events", po::value(&settings.events), "largest number of events of a simulation")(
       "family", po::bool_switch(&settings.family),
       "problems of any oscillator, not only of the paper's oscillator")(
+      "formulas", po::bool_switch(&settings.formulas),
+      "oscillators whose force is a formula, also with noise.factor and r(u)")(
       "tails", po::bool_switch(&settings.tails),
       "time and memory of `fpkcheck mcs --tails` for the first `count` supported problems");
   try {
