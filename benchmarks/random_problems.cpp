@@ -59,6 +59,7 @@ struct Settings {
   // Limit on the impulses and radians of a simulation: with 1e4 impulses per decay time the full
   // duration would take hours. The many impulses compensate for the shorter duration.
   double events = 4e8;
+  double seconds = 3600;  // limit on the time of a simulation; kicks of noise are not counted above
   bool family = false;    // problems of any oscillator, not only of the paper's oscillator
   bool formulas = false;  // oscillators whose force is a formula
   bool tails = false;     // run print_tails only
@@ -87,13 +88,17 @@ struct MethodResult {
 };
 
 mcs::Options reference_options(const problem::Problem& problem, const compare::ComparisonAxes& axes,
-                               double most_events) {
+                               const Settings& settings) {
   const auto scales = problem::scales(problem);
   const double decay_times = 1.6e6 / scales.slowest_decay_rate;
   const double events = problem.impulses.arrival_rate() + scales.frequency;
-  return {.time = std::min(decay_times, most_events / events),
+  const auto has_ended = [start = std::chrono::steady_clock::now(), limit = settings.seconds] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > limit;
+  };
+  return {.time = std::min(decay_times, settings.events / events),
           .y_edges = axes.y_edges,
-          .v_edges = axes.v_edges};
+          .v_edges = axes.v_edges,
+          .stop = has_ended};
 }
 
 void write(std::ostream& out, const Marginal& marginal) {
@@ -127,7 +132,7 @@ SimulationReference simulation_reference(const problem::Problem& problem,
       problem, {axes, {}}, [](const problem::Problem&) { return std::string(); },
       [&](const problem::Problem& transformed, const methods::SolveContext& transformed_context) {
         return mcs::solve(transformed,
-                          reference_options(transformed, transformed_context.axes, settings.events))
+                          reference_options(transformed, transformed_context.axes, settings))
             .solution;
       });
   if (!solution.sampling)
@@ -171,12 +176,16 @@ MethodResult answer(const methods::Method& method, const problem::Problem& probl
   return result;
 }
 
-void print_case(const problem::Problem& problem, const SimulationReference& simulation_reference,
-                const std::vector<methods::Method>& methods,
-                const std::vector<MethodResult>& answers) {
+void print_parameters(const problem::Problem& problem) {
   fmt::print("{}: {:.3g} impulses per decay time, {}\n", problem.name,
              problem::impulses_per_decay_time(problem, problem::scales(problem)),
              problem::parameters_text(problem));
+  std::fflush(stdout);
+}
+
+void print_solutions(const SimulationReference& simulation_reference,
+                     const std::vector<methods::Method>& methods,
+                     const std::vector<MethodResult>& answers) {
   fmt::print("  {:20} {:>13} sampling L1 {:.1e} {:.1e}\n", "mcs", simulation_reference.status,
              simulation_reference.y_sampling_l1, simulation_reference.ydot_sampling_l1);
   for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -391,13 +400,14 @@ int run(const Settings& settings) {
       continue;
     }
     const auto& problem = problems.back();
+    if (settings.verbose) print_parameters(problem);
     const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
     references.push_back(simulation_reference(problem, axes, settings));
     std::vector<MethodResult> row(methods.size());
     base::parallel_for(methods.size(), 0, [&](std::size_t m) {
       row[m] = answer(methods[m], problem, axes, references.back());
     });
-    if (settings.verbose) print_case(problem, references.back(), methods, row);
+    if (settings.verbose) print_solutions(references.back(), methods, row);
     answers.push_back(std::move(row));
   }
   print_table(methods, references, answers);
@@ -424,6 +434,7 @@ int main(int argc, char** argv) {
       "keep", po::value(&settings.keep), "directory for stored simulations, to be reused")(
       "verbose", po::bool_switch(&settings.verbose), "print every solution")(
       "events", po::value(&settings.events), "largest number of events of a simulation")(
+      "seconds", po::value(&settings.seconds), "longest time of a simulation")(
       "family", po::bool_switch(&settings.family),
       "problems of any oscillator, not only of the paper's oscillator")(
       "formulas", po::bool_switch(&settings.formulas),
