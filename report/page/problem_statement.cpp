@@ -10,12 +10,15 @@
 #include <vector>
 
 #include "problem/equivalent_linearisation.hpp"
+#include "report/page/html.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
 using problem::Problem;
 using problem::SystemCoefficients;
+using problem::Wall;
+using problem::Walls;
 
 constexpr const char* kBaseClassStatement =
     R"html(<p>A particle on a hardening spring bounces off a wall at its equilibrium position and is driven by random
@@ -44,37 +47,90 @@ constexpr EquationTerm kForce[] = {{&SystemCoefficients::constant, "g₀"},
                                    {&SystemCoefficients::cubic, "μ y³"},
                                    {&SystemCoefficients::quintic, "k₅ y⁵"}};
 
-// Typesets the formula of a force: v becomes y′, a product a centred dot, a constant exponent a
-// superscript.
-std::string formula_html(const std::string& formula) {
-  std::string html;
-  const auto is_word = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-  };
-  for (std::size_t n = 0; n < formula.size(); ++n) {
-    const char c = formula[n];
-    const bool alone = (n == 0 || !is_word(formula[n - 1])) &&
-                       (n + 1 == formula.size() || !is_word(formula[n + 1]));
-    if (c == 'v' && alone) {
-      html += "y′";
-    } else if (c == '*') {
-      html += "·";
-    } else if (c == '-') {
-      html += "−";
-    } else if (c == '^' && n + 1 < formula.size() &&
-               std::isdigit(static_cast<unsigned char>(formula[n + 1]))) {
-      std::size_t end = n + 1;
-      while (end < formula.size() &&
-             (std::isdigit(static_cast<unsigned char>(formula[end])) || formula[end] == '.')) {
-        ++end;
-      }
-      html += "<sup>" + formula.substr(n + 1, end - n - 1) + "</sup>";
-      n = end - 1;
-    } else {
-      html += c;
-    }
+/// Typesets a formula of a case file: v becomes y′ or u, a product a centred dot, an exponent a
+/// superscript, abs(..) bars, sqrt(..) a root.
+class FormulaTypesetter {
+ public:
+  FormulaTypesetter(const std::string& formula, const char* velocity)
+      : text_(formula), velocity_(velocity) {}
+
+  std::string html() { return html_until(text_.size()); }
+
+ private:
+  static bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+  static bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
   }
-  return html;
+  bool at_opening_parenthesis() const { return at_ < text_.size() && text_[at_] == '('; }
+  std::string take_word() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && is_word(text_[at_])) {
+      ++at_;
+      // The sign of an exponent, as in 1e-3, belongs to the number.
+      const bool is_exponent = is_digit(text_[begin]) && std::tolower(text_[at_ - 1]) == 'e';
+      if (is_exponent && at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) ++at_;
+    }
+    return text_.substr(begin, at_ - begin);
+  }
+  // Typesets the contents of the parentheses that open here, without the parentheses.
+  std::string take_parenthesised() {
+    std::size_t end = ++at_;
+    for (int depth = 1; end < text_.size(); ++end) {
+      if (text_[end] == '(') ++depth;
+      if (text_[end] == ')' && --depth == 0) break;
+    }
+    std::string inside = html_until(end);
+    at_ = std::min(end + 1, text_.size());
+    return inside;
+  }
+  std::string take_exponent() {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+    if (at_opening_parenthesis()) return take_parenthesised();
+    std::string exponent;
+    for (; at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+'); ++at_) {
+      exponent += text_[at_] == '-' ? "−" : "+";
+    }
+    exponent += take_word_html();
+    if (at_ < text_.size() && text_[at_] == '^') {
+      ++at_;
+      exponent += "<sup>" + take_exponent() + "</sup>";
+    }
+    return exponent;
+  }
+  std::string take_word_html() {
+    const std::string word = take_word();
+    if (at_opening_parenthesis()) {
+      const std::string argument = take_parenthesised();
+      if (word == "abs") return "|" + argument + "|";
+      if (word == "sqrt") return "√(" + argument + ")";
+      return word + "(" + argument + ")";
+    }
+    return word == "v" ? velocity_ : word == "pi" ? "π" : word;
+  }
+  std::string html_until(std::size_t end) {
+    std::string html;
+    while (at_ < end) {
+      const char c = text_[at_];
+      if (is_word(c)) {
+        html += take_word_html();
+      } else if (c == '^') {
+        ++at_;
+        html += "<sup>" + take_exponent() + "</sup>";
+      } else {
+        ++at_;
+        html += c == '*' ? "·" : c == '-' ? "−" : escape_html(std::string(1, c));
+      }
+    }
+    return html;
+  }
+
+  const std::string& text_;
+  const std::string velocity_;
+  std::size_t at_ = 0;
+};
+
+std::string formula_html(const std::string& formula, const char* velocity = "y′") {
+  return FormulaTypesetter(formula, velocity).html();
 }
 
 class ProblemStatement {
@@ -86,12 +142,13 @@ class ProblemStatement {
     const bool noise = any([](const Problem& p) { return p.noise.is_present(); });
     std::vector<std::string> excitation;
     if (impulses) excitation.emplace_back("Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>)");
-    if (noise) excitation.emplace_back("√(2D) W(t)");
+    const bool factor = any([](const Problem& p) { return p.noise_factor.has_value(); });
+    if (noise) excitation.emplace_back(factor ? "√(2D) g(y, y′) W(t)" : "√(2D) W(t)");
     return fmt::format(
-        "<p>An oscillator {}, {}:</p>\n<p class=\"formula\">y″{}{} = {}{}</p>\n<p>{}{}{}</p>\n",
+        "<p>An oscillator {}, {}:</p>\n<p class=\"formula\">y″{}{} = {}{}</p>\n{}<p>{}{}{}</p>\n",
         walls_in_words(), excitation_in_words(impulses, noise), damping(), force(),
-        fmt::join(excitation, " + "), walls(), impulses ? kImpulses : "", noise ? kNoise : "",
-        kUnknownText);
+        fmt::join(excitation, " + "), walls(), definitions(), impulses ? kImpulses : "",
+        noise ? kNoise : "", kUnknownText);
   }
 
  private:
@@ -109,13 +166,54 @@ class ProblemStatement {
     }
     return symbols;
   }
-  // The formula, if all problems have the same one.
-  std::optional<std::string> formula() const {
-    const auto& first = problems_.front()->system.coefficients().force;
-    const bool same = first && std::ranges::all_of(problems_, [&](const Problem* p) {
-                        return p->system.coefficients().force == first;
-                      });
+  // The text of a formula, if all problems have the same one.
+  template <class Text>
+  std::optional<std::string> common(const Text& text) const {
+    const std::optional<std::string> first = text(*problems_.front());
+    const bool same = first && std::ranges::all_of(
+                                   problems_, [&](const Problem* p) { return text(*p) == first; });
     return same ? first : std::nullopt;
+  }
+  std::optional<std::string> formula() const {
+    return common([](const Problem& p) { return p.system.coefficients().force; });
+  }
+  bool has_restitution_formula(std::optional<Wall> Walls::*side) const {
+    return any([&](const Problem& p) {
+      const auto& wall = p.system.walls().*side;
+      return wall && !wall->has_constant_restitution();
+    });
+  }
+  std::string impact(std::optional<Wall> Walls::*side, const char* position) const {
+    return fmt::format("y′<sub>+</sub> = −r<sub>{0}</sub>{1} y′<sub>−</sub> &nbsp; at y = {0}",
+                       position, has_restitution_formula(side) ? "(u)" : "");
+  }
+  // The formulas of the noise factor and of the restitution coefficients, one in each line.
+  std::string definitions() const {
+    std::string html;
+    const auto add = [&](const std::string& definition) {
+      html += fmt::format("<p class=\"formula\">{}</p>\n", definition);
+    };
+    if (const auto factor = common([](const Problem& p) { return p.noise.factor; })) {
+      const auto sense = common([](const Problem& p) -> std::optional<std::string> {
+        if (!p.noise.interpretation) return std::nullopt;
+        return *p.noise.interpretation == problem::NoiseInterpretation::ito ? "Itô"
+                                                                            : "Stratonovich";
+      });
+      add(fmt::format("g(y, y′) = {}{}", formula_html(*factor),
+                      sense ? fmt::format(" &emsp; (in the sense of {})", *sense) : ""));
+    }
+    for (const auto& [side, subscript] :
+         {std::pair{&Walls::left, "a"}, std::pair{&Walls::right, "b"}}) {
+      const auto restitution = common([&](const Problem& p) -> std::optional<std::string> {
+        const auto& wall = p.system.walls().*side;
+        if (!wall || wall->has_constant_restitution()) return std::nullopt;
+        return wall->restitution_formula->text();
+      });
+      if (!restitution) continue;
+      add(fmt::format("r<sub>{}</sub>(u) = {} &emsp; with the impact speed u = |y′<sub>−</sub>|",
+                      subscript, formula_html(*restitution, "u")));
+    }
+    return html;
   }
   std::string damping() const {
     if (const auto text = formula()) return " + " + formula_html(*text);
@@ -150,9 +248,8 @@ class ProblemStatement {
       return " &nbsp; for y &gt; 0, &emsp; y′<sub>+</sub> = −r y′<sub>−</sub> &nbsp; at y = 0.";
     }
     std::vector<std::string> text;
-    if (left()) text.emplace_back("y′<sub>+</sub> = −r<sub>a</sub> y′<sub>−</sub> &nbsp; at y = a");
-    if (right())
-      text.emplace_back("y′<sub>+</sub> = −r<sub>b</sub> y′<sub>−</sub> &nbsp; at y = b");
+    if (left()) text.push_back(impact(&Walls::left, "a"));
+    if (right()) text.push_back(impact(&Walls::right, "b"));
     if (text.empty()) return ".";
     const char* domain = !right()  ? " &nbsp; for y &gt; a"
                          : !left() ? " &nbsp; for y &lt; b"
@@ -174,9 +271,10 @@ class ProblemStatement {
 }  // namespace
 
 std::string problem_statement(std::span<const Problem* const> problems) {
-  const bool all_linearisable = std::ranges::all_of(
-      problems, [](const Problem* p) { return problem::has_equivalent_linearisation(*p); });
-  if (all_linearisable)
+  const bool has_base_class_equation = std::ranges::all_of(problems, [](const Problem* p) {
+    return problem::has_equivalent_linearisation(*p) && !p->system.coefficients().force;
+  });
+  if (has_base_class_equation)
     return fmt::format("{}<p>{}{}</p>\n", kBaseClassStatement, kImpulses, kUnknownText);
   return ProblemStatement(problems).html();
 }

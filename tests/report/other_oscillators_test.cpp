@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "general_oscillators.hpp"
 #include "modified_case.hpp"
+#include "problem/case_file.hpp"
 #include "report/page/case_tables.hpp"
 #include "report/page/problem_statement.hpp"
 #include "report/status_reasons.hpp"
@@ -41,6 +43,37 @@ TEST(ProblemStatement, HasTheTermsThatTheProblemHas) {
   EXPECT_TRUE(contains(box, "y″ + g₀ = Σ")) << box;
   EXPECT_TRUE(contains(box, "for a &lt; y &lt; b"));
   EXPECT_TRUE(contains(box, "r<sub>b</sub>"));
+}
+
+problem::Problem problem_of(const std::string& ini) {
+  std::istringstream in(ini);
+  return problem::read_case(in, "own", "own.ini");
+}
+
+TEST(ProblemStatement, TypesetsTheFormulasOfForceNoiseAndImpact) {
+  const auto text = statement(
+      problem_of("[system]\nforce = c*v*abs(v) + 1e-3*y^(2*n) + y^-2*sqrt(1+y^2) + y^3^c\n"
+                 "[parameters]\nc = 1\nn = 1\n[noise]\nintensity = 0.2\n"
+                 "factor = sqrt(1 + v^2)\ninterpretation = ito\n"
+                 "[wall]\nleft = 0.5\nleft_restitution = 1 - 0.3*min(1, v)^0.2\n"));
+  EXPECT_TRUE(contains(text,
+                       "y″ + c·y′·|y′| + 1e-3·y<sup>2·n</sup> + y<sup>−2</sup>·√(1+y<sup>2"
+                       "</sup>) + y<sup>3<sup>c</sup></sup> = √(2D) g(y, y′) W(t)"))
+      << text;
+  EXPECT_TRUE(contains(text, "g(y, y′) = √(1 + y′<sup>2</sup>) &emsp; (in the sense of Itô)"))
+      << text;
+  EXPECT_TRUE(contains(text, "y′<sub>+</sub> = −r<sub>a</sub>(u) y′<sub>−</sub> &nbsp; at y = a"));
+  EXPECT_TRUE(contains(text, "r<sub>a</sub>(u) = 1 − 0.3·min(1, u)<sup>0.2</sup>")) << text;
+}
+
+// A formula with the terms of the paper's oscillator: the statement shows the formula, since the
+// parameters c, k and mu have no values.
+TEST(ProblemStatement, ShowsTheFormulaOfThePapersOscillator) {
+  const auto text =
+      statement(problem_of("[system]\nforce = 0.1*v + y\nrestitution = 0.9\n[impulse]\nrate = 1\n"
+                           "law = gaussian\nintensity = 1\n"));
+  EXPECT_TRUE(contains(text, "y″ + 0.1·y′ + y = Σ")) << text;
+  EXPECT_TRUE(contains(text, "−r y′<sub>−</sub> &nbsp; at y = 0")) << text;
 }
 
 TEST(ProblemStatement, OfTheBaseClassIsThatOfThePaper) {
