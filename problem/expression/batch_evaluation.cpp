@@ -58,9 +58,9 @@ FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const R
   if (&f == kAbs) {
     a = absolute(a);
   } else if (&f == kMax) {
-    a = simd::lanewise_max(a, b);
+    a = a > b ? a : a == a ? b : a;
   } else if (&f == kMin) {
-    a = simd::lanewise_min(a, b);
+    a = a < b ? a : a == a ? b : a;
   } else if (&f == kSqrt) {
     a = simd::square_root(a);
   } else {

@@ -191,37 +191,46 @@ Parity Expression::parity() const {
   return stack.front();
 }
 
-double Expression::kink_value(std::size_t node, double y, double v) const {
-  const Function& function = *nodes_[node].function;
-  if (function.arguments == 1) {
-    const double a = evaluate<double>(nodes_[node].first, node, y, v);
-    return function.kink(a, 0);
-  }
-  const std::size_t second = last_operand_begin(node);
-  return function.kink(evaluate<double>(nodes_[node].first, second, y, v),
-                       evaluate<double>(second, node, y, v));
-}
-
 std::vector<double> Expression::kinks(Operation variable, double low, double high) const {
   const Operation other = variable == Operation::y ? Operation::v : Operation::y;
   // Sign changes are searched between this number of points; kinks closer than two points can be
-  // missed.
+  // missed. The search ends after the same number of sign changes, which no grid resolves.
   constexpr int kPoints = 4000;
-  std::set<double> found;
+  std::vector<char> has_kink(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    if (nodes_[k].operation != Operation::call || nodes_[k].function->kink == nullptr) continue;
-    if (contains(nodes_[k].first, k, other)) continue;
-    const auto value = [&](double x) {
-      return variable == Operation::y ? kink_value(k, x, 0) : kink_value(k, 0, x);
-    };
-    double left = low, at_left = value(low);
-    for (int n = 1; n <= kPoints; ++n) {
-      const double right = low + (high - low) * n / kPoints, at_right = value(right);
+    has_kink[k] = nodes_[k].operation == Operation::call && nodes_[k].function->kink != nullptr &&
+                  !contains(nodes_[k].first, k, other);
+  }
+  if (std::ranges::count(has_kink, 1) == 0) return {};
+  // One evaluation computes the functions of all kinks: the time is linear in the number of nodes.
+  std::vector<double> left_values(nodes_.size()), right_values(nodes_.size());
+  const auto evaluate_kinks = [&](std::size_t end, double x, std::vector<double>& values) {
+    const double y = variable == Operation::y ? x : 0, v = variable == Operation::y ? 0 : x;
+    evaluate<double>(nodes_[end - 1].first, end, y, v, [&](std::size_t k, double a, double b) {
+      if (has_kink[k] != 0) values[k] = nodes_[k].function->kink(a, b);
+    });
+  };
+  std::set<double> found;
+  double left = low;
+  evaluate_kinks(nodes_.size(), low, left_values);
+  for (int n = 1, changes = 0; n <= kPoints; ++n) {
+    const double right = low + (high - low) * n / kPoints;
+    evaluate_kinks(nodes_.size(), right, right_values);
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      if (has_kink[k] == 0) continue;
+      const double at_left = left_values[k], at_right = right_values[k];
       if (at_right == 0 && n < kPoints) found.insert(right);
-      if (at_left * at_right < 0) found.insert(numerics::bracketed_root(value, left, right));
-      left = right;
-      at_left = at_right;
+      if (!((at_left < 0 && at_right > 0) || (at_left > 0 && at_right < 0))) continue;
+      if (++changes > kPoints) return {found.begin(), found.end()};
+      std::vector<double> values(nodes_.size());
+      const auto value = [&](double x) {
+        evaluate_kinks(k + 1, x, values);
+        return values[k];
+      };
+      found.insert(numerics::bracketed_root(value, left, right));
     }
+    left = right;
+    std::swap(left_values, right_values);
   }
   return {found.begin(), found.end()};
 }

@@ -47,7 +47,8 @@ class Expression {
   /// The text of the formula, as written.
   const std::string& text() const { return text_; }
 
-  /// Value of the expression. `Number` is double or a DualNumber.
+  /// Value of the expression. `Number` is double, a DualNumber, or another aggregate
+  /// whose first member is the value, with arithmetic, apply() and real_power() in its namespace.
   template <class Number>
   Number operator()(const Number& y, const Number& v) const {
     return evaluate<Number>(0, nodes_.size(), y, v);
@@ -105,13 +106,18 @@ class Expression {
 
   template <class Number>
   static Number integer_power(const Number& base, int exponent);
-  template <class Number>
-  Number evaluate(std::size_t begin, std::size_t end, const Number& y, const Number& v) const;
+  // Evaluates the nodes begin .. end - 1. Before the call of a function, calls on_call(k, a, b) with
+  // the index of the node and its arguments; b equals a for functions of one argument.
+  struct IgnoreCalls {
+    template <class Number>
+    void operator()(std::size_t, const Number&, const Number&) const {}
+  };
+  template <class Number, class OnCall = IgnoreCalls>
+  Number evaluate(std::size_t begin, std::size_t end, const Number& y, const Number& v,
+                  const OnCall& on_call = {}) const;
   bool depends_on(Operation variable) const;
-  std::size_t last_operand_begin(std::size_t node) const { return nodes_[node - 1].first; }
   bool contains(std::size_t begin, std::size_t end, Operation operation) const;
   std::vector<double> kinks(Operation variable, double low, double high) const;
-  double kink_value(std::size_t node, double y, double v) const;
 
   std::string text_;
   std::vector<Node> nodes_;  // postfix order
@@ -148,25 +154,16 @@ Number Expression::integer_power(const Number& base, int exponent) {
   return result;
 }
 
-template <class Number>
-Number Expression::evaluate(std::size_t begin, std::size_t end, const Number& y,
-                            const Number& v) const {
+template <class Number, class OnCall>
+Number Expression::evaluate(std::size_t begin, std::size_t end, const Number& y, const Number& v,
+                            const OnCall& on_call) const {
   std::array<Number, kMaxDepth + 1> stack;
   std::size_t top = 0;  // number of values on the stack
-  const auto constant = [&](double value) {
-    if constexpr (std::is_same_v<Number, double>) {
-      return value;
-    } else if constexpr (std::is_same_v<Number, numerics::DualNumber>) {
-      return numerics::DualNumber{value, 0};
-    } else {
-      return Number{} + value;
-    }
-  };
   for (std::size_t k = begin; k < end; ++k) {
     const Node& node = nodes_[k];
     switch (node.operation) {
       case Operation::constant:
-        stack[top++] = constant(node.constant);
+        stack[top++] = Number{node.constant};
         break;
       case Operation::y:
         stack[top++] = y;
@@ -197,17 +194,19 @@ Number Expression::evaluate(std::size_t begin, std::size_t end, const Number& y,
         if (node.has_integer_exponent) {
           const int exponent = static_cast<int>(node.constant);
           const Number power = integer_power(stack[top - 1], exponent);
-          stack[top - 1] = exponent < 0 ? constant(1) / power : power;
+          stack[top - 1] = exponent < 0 ? Number{1} / power : power;
         } else {
           --top;
           stack[top - 1] = real_power(stack[top - 1], stack[top]);
         }
         break;
-      case Operation::call:
+      case Operation::call: {
         if (node.function->arguments == 2) --top;
-        stack[top - 1] = apply(*node.function, stack[top - 1],
-                               stack[node.function->arguments == 2 ? top : top - 1]);
+        const Number& second = stack[node.function->arguments == 2 ? top : top - 1];
+        on_call(k, stack[top - 1], second);
+        stack[top - 1] = apply(*node.function, stack[top - 1], second);
         break;
+      }
     }
   }
   return stack[0];

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -37,11 +36,12 @@ inline constexpr std::array kFunctions{
                                                               : 0.0; },
              [](double, double) { return 0.0; }, nullptr, Parity::odd,
              [](double a, double) { return a; }},
-    Function{"max", 2, [](double a, double b) { return std::max(a, b); },
+    // The comparisons with the argument itself propagate a value that is not a number.
+    Function{"max", 2, [](double a, double b) { return a > b || a != a ? a : b; },
              [](double a, double b) { return a >= b ? 1.0 : 0.0; },
              [](double a, double b) { return a >= b ? 0.0 : 1.0; }, Parity::none,
              [](double a, double b) { return a - b; }},
-    Function{"min", 2, [](double a, double b) { return std::min(a, b); },
+    Function{"min", 2, [](double a, double b) { return a < b || a != a ? a : b; },
              [](double a, double b) { return a <= b ? 1.0 : 0.0; },
              [](double a, double b) { return a <= b ? 0.0 : 1.0; }, Parity::none,
              [](double a, double b) { return a - b; }},

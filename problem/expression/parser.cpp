@@ -63,13 +63,20 @@ class ExpressionParser {
   }
   [[noreturn]] void fail(const std::string& expected) {
     skip_spaces();
+    const char next = at_ < text_.size() ? text_[at_] : ' ';
+    const std::string_view hint = next == '\''  ? "; write v for the velocity y'"
+                                  : next == '|' ? "; write abs(v) for |v|"
+                                  : next == '=' ? "; write only the force f of y'' + f = excitation"
+                                  : next == '*' ? "; write y^2 for a power"
+                                                : "";
     // The whole character is quoted if it is a sequence of several bytes (UTF-8).
     std::size_t end = at_ + 1;
     while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
     const std::string found = at_ >= text_.size()
                                   ? "the end of the formula"
                                   : base::in_quotes(std::string(text_.substr(at_, end - at_)));
-    fail_at(std::min(at_, text_.size()), fmt::format("expected {}; found {}", expected, found));
+    fail_at(std::min(at_, text_.size()),
+            fmt::format("expected {}; found {}{}", expected, found, hint));
   }
 
   [[noreturn]] void fail_nested() const {
@@ -142,7 +149,13 @@ class ExpressionParser {
         parse_signed();
         append(Node{Operation::multiply}, first);
       } else if (accept('/')) {
+        const std::size_t divisor = result_.nodes_.size();
         parse_signed();
+        const auto& nodes = result_.nodes_;
+        if (nodes.size() == divisor + 1 && nodes[divisor].operation == Operation::constant &&
+            nodes[divisor].constant == 0) {
+          fail_at(at_, "division by zero; correct the divisor");
+        }
         append(Node{Operation::divide}, first);
       } else {
         return;
@@ -230,6 +243,8 @@ class ExpressionParser {
       append_constant(constant->second);
     } else if (name == "pi") {
       append_constant(std::numbers::pi);
+    } else if (std::ranges::find(kFunctions, name, &Function::name) != kFunctions.end()) {
+      fail_at(begin, fmt::format("the function {0} lacks its argument; write {0}(..)", name));
     } else {
       std::vector<std::string> known;
       for (const char variable : variables_) known.emplace_back(1, variable);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -80,10 +81,11 @@ TEST(Expression, FollowsTheRulesOfPrecedence) {
 
 TEST(Expression, RefusesTextsOutsideTheGrammarAtTheirColumn) {
   const std::pair<std::string, int> formulas[] = {
-      {"", 1},         {"y,v", 2},    {"y = 3", 3}, {"2y", 2},      {"2 y", 3},
-      {"sin(y", 6},    {"foo(y)", 1}, {"y + z", 5}, {"max(y)", 6},  {"abs(y, v)", 6},
-      {"y**2", 3},     {"1e400", 1},  {"y + ", 5},  {"1/0*y", 4},   {"y + \xc3\xbc", 5},
-      {"y + sqrt", 5}, {"(y", 3},     {"y)", 2},    {"1.2.3*y", 4}, {"y + log(-1)", 12}};
+      {"", 1},          {"y,v", 2},    {"y = 3", 3}, {"2y", 2},      {"2 y", 3},
+      {"sin(y", 6},     {"foo(y)", 1}, {"y + z", 5}, {"max(y)", 6},  {"abs(y, v)", 6},
+      {"y**2", 3},      {"1e400", 1},  {"y + ", 5},  {"1/0*y", 4},   {"y + \xc3\xbc", 5},
+      {"y + sqrt", 5},  {"(y", 3},     {"y)", 2},    {"1.2.3*y", 4}, {"y + log(-1)", 12},
+      {"y/(1 - 1)", 10}};
   for (const auto& [text, column] : formulas) EXPECT_EQ(refused_column(text), column) << text;
 }
 
@@ -170,6 +172,59 @@ TEST(Expression, FindsKinksOnLinesOfTheAxes) {
   EXPECT_FALSE(f.has_oblique_kinks());
   EXPECT_TRUE(parse("abs(y - v)").has_oblique_kinks());
   EXPECT_FALSE(parse("tanh(y - v)").has_oblique_kinks());
+  near(parse("abs(abs(abs(y) - 2) - 1)").kinks_in_y(-3.5, 3.5), {-3, -2, -1, 0, 1, 2, 3});
+}
+
+TEST(Expression, MaximumAndMinimumOfNoNumberAreNoNumbers) {
+  for (const char* text : {"max(sqrt(y), 0)", "max(0, sqrt(y))", "min(sqrt(y), 0)",
+                           "min(0, sqrt(y))", "max(v, log(y))"}) {
+    const Expression f = parse(text);
+    const double y = -1, v = 2;
+    double in_batch = 0;
+    f.evaluate_batch(1, &y, &v, &in_batch);
+    EXPECT_TRUE(std::isnan(f(y, v))) << text;
+    EXPECT_TRUE(std::isnan(in_batch)) << text;
+  }
+}
+
+double seconds(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// The limits bound the time of a formula: at most a microsecond for each operation, and a search
+// for kinks and coefficients whose time is linear in the number of operations.
+TEST(Expression, TakesAtMostAMicrosecondPerOperation) {
+  std::vector<std::string> terms{"(y+v)^64", "y^(v+.3)", "y/(v+7)"};
+  for (const Function& f : kFunctions) {
+    terms.push_back(std::string(f.name) + (f.arguments == 1 ? "(1e9*y)" : "(1e9*y, v)"));
+  }
+  for (const std::string& term : terms) {
+    std::string text = term;
+    int count = 1;
+    for (; count < 250 && text.size() < 3900; ++count) text += "+" + term;
+    const Expression f = parse(text);
+    double fastest = 1, y = 0.37, sum = 0;  // of several tries, on a loaded computer
+    for (int n = 0; n < 20; ++n) fastest = std::min(fastest, seconds([&] { sum += f(y, 0.2); }));
+    EXPECT_LT(fastest, 1e-6 * 3 * count) << term;
+    EXPECT_FALSE(std::isnan(sum)) << term;
+  }
+  // Nested kinks: the search evaluates all of them at once.
+  std::string wide = "sin(9*y)";
+  for (int n = 0; n < 300; ++n) wide += "+sin(y)";
+  const auto seconds_of_search = [&](int depth) {
+    std::string nested = wide;
+    for (int n = 0; n < depth; ++n) nested = "abs(" + nested + "-.1)";
+    const Expression f = parse(nested);
+    double fastest = 10;
+    for (int n = 0; n < 3; ++n) fastest = std::min(fastest, seconds([&] { f.kinks_in_y(2, 3); }));
+    return fastest;
+  };
+  EXPECT_LT(seconds_of_search(45), 4 * seconds_of_search(3));
+  std::string expanded = "(1+y+v)^12";
+  for (int n = 0; n < 250; ++n) expanded += "+(1+y+v)^12";
+  EXPECT_LT(seconds([&] { parse(expanded).polynomial_coefficients(); }), 2);
 }
 
 }  // namespace
