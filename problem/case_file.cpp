@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/locale/utf.hpp>
 #include <cctype>
@@ -26,7 +27,9 @@ using base::sanitise;
 
 namespace {
 constexpr std::string_view kParameters = "parameters.";
-constexpr const char* kForce = "system.force";
+constexpr const char *kForce = "system.force", *kRestitution = "system.restitution";
+constexpr std::array kFormulas{kForce, "noise.factor", "wall.left_restitution",
+                               "wall.right_restitution"};
 }  // namespace
 
 const base::Parameter& case_parameter(std::string_view key, const std::string& where) {
@@ -45,6 +48,10 @@ const base::Parameter& case_parameter(std::string_view key, const std::string& w
       names.emplace_back(parameter.name);
     }
     known.push_back(fmt::format("{}{{{}}}", section->prefix(), fmt::join(names, ", ")));
+  }
+  if (key.starts_with("param")) {
+    throw InputError(fmt::format("{}: unknown key {}; write {}NAME for a named constant", where,
+                                 in_quotes(key), kParameters));
   }
   if (const std::string text = unsupported_feature_message(key); !text.empty()) {
     throw InputError(fmt::format("{}: key {}: {}", where, in_quotes(key), text));
@@ -92,8 +99,36 @@ void apply_overrides(const std::vector<std::string>& overrides, const std::strin
   if (set.contains(kForce)) {
     std::erase_if(settings, [&](const auto& setting) {
       const std::string& key = setting.first;
-      return key.starts_with("system.") && key != "system.restitution" && !set.contains(key);
+      return key.starts_with("system.") && key != kRestitution && !set.contains(key);
     });
+  }
+}
+
+bool uses_name(std::string_view formula, std::string_view name) {
+  const auto is_word = [&](std::size_t at) {
+    return at < formula.size() &&
+           (std::isalnum(static_cast<unsigned char>(formula[at])) != 0 || formula[at] == '_');
+  };
+  for (auto at = formula.find(name); at != formula.npos; at = formula.find(name, at + 1)) {
+    if (!(at > 0 && is_word(at - 1)) && !is_word(at + name.size())) return true;
+  }
+  return false;
+}
+
+// Requires that a formula uses each constant that an override adds: a misspelt name would otherwise
+// change nothing.
+void require_used_constants(const Settings& from_file, const Settings& settings) {
+  for (const auto& [key, setting] : settings) {
+    if (!key.starts_with(kParameters) || from_file.contains(key)) continue;
+    const std::string name = key.substr(kParameters.size());
+    const bool is_used = std::ranges::any_of(kFormulas, [&](const char* formula) {
+      const auto found = settings.find(formula);
+      return found != settings.end() && uses_name(found->second.text, name);
+    });
+    if (!is_used) {
+      throw InputError(
+          fmt::format("--set {}: no formula of the case uses {}; correct the name", key, name));
+    }
   }
 }
 
@@ -147,6 +182,11 @@ std::optional<CaseFileSection> section(const base::DescriptionBase& description,
     const std::string key = prefix + parameter.name;
     const auto found = settings.find(key);
     if (found != settings.end()) {
+      if (key == kRestitution && !parameter.parse(found->second.text)) {
+        throw InputError(fmt::format(
+            "{} = {} is not a number; give a formula as wall.left_restitution, with wall.left = 0",
+            key, in_quotes(found->second.text)));
+      }
       section.values.push_back(
           {parameter.name, base::parse_value(parameter, found->second.text, key + " =")});
     } else if (!parameter.default_value && !has_formula) {
@@ -223,8 +263,9 @@ std::string changes_text(const Settings& from_file, const Problem& problem) {
       text += fmt::format(", {} = {}", displayed.symbol, *number);
     } else if (parameter.display_text) {
       text += fmt::format(", another {}", displayed.symbol);
-    } else if (const auto* law = std::get_if<std::string>(&displayed.value)) {
-      text += fmt::format(", {} impulses", *law);
+    } else if (const auto* word = std::get_if<std::string>(&displayed.value)) {
+      text += displayed.symbol.empty() ? fmt::format(", {} impulses", *word)
+                                       : fmt::format(", {} = {}", displayed.symbol, *word);
     } else {
       text += std::holds_alternative<bool>(displayed.value)
                   ? std::string(", no wall")
@@ -251,6 +292,7 @@ Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const 
   load_table(from_file, folder);
   Settings settings = from_file;
   apply_overrides(overrides, where, settings);
+  require_used_constants(from_file, settings);
   load_table(settings, {});
   complete_from_table(from_file);
   complete_from_table(settings);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "numerics/roots/bracketed_root.hpp"
@@ -103,10 +104,23 @@ void EffectivePotential::tabulate() {
     if (!left) low_ = 2 * std::min(extrema_.front(), 0.0) - 1;
     if (!right) high_ = 2 * std::max(extrema_.back(), 0.0) + 1;
   }
-  // V is unbounded if V increases over the last octave of the table by more than rounding.
+  // V is unbounded if V increases over the last octave of the table by more than rounding. The
+  // slope of an oscillating force such as sin(y) has no resolved mean there: the mean must exceed 5
+  // standard errors of its samples.
   const auto rises = [&](double far) {
     const double at_far = integral(far), before_far = integral(far / 2);
-    return at_far >= kLargestPotential ||
+    if (at_far >= kLargestPotential) return true;
+    constexpr int kSamples = 200;
+    double sum = 0, squares = 0;
+    for (int n = 1; n <= kSamples; ++n) {
+      const double fraction = std::fmod(n * std::numbers::phi, 1.0);
+      const double outward = (far > 0 ? 1 : -1) * slope(far * (1 + fraction) / 2);
+      sum += outward;
+      squares += outward * outward;
+    }
+    // The standard error of the mean is at most the root mean square divided by sqrt(kSamples).
+    const double mean = sum / kSamples, rms = std::sqrt(squares / kSamples);
+    return mean > 5 * rms / std::sqrt(kSamples) &&
            at_far - before_far > 1e-12 * std::max(1.0, std::abs(at_far));
   };
   constexpr double kFar = 1e12;

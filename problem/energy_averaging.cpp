@@ -22,7 +22,9 @@ constexpr std::size_t kMaxBranches = 4;
 EnergyAveraging::EnergyAveraging(const Problem& problem) : orbits_(problem) {
   assert(orbits_.is_confining());
   double low = 0, high = 0;
-  if (find_energy_range(low, high)) compute_bands(low, high);
+  if (!find_energy_range(low, high)) return;
+  compute_bands(low, high);
+  if (bands_.empty()) unconfined_reason_ = "the potential of the force has no resolved levels";
 }
 
 double EnergyAveraging::slope(const OrbitIntegrals& orbit) const {

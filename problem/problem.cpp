@@ -243,15 +243,40 @@ void require_valid_formulas(const Problem& problem, const EnergyAveraging& avera
       const double g = problem.noise_factor ? (*problem.noise_factor)(y, v) : 1;
       if (!std::isfinite(force)) {
         throw InputError(fmt::format(
-            "system.force = {} at y = {:.3g}, v = {:.3g}, which the motion reaches; choose a force "
-            "that is finite there",
+            "system.force = {:.3g} at y = {:.3g}, v = {:.3g}, which the motion reaches; choose a "
+            "force that is finite there",
             force, y, v));
       }
       if (!(g > 0 && std::isfinite(g))) {
         throw InputError(fmt::format(
-            "noise.factor = {} at y = {:.3g}, v = {:.3g} (must be positive and finite)", g, y, v));
+            "noise.factor = {:.3g} at y = {:.3g}, v = {:.3g} (must be positive and finite)", g, y,
+            v));
       }
     }
+  }
+}
+
+// Requires that the restoring force is a number between the walls, at displacements of any
+// magnitude: the potential is undefined beyond any other point. The damping is checked later, at the
+// speeds that the motion reaches.
+void require_defined_restoring_force(const System& system) {
+  if (system.has_polynomial_force()) return;
+  constexpr int kDecades = 6, kPointsPerDecade = 8;
+  const auto require_number = [&](double y) {
+    const bool is_inside = (!system.left_wall() || y > system.left_wall()->position) &&
+                           (!system.right_wall() || y < system.right_wall()->position);
+    if (!is_inside || !std::isnan(system.force(y, 0))) return;
+    throw InputError(fmt::format(
+        "system.force is undefined at y = {:.3g}, v = 0: no number is the value there; exclude "
+        "this y by a wall, or use for example abs(y) or max(y, 0)",
+        y));
+  };
+  for (int n = -kDecades * kPointsPerDecade; n <= kDecades * kPointsPerDecade; ++n) {
+    const double distance = std::pow(10, static_cast<double>(n) / kPointsPerDecade);
+    require_number(distance);
+    require_number(-distance);
+    if (system.left_wall()) require_number(system.left_wall()->position + distance);
+    if (system.right_wall()) require_number(system.right_wall()->position - distance);
   }
 }
 
@@ -263,14 +288,19 @@ void require_stationary_density(const Problem& problem) {
         "nothing excites the oscillator: add [impulse] with rate, law and intensity, or [noise] "
         "with intensity");
   }
+  require_defined_restoring_force(problem.system);
+  const bool has_formula = problem.system.coefficients().force.has_value();
   const UndampedOrbits orbits(problem);
   for (const auto& [held, side] : {std::pair{orbits.is_confining_on_left(), "left"},
                                    std::pair{orbits.is_confining_on_right(), "right"}}) {
     if (held) continue;
     throw InputError(fmt::format(
         "there is no stationary density: the restoring force does not confine the mass on the {0}; "
-        "change the sign of its highest power, or add wall.{0}",
-        side));
+        "{1}, or add wall.{0}",
+        side,
+        !has_formula                       ? "change the sign of its highest power"
+        : std::string_view(side) == "left" ? "choose a system.force that is negative at large -y"
+                                           : "choose a system.force that is positive at large y"));
   }
   // The paper's oscillator always has a stationary density, since only the impulses supply energy
   // and the damping dissipates energy.
@@ -278,9 +308,9 @@ void require_stationary_density(const Problem& problem) {
   const EnergyAveraging averaging(problem);
   if (const auto& why = averaging.unconfined_reason()) {
     throw InputError(fmt::format(
-        "there is no stationary density: {}; raise system.damping, system.van_der_pol or "
-        "system.rayleigh, or give a wall a restitution below 1",
-        *why));
+        "there is no stationary density: {}; {}, or give a wall a restitution below 1", *why,
+        has_formula ? "add damping to system.force, such as 0.1*v"
+                    : "raise system.damping, system.van_der_pol or system.rayleigh"));
   }
   require_valid_formulas(problem, averaging);
 }

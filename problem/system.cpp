@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/input_error.hpp"
 #include "problem/parameter_ranges.hpp"
 
 namespace fpkcheck::problem {
@@ -62,6 +64,16 @@ constexpr Monomial kMonomials[] = {
     {5, 0, &SystemCoefficients::quintic},     {0, 1, &SystemCoefficients::damping},
     {2, 1, &SystemCoefficients::van_der_pol}, {0, 3, &SystemCoefficients::rayleigh}};
 
+// Requires that the coefficient of y^i v^j in a formula is within the limits of every coefficient.
+void require_magnitude_in_range(int i, int j, double coefficient) {
+  const double magnitude = std::abs(coefficient);
+  if (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude) return;
+  throw InputError(fmt::format(
+      "system.force has the coefficient {:.3g} of y^{} v^{}: magnitudes must lie within "
+      "{} .. {}; choose other units of time and length",
+      coefficient, i, j, kSmallestMagnitude, kLargestMagnitude));
+}
+
 // Sets the coefficients of a polynomial formula. Returns false if the formula has another term.
 bool set_coefficients_of_formula(const Expression& formula, SystemCoefficients& c) {
   for (const Monomial& term : kMonomials) c.*term.coefficient = 0;
@@ -74,6 +86,7 @@ bool set_coefficients_of_formula(const Expression& formula, SystemCoefficients& 
     });
     if (term == std::end(kMonomials)) return false;
     of_formula.*term->coefficient = monomial.second;
+    require_magnitude_in_range(term->y_power, term->v_power, monomial.second);
   }
   c = of_formula;
   return true;

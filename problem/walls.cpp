@@ -54,14 +54,14 @@ void require_valid_restitution(const char* side, const Wall& wall, double speed)
         wall.restitution_formula ? (*wall.restitution_formula)(0.0, u) : wall.restitution;
     if (!restitution_range().contains(r)) {
       throw InputError(
-          fmt::format("wall.{}_restitution = {:.6g}{} (must be {})", side, r,
+          fmt::format("wall.{}_restitution = {:.10g}{} (must be {})", side, r,
                       wall.restitution_formula ? fmt::format(" at the impact speed {:.3g}", u) : "",
                       restitution_range().requirement));
     }
     if (n > 0 && !(u * r > before)) {
       throw InputError(fmt::format(
-          "wall.{}_restitution: the speed v r(v) after an impact decreases at the impact speed "
-          "{:.3g}; choose a formula for which v r(v) increases",
+          "wall.{}_restitution gives a speed v r(v) after the impact that decreases at the impact "
+          "speed {:.3g}; choose a formula for which v r(v) increases",
           side, u));
     }
     before = u * r;

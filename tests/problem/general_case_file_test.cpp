@@ -135,6 +135,73 @@ TEST(GeneralCaseFile, RefusesFormulasThatContradictOrExceedTheFamily) {
   refused("[system]\nforce = v + y*1e300\n", "case a.ini");
 }
 
+// Each message has the form "problem: cause; action" in one line.
+TEST(GeneralCaseFile, StatesProblemCauseAndActionOfEachFormula) {
+  const auto message = [](const std::string& force, const std::string& more = kNoWall,
+                          const std::string& noise = kNoise) {
+    return refusal_of("[system]\nforce = " + force + "\n" + more + noise);
+  };
+  const auto expect = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+  };
+  const std::string at = "case a.ini:2: system.force ";
+  expect(message("2y + v"), at + "column 2: expected an operator after the number, as in 2*y");
+  expect(message("y^^2 + v"), at + "column 3: expected a number, a name or '('; found '^'");
+  expect(message("v**2 + y"), "found '*'; write y^2 for a power");
+  expect(message("v + sin y"), at + "column 5: the function sin lacks its argument; write sin(..)");
+  expect(message("y' + y"), "write v for the velocity y'");
+  expect(message("|v| + y"), "write abs(v) for |v|");
+  expect(message("v + y = 0"), "write only the force f");
+  expect(message("(v + y"), at + "column 7: expected ')'");
+  expect(message("v + y/(2 - 2)"), "division by zero");
+  expect(message("v + 1e300*y"), at + "has the coefficient 1e+300 of y^1 v^0");
+  expect(message("c*v + y", "[parameter]\nc = 1\n[wall]\nnone = true\n"),
+         "write parameters.NAME for a named constant");
+  // Potentials that are undefined or do not confine
+  expect(message("sqrt(y) + v"), "system.force is undefined at y = -");
+  expect(message("-y + v"), "on the left; choose a system.force that is negative at large -y");
+  expect(message("v - 1 - exp(-y)"), "on the right; choose a system.force that is positive");
+  expect(message("-sin(y) + v"), "does not confine the mass");
+  expect(message("sin(y) + v"), "does not confine the mass");
+  expect(message("y - v"), "add damping to system.force, such as 0.1*v");
+  // Noise and impacts
+  expect(message("y + v", "[wall]\nnone = true\n", "[noise]\nintensity = 0.1\nfactor = 1 + v^2\n"),
+         "noise.interpretation is missing: the factor depends on v");
+  expect(message("y + v", "[wall]\nnone = true\n", "[noise]\nintensity = 0.1\nfactor = y\n"),
+         "noise.factor = -");
+  const std::string wall = "[wall]\nleft = 0\nleft_restitution = ";
+  expect(message("y + v", wall + "1 + v\n"), "case a.ini:5: wall.left_restitution = 1.0");
+  expect(
+      message("y + v", wall + "1/(1 + v)^2\n"),
+      "case a.ini:5: wall.left_restitution gives a speed v r(v) after the impact that decreases");
+  expect(message("y + v", "restitution = 1 - 0.1*v\n"), "give a formula as wall.left_restitution");
+}
+
+TEST(GeneralCaseFile, RefusesOverridesOfConstantsThatNoFormulaUses) {
+  const std::string text =
+      "[system]\nforce = c*v + y\n[parameters]\nc = 1\nk = 2\n" + kNoWall + kNoise;
+  EXPECT_EQ(general_case(text, {"parameters.c=2"}).system.damping(), 2);
+  EXPECT_EQ(general_case(text, {"parameters.k=3"}).system.damping(), 1);  // the file has k
+  EXPECT_NE(tests::refusal([&] {
+              general_case(text, {"parameters.cc=2"});
+            }).find("--set parameters.cc: no formula of the case uses cc"),
+            std::string::npos);
+  const Problem p = general_case(text, {"system.force=c*v + m*y", "parameters.m=3"});
+  EXPECT_EQ(p.system.stiffness(), 3);
+  EXPECT_EQ(p.name, "a, f = c*v + m*y, m = 3");
+}
+
+// A force whose slopes oscillate confines the mass if its mean does.
+TEST(GeneralCaseFile, AcceptsForcesThatConfineOnAverage) {
+  for (const char* force : {"v + y + 2*sin(y)", "v + tanh(y)", "v + y/(1 + y^2)^0.25",
+                            "v + sign(y)*(0.5 + sin(y)^2)", "v + sinh(y)", "v + y^5*abs(y)"}) {
+    EXPECT_EQ(refusal_of(std::string("[system]\nforce = ") + force + "\n" + kNoWall + kNoise),
+              "accepted")
+        << force;
+  }
+}
+
 TEST(ExampleSystems, HaveExpectedFeatures) {
   ASSERT_GE(example_systems().size(), 12u);
   for (const auto& named : example_systems()) {
@@ -149,6 +216,13 @@ TEST(ExampleSystems, HaveExpectedFeatures) {
   EXPECT_EQ(features(load_case("bistable")).wells, 2);
   EXPECT_TRUE(features(load_case("box")).two_walls);
   EXPECT_TRUE(features(load_case("ring")).negative_damping);
+  EXPECT_TRUE(load_case("coulomb").system.has_force_jumps());
+  EXPECT_EQ(load_case("bilinear").system.kinks_in_y(-3, 3).size(), 1u);
+  EXPECT_EQ(load_case("hertz").system.kinks_in_y(-3, 3).size(), 1u);
+  EXPECT_TRUE(load_case("rayleigh").system.has_polynomial_force());
+  EXPECT_TRUE(load_case("caughey_ma").noise_factor->depends_on_v());
+  EXPECT_EQ(features(load_case("multiplicative_duffing")).wells, 2);
+  EXPECT_FALSE(load_case("viscoelastic_impact").system.has_constant_restitution());
 }
 
 }  // namespace
