@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "made_up_sweep.hpp"
+#include "problem/case_file.hpp"
+#include "workflows/sweep/report/figure/sweep_view.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -15,6 +17,14 @@ std::vector<std::string> stems(const SweepResults& results) {
 
 const std::vector<std::string> kCurves{"sweep-distances", "sweep-moments"}, kMap{"sweep-map"},
     kKeys{"sweep-keys"};
+
+TEST(SweepPictures, HaveTitlesWithFormulasAndMissingWalls) {
+  auto plan = tests::made_up_plan({tests::kThreeRates});
+  plan.base = problem::load_case("hertz");
+  EXPECT_EQ(fixed_parameters_text(plan),
+            "f = c*v + y - k*max(-y, 0)^1.5, c = 0.1, k = 50, no wall, gaussian impulses, "
+            "λ E[Y²] = 0.2");
+}
 
 TEST(SweepPictures, AreCurvesOverOneKey) {
   EXPECT_EQ(stems(tests::made_up_sweep({tests::kFiveRestitutions})), kCurves);

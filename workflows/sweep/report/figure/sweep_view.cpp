@@ -17,10 +17,14 @@ std::vector<std::string> fixed_parameter_list(const Plan& plan) {
   for (const auto& parameter : problem::displayed_parameters(plan.base)) {
     const std::string key = parameter.section + '.' + parameter.name;
     if (parameter.is_default || std::ranges::count(plan.axes, key, &Axis::key) > 0) continue;
-    const bool is_number = std::holds_alternative<double>(parameter.value);
-    list.push_back(
-        is_number ? fmt::format("{} = {}", parameter.typeset, KeyAxis::value_text(parameter.value))
-                  : KeyAxis::value_text(parameter.value) + " impulses");
+    if (std::holds_alternative<bool>(parameter.value)) {
+      list.emplace_back("no wall");
+    } else if (parameter.typeset.empty()) {
+      list.push_back(KeyAxis::value_text(parameter.value) + " impulses");
+    } else {
+      list.push_back(
+          fmt::format("{} = {}", parameter.typeset, KeyAxis::value_text(parameter.value)));
+    }
   }
   return list;
 }
