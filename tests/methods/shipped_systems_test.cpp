@@ -69,6 +69,35 @@ TEST(LinearSystem, HasItsCumulants) {
   EXPECT_NEAR((m.v4 - 3 * m.v2 * m.v2) / kappa(0, 4), 1, 1e-6);
 }
 
+// Shipped cases of formulas. The softening spring has p ~ exp(-(c/D)(v^2/2 + V)) with D/c = 0.5, the
+// double well of Duffing the same with D/c = 0.25, and p of caughey_ma depends on the energy.
+TEST(Formulas, ShippedCasesHaveTheirExactMoments) {
+  const auto mean_square = [](const auto& potential, double temperature) {
+    double mass = 0, square = 0;
+    for (double y = -10; y < 10; y += 1e-3) {  // the trapezoidal rule: the densities vanish at 10
+      const double density = std::exp(-potential(y) / temperature);
+      mass += density;
+      square += y * y * density;
+    }
+    return square / mass;
+  };
+  const auto softening = [](double y) { return std::log(std::cosh(y)) + 0.025 * y * y; };
+  const auto wells = [](double y) { return std::pow(y, 4) / 4 - y * y / 2; };
+  struct {
+    const char* name;
+    double y2, v2;
+  } const cases[] = {{"softening", mean_square(softening, 0.5), 0.5},
+                     {"multiplicative_duffing", mean_square(wells, 0.25), 0.25},
+                     {"caughey_ma", 0.6, 0.6}};
+  for (const auto& [name, y2, v2] : cases) {
+    const Solution solution = solved(problem::load_case(name), "fd-kf", {{"max_seconds", 200.0}});
+    ASSERT_TRUE(solution.is_ok()) << name << solution.reason;
+    EXPECT_NEAR(solution.moments.y2, y2, 2 * solution.error->moments.y2 + 1e-9) << name;
+    EXPECT_NEAR(solution.moments.v2, v2, 2 * solution.error->moments.v2 + 1e-9) << name;
+    EXPECT_LT(solution.error->moments.y2, 1e-5) << name;
+  }
+}
+
 class OtherSystems : public testing::TestWithParam<const char*> {};
 
 // The sampling error in L1 varies by some tens of per cent.
