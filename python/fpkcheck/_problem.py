@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from . import _fpkcheck
 
-Value = Union[float, int, str]
+Value = Union[float, int, str, bool]
 Settings = Mapping[str, Union[Value, Mapping[str, Value]]]
 
 
@@ -20,11 +20,13 @@ def _text(key: str, value: Any) -> str:
     """The text of a value in the notation of case files; numbers have all digits."""
     if isinstance(value, str):
         return value
-    if isinstance(value, Integral) and not isinstance(value, bool):
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, Integral):
         return str(int(value))
-    if isinstance(value, Real) and not isinstance(value, bool):
+    if isinstance(value, Real):
         return repr(float(value))
-    raise TypeError(f"'{key}' has the type {type(value).__name__} (must be a number or a text)")
+    raise TypeError(f"'{key}' has the type {type(value).__name__} (must be a number, a text or a bool)")
 
 
 def _full_key(name: str) -> str:
@@ -58,7 +60,8 @@ class Problem:
         Name of the case in tables and files.
     **parameters
         The same settings as keyword arguments: ``damping``, ``stiffness``, ``cubic``, ``restitution``, ``rate``,
-        ``law``, ``intensity``, ``mean`` (default 0).
+        ``law``, ``intensity``, ``mean`` (default 0). Instead of coefficients, ``force`` is a formula of ``y`` and
+        ``v``, with the constants ``parameters``; ``wall`` and ``noise`` are dicts.
 
     Raises
     ------
@@ -70,6 +73,8 @@ class Problem:
     --------
     >>> Problem(damping=0.1, stiffness=1, cubic=0.1, restitution=0.98, rate=1, law="gaussian", intensity=0.1)
     <fpkcheck.Problem mine: c = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses, lambda = 1, ...>
+    >>> Problem(force="c*v*abs(v) + y", parameters={"c": 0.2}, wall={"none": True}, noise={"intensity": 0.2})
+    <fpkcheck.Problem mine: f = c*v*abs(v) + y, c = 0.2, no wall; 2D = 0.2>
     """
 
     __slots__ = ("_native",)

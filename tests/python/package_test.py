@@ -202,6 +202,22 @@ class Input(unittest.TestCase):
             file.flush()
             self.assertEqual(fpk.load_case(file.name).settings, one.settings)
 
+    def test_formulas_are_settings(self):
+        noise = {"intensity": 0.2, "factor": "sqrt(1 + v^2/4)", "interpretation": "ito"}
+        wall = {"left": 0, "left_restitution": "1 - 0.3*min(1, v)^0.2"}
+        constants = {"c": 0.1, "mu": 0.2}
+        one = fpk.Problem(force="c*v + y + mu*y^3", parameters=constants, noise=noise, wall=wall)
+        self.assertEqual((one["force"], one["parameters.mu"]), ("c*v + y + mu*y^3", 0.2))
+        self.assertEqual((one["noise.factor"], one["left_restitution"]), (noise["factor"], wall["left_restitution"]))
+        self.assertEqual(fpk.Problem.case("hertz", {"parameters.k": 20})["parameters.k"], 20)
+        unused = error_message(fpk.Problem.case, "hertz", {"parameters.q": 20})
+        self.assertIn("no formula of the case uses q", unused)
+        polynomial = {"wall": {"none": True}, "noise": {"intensity": 0.2}}
+        formula = fpk.Problem(polynomial, force="c*v + y", parameters={"c": 0.1})
+        coefficients = fpk.Problem(polynomial, damping=0.1, stiffness=1)
+        one, other = (fpk.solve(p, "fd-kf", bounds=False).solutions["fd-kf"] for p in (formula, coefficients))
+        self.assertEqual(one.moments, other.moments)
+
     def test_methods_and_options_are_listed(self):
         self.assertIn("epc-moment", fpk.methods())
         self.assertIn("seed", fpk.options("mcs")["mcs"])
