@@ -1,6 +1,7 @@
 #include "problem/expression/expression.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "numerics/roots/bracketed_root.hpp"
@@ -223,9 +224,11 @@ std::vector<double> Expression::kinks(Operation variable, double low, double hig
       if (!((at_left < 0 && at_right > 0) || (at_left > 0 && at_right < 0))) continue;
       if (++changes > kPoints) return {found.begin(), found.end()};
       std::vector<double> values(nodes_.size());
+      // The interpolation of the root search needs finite values.
+      constexpr double kLargest = 1e100;
       const auto value = [&](double x) {
         evaluate_kinks(k + 1, x, values);
-        return values[k];
+        return std::isnan(values[k]) ? kLargest : std::clamp(values[k], -kLargest, kLargest);
       };
       found.insert(numerics::bracketed_root(value, left, right));
     }
