@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,10 +41,12 @@ class NoiseFactor {
     g_.evaluate(count, y, v, g);
   }
 
-  /// Computes dG/dv at `count` points.
+  /// Computes dG/dv = 2 g dg/dv at `count` <= Expression::kBatch points.
   void evaluate_slopes_of_square(std::size_t count, const double* y, const double* v,
                                  double* slopes) const {
-    for (std::size_t k = 0; k < count; ++k) slopes[k] = slope_of_square(y[k], v[k]);
+    std::array<double, Expression::kBatch> g{};
+    g_.evaluate_with_slopes_in_v(count, y, v, g.data(), slopes);
+    for (std::size_t k = 0; k < count; ++k) slopes[k] *= 2 * g[k];
   }
 
   const std::string& text() const { return g_.formula().text(); }

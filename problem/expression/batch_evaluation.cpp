@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "numerics/simd/elementary_functions.hpp"
 #include "problem/expression/expression.hpp"
@@ -79,38 +80,118 @@ FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const R
   }
 }
 
-FPKCHECK_INLINE Real integer_power_of(const Real& base, int exponent) {
-  Real factor = base, power = simd::broadcast<Real>(1);
+// Values and derivatives with respect to v of a batch of points, as numerics::DualNumber.
+struct DualBatch {
+  Real value{}, derivative{};
+
+  FPKCHECK_INLINE friend DualBatch operator+(const DualBatch& a, const DualBatch& b) {
+    return {a.value + b.value, a.derivative + b.derivative};
+  }
+  FPKCHECK_INLINE friend DualBatch operator-(const DualBatch& a, const DualBatch& b) {
+    return {a.value - b.value, a.derivative - b.derivative};
+  }
+  FPKCHECK_INLINE friend DualBatch operator-(const DualBatch& a) {
+    return {-a.value, -a.derivative};
+  }
+  FPKCHECK_INLINE friend DualBatch operator*(const DualBatch& a, const DualBatch& b) {
+    return {a.value * b.value, a.derivative * b.value + a.value * b.derivative};
+  }
+  FPKCHECK_INLINE friend DualBatch operator/(const DualBatch& a, const DualBatch& b) {
+    const Real quotient = a.value / b.value;
+    return {quotient, (a.derivative - quotient * b.derivative) / b.value};
+  }
+};
+
+template <class Number>
+FPKCHECK_INLINE Number constant_of(double value) {
+  if constexpr (std::is_same_v<Number, Real>) {
+    return simd::broadcast<Real>(value);
+  } else {
+    return {simd::broadcast<Real>(value), Real{}};
+  }
+}
+
+// Returns slope * derivative, and 0 where the derivative is 0, for an infinite slope too.
+FPKCHECK_INLINE Real chain_rule(const Real& slope, const Real& derivative) {
+  return derivative == 0.0 ? Real{} : slope * derivative;
+}
+
+FPKCHECK_INLINE void call(const Function& f, std::size_t count, DualBatch& a, const DualBatch& b) {
+  const Real x = a.value, one = simd::broadcast<Real>(1);
+  call(f, count, a.value, b.value);
+  if (&f == kAbs) {
+    a.derivative = x < 0.0 ? -a.derivative : x > 0.0 ? a.derivative : Real{};
+  } else if (&f == kMax) {
+    a.derivative = x >= b.value ? a.derivative : b.derivative;
+  } else if (&f == kMin) {
+    a.derivative = x <= b.value ? a.derivative : b.derivative;
+  } else if (&f == kSqrt) {
+    a.derivative = chain_rule(0.5 / a.value, a.derivative);
+  } else if (&f == kExp) {
+    a.derivative = chain_rule(a.value, a.derivative);
+  } else if (&f == kTanh) {
+    a.derivative = chain_rule(one - a.value * a.value, a.derivative);
+  } else {
+    for (std::size_t k = 0; k < count; ++k) {
+      a.derivative[k] = apply(f, numerics::DualNumber{x[k], a.derivative[k]},
+                              numerics::DualNumber{b.value[k], b.derivative[k]})
+                            .derivative;
+    }
+  }
+}
+
+template <class Number>
+FPKCHECK_INLINE Number integer_power_of(const Number& base, int exponent) {
+  Number factor = base, power = constant_of<Number>(1);
   for (int n = std::abs(exponent); n > 0; n >>= 1, factor = factor * factor) {
     if ((n & 1) != 0) power = power * factor;
   }
-  return exponent < 0 ? 1.0 / power : power;
+  return exponent < 0 ? constant_of<Number>(1) / power : power;
+}
+
+// Returns base^(n/2).
+FPKCHECK_INLINE Real half_integer_power_of(const Real& base, int n) {
+  return integer_power_of(simd::square_root(base), n);
+}
+FPKCHECK_INLINE DualBatch half_integer_power_of(const DualBatch& base, int n) {
+  return {half_integer_power_of(base.value, n),
+          chain_rule(0.5 * n * half_integer_power_of(base.value, n - 2), base.derivative)};
+}
+
+FPKCHECK_INLINE void raise_to_power(Real& base, const Real& exponent, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) base[k] = real_power(base[k], exponent[k]);
+}
+FPKCHECK_INLINE void raise_to_power(DualBatch& base, const DualBatch& exponent, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const numerics::DualNumber power =
+        real_power(numerics::DualNumber{base.value[k], base.derivative[k]},
+                   numerics::DualNumber{exponent.value[k], exponent.derivative[k]});
+    base.value[k] = power.value;
+    base.derivative[k] = power.derivative;
+  }
 }
 
 // Constant exponents above this limit are computed by the library.
 constexpr double kLargestHalfInteger = 8;
 
+FPKCHECK_INLINE Real load(std::size_t count, const double* numbers) {
+  Real batch{};
+  for (std::size_t k = 0; k < Expression::kBatch; ++k) batch[k] = numbers[k < count ? k : 0];
+  return batch;
+}
+
 }  // namespace
 
-// One version for each instruction set, all with the same bits; the loader selects one. With Clang 14
-// the versions neither compile nor link: only the version of the baseline exists.
-#if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
-__attribute__((target_clones("avx512f", "avx2", "default")))
-#endif
-void Expression::evaluate_batch(std::size_t count, const double* ys, const double* vs,
-                                double* values) const {
-  Real y{}, v{};
-  for (std::size_t k = 0; k < kBatch; ++k) {
-    y[k] = ys[k < count ? k : 0];
-    v[k] = vs[k < count ? k : 0];
-  }
-  std::array<Real, kMaxDepth + 1> stack;
+template <class Number>
+FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number& v,
+                                                  std::size_t count) const {
+  std::array<Number, kMaxDepth + 1> stack;
   std::size_t top = 0;
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const Node& node = nodes_[k];
     switch (node.operation) {
       case Operation::constant:
-        stack[top++] = simd::broadcast<Real>(node.constant);
+        stack[top++] = constant_of<Number>(node.constant);
         break;
       case Operation::y:
         stack[top++] = y;
@@ -120,19 +201,19 @@ void Expression::evaluate_batch(std::size_t count, const double* ys, const doubl
         break;
       case Operation::add:
         --top;
-        stack[top - 1] += stack[top];
+        stack[top - 1] = stack[top - 1] + stack[top];
         break;
       case Operation::subtract:
         --top;
-        stack[top - 1] -= stack[top];
+        stack[top - 1] = stack[top - 1] - stack[top];
         break;
       case Operation::multiply:
         --top;
-        stack[top - 1] *= stack[top];
+        stack[top - 1] = stack[top - 1] * stack[top];
         break;
       case Operation::divide:
         --top;
-        stack[top - 1] /= stack[top];
+        stack[top - 1] = stack[top - 1] / stack[top];
         break;
       case Operation::negate:
         stack[top - 1] = -stack[top - 1];
@@ -147,13 +228,10 @@ void Expression::evaluate_batch(std::size_t count, const double* ys, const doubl
         const double doubled = 2 * exponent.constant;
         if (exponent.operation == Operation::constant && doubled == std::trunc(doubled) &&
             std::abs(exponent.constant) < kLargestHalfInteger) {
-          stack[top - 1] =
-              integer_power_of(simd::square_root(stack[top - 1]), static_cast<int>(doubled));
+          stack[top - 1] = half_integer_power_of(stack[top - 1], static_cast<int>(doubled));
           break;
         }
-        for (std::size_t n = 0; n < count; ++n) {
-          stack[top - 1][n] = std::pow(stack[top - 1][n], stack[top][n]);
-        }
+        raise_to_power(stack[top - 1], stack[top], count);
         break;
       }
       case Operation::call:
@@ -163,7 +241,33 @@ void Expression::evaluate_batch(std::size_t count, const double* ys, const doubl
         break;
     }
   }
-  for (std::size_t k = 0; k < count; ++k) values[k] = stack[0][k];
+  return stack[0];
+}
+
+// One version for each instruction set, all with the same bits; the loader selects one. With Clang 14
+// the versions neither compile nor link: only the version of the baseline exists.
+#if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
+#define FPKCHECK_VERSIONS __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define FPKCHECK_VERSIONS
+#endif
+
+FPKCHECK_VERSIONS void Expression::evaluate_batch(std::size_t count, const double* y,
+                                                  const double* v, double* values) const {
+  const Real result = evaluate_lanes<Real>(load(count, y), load(count, v), count);
+  for (std::size_t k = 0; k < count; ++k) values[k] = result[k];
+}
+
+FPKCHECK_VERSIONS void Expression::evaluate_batch_with_slopes_in_v(std::size_t count,
+                                                                   const double* y, const double* v,
+                                                                   double* values,
+                                                                   double* slopes) const {
+  const auto [value, derivative] = evaluate_lanes<DualBatch>(
+      {load(count, y), Real{}}, {load(count, v), simd::broadcast<Real>(1)}, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    values[k] = value[k];
+    slopes[k] = derivative[k];
+  }
 }
 
 }  // namespace fpkcheck::problem

@@ -58,6 +58,9 @@ class Expression {
   /// Computes the values at `count` <= kBatch points (y, v), faster than one by one. The values
   /// differ from those of operator() by rounding, and do not depend on the other points.
   void evaluate_batch(std::size_t count, const double* y, const double* v, double* values) const;
+  /// Computes the values, and their derivatives with respect to v, at `count` <= kBatch points.
+  void evaluate_batch_with_slopes_in_v(std::size_t count, const double* y, const double* v,
+                                       double* values, double* slopes) const;
   /// Derivative with respect to y, at a point where it exists.
   double derivative_in_y(double y, double v) const {
     return (*this)(numerics::DualNumber{y, 1}, numerics::DualNumber{v, 0}).derivative;
@@ -115,6 +118,8 @@ class Expression {
   template <class Number, class OnCall = IgnoreCalls>
   Number evaluate(std::size_t begin, std::size_t end, const Number& y, const Number& v,
                   const OnCall& on_call = {}) const;
+  template <class Number>
+  Number evaluate_lanes(const Number& y, const Number& v, std::size_t count) const;
   bool depends_on(Operation variable) const;
   bool contains(std::size_t begin, std::size_t end, Operation operation) const;
   std::vector<double> kinks(Operation variable, double low, double high) const;

@@ -1,20 +1,33 @@
 #include "problem/expression/state_function.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 
 namespace fpkcheck::problem {
 
+StateFunction::PhysicalStates StateFunction::physical_states(std::size_t count, const double* x,
+                                                             const double* v) const {
+  assert(count <= Expression::kBatch);
+  PhysicalStates states;
+  for (std::size_t k = 0; k < count; ++k) {
+    states.y[k] = frame_.physical_y(x[k]);
+    states.v[k] = frame_.physical_velocity(v[k]);
+  }
+  return states;
+}
+
 void StateFunction::evaluate(std::size_t count, const double* x, const double* v,
                              double* values) const {
-  assert(count <= Expression::kBatch);
-  std::array<double, Expression::kBatch> y{}, physical_v{};
-  for (std::size_t k = 0; k < count; ++k) {
-    y[k] = frame_.physical_y(x[k]);
-    physical_v[k] = frame_.physical_velocity(v[k]);
-  }
-  formula_->evaluate_batch(count, y.data(), physical_v.data(), values);
+  const PhysicalStates states = physical_states(count, x, v);
+  formula_->evaluate_batch(count, states.y.data(), states.v.data(), values);
+}
+
+void StateFunction::evaluate_with_slopes_in_v(std::size_t count, const double* x, const double* v,
+                                              double* values, double* slopes) const {
+  const PhysicalStates states = physical_states(count, x, v);
+  formula_->evaluate_batch_with_slopes_in_v(count, states.y.data(), states.v.data(), values,
+                                            slopes);
+  for (std::size_t k = 0; k < count; ++k) slopes[k] *= frame_.sign();
 }
 
 std::vector<double> StateFunction::kinks_in_x(double low, double high) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -25,6 +26,10 @@ class StateFunction {
   }
   /// Computes the values at `count` <= Expression::kBatch points, faster than one by one.
   void evaluate(std::size_t count, const double* x, const double* v, double* values) const;
+  /// Computes the values, and the derivatives with respect to the velocity in wall coordinates, at
+  /// `count` <= Expression::kBatch points.
+  void evaluate_with_slopes_in_v(std::size_t count, const double* x, const double* v,
+                                 double* values, double* slopes) const;
 
   /// Returns the formula in physical coordinates.
   const Expression& formula() const { return *formula_; }
@@ -35,6 +40,12 @@ class StateFunction {
   StateFunction to_wall_coordinates(const WallFrame& frame) const;
 
  private:
+  using Batch = std::array<double, Expression::kBatch>;
+  struct PhysicalStates {
+    Batch y{}, v{};
+  };
+  PhysicalStates physical_states(std::size_t count, const double* x, const double* v) const;
+
   std::shared_ptr<const Expression> formula_;
   WallFrame frame_;
 };

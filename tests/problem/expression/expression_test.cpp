@@ -55,6 +55,36 @@ TEST(Expression, InBatchesHasTheSameValuesUpToRounding) {
   }
 }
 
+TEST(Expression, InBatchesHasTheSameSlopes) {
+  std::vector<std::string> texts{"y^1.5*v", "(y+v)^-2.5",    "v^-3",           "2^v",
+                                 "v^y",     "max(-v,0)^1.5", "v*max(v,0)^0.5", "(v/y)/(1+v*v)"};
+  for (const Function& f : kFunctions) {
+    const std::string name(f.name);
+    texts.push_back(name + (f.arguments == 1 ? "(3*v*y)" : "(3*v*y, v - y)") + " - v/k");
+    texts.push_back(name + (f.arguments == 1 ? "(y)" : "(y, 2)") + "*v");
+  }
+  const double ys[] = {0.3, 1.2, 1e-9, 0.019, 0.021, 2, 40, 300},
+               vs[] = {1, 2, 0, -0.3, 3, 0.5, -1, 2};
+  for (const std::string& text : texts) {
+    SCOPED_TRACE(text);
+    const Expression e = parse(text);
+    double values[Expression::kBatch], slopes[Expression::kBatch], same[Expression::kBatch];
+    e.evaluate_batch_with_slopes_in_v(Expression::kBatch, ys, vs, values, slopes);
+    e.evaluate_batch(Expression::kBatch, ys, vs, same);
+    for (int n = 0; n < Expression::kBatch; ++n) {
+      if (std::isfinite(same[n])) {
+        EXPECT_EQ(values[n], same[n]);
+      }
+      const double slope = e.derivative_in_v(ys[n], vs[n]);
+      if (std::isfinite(slope)) {
+        EXPECT_NEAR(slopes[n], slope, 1e-13 * (1 + std::abs(slope))) << n;
+      } else {
+        EXPECT_FALSE(std::isfinite(slopes[n])) << n;
+      }
+    }
+  }
+}
+
 TEST(Expression, FollowsTheRulesOfPrecedence) {
   const double y = 0.7, v = -0.3;
   const std::pair<const char*, double> formulas[] = {
