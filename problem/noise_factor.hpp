@@ -55,6 +55,10 @@ class NoiseFactor {
   bool has_kinks() const { return g_.formula().has_kinks(); }
   /// Returns the values of y in (low, high) at which g or its slope jumps, increasing.
   std::vector<double> kinks_in_y(double low, double high) const { return g_.kinks_in_x(low, high); }
+  /// Returns the values of v in (low, high) at which g or its slope jumps, increasing.
+  std::vector<double> kinks_in_v(double low, double high) const { return g_.kinks_in_v(low, high); }
+  /// Returns the parity of g under (y, v) -> (-y, -v) in physical coordinates.
+  Parity parity() const { return g_.formula().parity(); }
 
   NoiseFactor to_wall_coordinates(const WallFrame& frame) const {
     NoiseFactor transformed = *this;

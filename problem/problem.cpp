@@ -98,6 +98,29 @@ double noise_diffusion(const Problem& problem, double y, double v) {
          (problem.noise_factor ? problem.noise_factor->squared(y, v) : 1);
 }
 
+namespace {
+
+std::vector<double> sorted_union(std::vector<double> a, const std::vector<double>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::ranges::sort(a);
+  a.erase(std::unique(a.begin(), a.end()), a.end());
+  return a;
+}
+
+}  // namespace
+
+std::vector<double> kinks_in_y(const Problem& problem, double low, double high) {
+  std::vector<double> kinks = problem.system.kinks_in_y(low, high);
+  const auto& g = problem.noise_factor;
+  return g ? sorted_union(std::move(kinks), g->kinks_in_y(low, high)) : kinks;
+}
+
+std::vector<double> kinks_in_v(const Problem& problem, double low, double high) {
+  std::vector<double> kinks = problem.system.kinks_in_v(low, high);
+  const auto& g = problem.noise_factor;
+  return g ? sorted_union(std::move(kinks), g->kinks_in_v(low, high)) : kinks;
+}
+
 double total_intensity(const Problem& problem) {
   return problem.impulses.rate_times_moment(2) + problem.noise.intensity;
 }

@@ -30,6 +30,13 @@ double noise_diffusion(const Problem& problem, double y, double v);
 /// Gaussian white noise of equal power if g = 1.
 double total_intensity(const Problem& problem);
 
+/// Returns the values of y in (low, high) at which the force, the noise factor or one of their
+/// slopes jumps, increasing.
+std::vector<double> kinks_in_y(const Problem& problem, double low, double high);
+/// Returns the values of v in (low, high) at which the force, the noise factor or one of their
+/// slopes jumps, increasing.
+std::vector<double> kinks_in_v(const Problem& problem, double low, double high);
+
 struct CaseFileSection {
   std::string name;
   base::Values values;

@@ -142,6 +142,10 @@ std::vector<double> System::kinks_in_y(double low, double high) const {
   return formula_ ? formula_->kinks_in_x(low, high) : std::vector<double>{};
 }
 
+std::vector<double> System::kinks_in_v(double low, double high) const {
+  return formula_ ? formula_->kinks_in_v(low, high) : std::vector<double>{};
+}
+
 System System::in_ito_sense(const NoiseFactor& factor, double diffusion) const {
   System transformed = *this;
   if (!formula_) transformed.formula_.emplace(formula_of_coefficients(c_));

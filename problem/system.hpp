@@ -90,6 +90,8 @@ class System {
   bool has_force_jumps() const { return formula_ && formula_->formula().has_jumps(); }
   /// Returns the values of y in (low, high) at which the force or its slope jumps, increasing.
   std::vector<double> kinks_in_y(double low, double high) const;
+  /// Returns the values of v in (low, high) at which the force or its slope jumps, increasing.
+  std::vector<double> kinks_in_v(double low, double high) const;
 
   // The following polynomials exist if has_polynomial_force().
 

@@ -38,6 +38,14 @@ std::vector<double> StateFunction::kinks_in_x(double low, double high) const {
   return kinks;
 }
 
+std::vector<double> StateFunction::kinks_in_v(double low, double high) const {
+  const double first = frame_.physical_velocity(low), last = frame_.physical_velocity(high);
+  std::vector<double> kinks = formula_->kinks_in_v(std::min(first, last), std::max(first, last));
+  for (double& kink : kinks) kink *= frame_.sign();
+  std::ranges::sort(kinks);
+  return kinks;
+}
+
 StateFunction StateFunction::to_wall_coordinates(const WallFrame& frame) const {
   assert(frame_.is_identity());
   StateFunction transformed = *this;

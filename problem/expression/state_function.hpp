@@ -35,6 +35,9 @@ class StateFunction {
   const Expression& formula() const { return *formula_; }
   /// Returns the values of x in (low, high) at which the function or its slope jumps, increasing.
   std::vector<double> kinks_in_x(double low, double high) const;
+  /// Returns the velocities in (low, high), in wall coordinates, at which the function or its slope
+  /// jumps, increasing.
+  std::vector<double> kinks_in_v(double low, double high) const;
 
   /// @pre the function is in physical coordinates
   StateFunction to_wall_coordinates(const WallFrame& frame) const;

@@ -52,6 +52,22 @@ TEST(NoiseFactor, OfTheDisplacementChangesNoForce) {
   EXPECT_FALSE(polynomial_required_reason(p).empty());
 }
 
+TEST(KinksOfFormulas, AreThoseOfForceAndFactorInWallCoordinates) {
+  const Problem p = case_of_formulas(
+      "[system]\nforce = 0.2*v + max(v-0.3,0) + y + 0.5*abs(y-0.1)\n[wall]\nright = 0.5\n"
+      "right_restitution = 0.9\n[noise]\nintensity = 0.2\nfactor = 2 + abs(y) + abs(v+0.2)\n"
+      "interpretation = ito\n");
+  const Problem seen = to_wall_coordinates(wall_frame(p.system), p);
+  const auto expect_equal = [](const std::vector<double>& found, const std::vector<double>& exact) {
+    ASSERT_EQ(found.size(), exact.size());
+    for (std::size_t n = 0; n < exact.size(); ++n) EXPECT_NEAR(found[n], exact[n], 1e-9);
+  };
+  expect_equal(kinks_in_y(p, -1, 0.5), {0, 0.1});
+  expect_equal(kinks_in_v(p, -1, 1), {-0.2, 0.3});
+  expect_equal(kinks_in_y(seen, 0, 1), {0.4, 0.5});
+  expect_equal(kinks_in_v(seen, -1, 1), {-0.3, 0.2});
+}
+
 TEST(NoiseFactor, IsTransformedToWallCoordinates) {
   const Problem p = case_of_formulas(
       "[system]\nforce = 0.2*v + y\n[wall]\nright = 0.5\n"
