@@ -53,9 +53,21 @@ std::string wall_unsupported_reason(const problem::ProblemFeatures& features) {
   return "";
 }
 
-std::string gaussian_unsupported_reason(const problem::ProblemFeatures& features,
+// Without noise the mass sticks where a force jumps. The law then has an atom or a density on a
+// line.
+std::string force_jump_reason(const problem::Problem& problem, const Options& options) {
+  const bool noise =
+      problem.noise.is_present() || effective_equation(options) == DensityEquation::white;
+  if (noise || !problem.system.has_force_jumps()) return "";
+  return "the mass sticks where the force jumps (sign): no exponential polynomial has the "
+         "singular part of the law; smooth the jump: tanh(v/eps)";
+}
+
+std::string gaussian_unsupported_reason(const problem::Problem& problem,
+                                        const problem::ProblemFeatures& features,
                                         const Options& options) {
-  if (features.two_walls || (!features.no_wall && !features.constant_damping)) {
+  const bool is_polynomial = problem.system.has_polynomial_force();
+  if (features.two_walls || (!features.no_wall && is_polynomial && !features.constant_damping)) {
     return "the formulation gaussian supports one wall with constant damping, or no wall";
   }
   if (features.no_wall && effective_equation(options) == DensityEquation::kf) {
@@ -67,12 +79,16 @@ std::string gaussian_unsupported_reason(const problem::ProblemFeatures& features
 }  // namespace
 
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
-  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
-  const problem::ProblemFeatures features = problem::features(problem);
+  if (options.formulation == Formulation::polar) {
+    std::string why = problem::polynomial_required_reason(problem);
+    if (!why.empty()) return why;
+  }
   if (problem::has_equivalent_linearisation(problem)) return "";
+  if (std::string why = force_jump_reason(problem, options); !why.empty()) return why;
+  const problem::ProblemFeatures features = problem::features(problem);
   switch (options.formulation) {
     case Formulation::gaussian:
-      return gaussian_unsupported_reason(features, options);
+      return gaussian_unsupported_reason(problem, features, options);
     case Formulation::moment:
       return wall_unsupported_reason(features);
     case Formulation::polar:

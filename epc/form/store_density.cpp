@@ -1,6 +1,7 @@
 #include "epc/form/store_density.hpp"
 
 #include <cmath>
+#include <functional>
 
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/balances.hpp"
@@ -18,51 +19,100 @@ double right_flux(const problem::Problem& problem, const transform::SmoothDensit
   return numerics::integrate_by_composite_gauss(integrand, 0.0, density.v_max, kPanels);
 }
 
+// Returns int_{u>0} u weight(u) p(a, towards u) du at a wall y = a: the sum of a quantity of the
+// impact speed u over the impacts per unit time.
+double sum_over_impacts(const transform::SmoothDensity& density, double position, double towards,
+                        const std::function<double(double)>& weight) {
+  constexpr int kPanels = 8;
+  const auto integrand = [&](double u) {
+    return u * weight(u) * density.value(position, towards * u);
+  };
+  return numerics::integrate_by_composite_gauss(integrand, 0.0, density.v_max, kPanels);
+}
+
+// The quantities of the balances at both walls: energy lost and momentum given per unit time.
+struct WallTerms {
+  double left_loss, right_loss, left_momentum, right_momentum;
+};
+
+WallTerms wall_terms(const problem::Problem& problem, problem::ImpactCondition impact,
+                     const transform::SmoothDensity& density) {
+  const problem::System& system = problem.system;
+  const auto &left = system.left_wall(), &right = system.right_wall();
+  if (system.has_constant_restitution()) {
+    return {
+        .left_loss = problem::impact_loss(left, impact, transform::impact_flux(density, 3)),
+        .right_loss = problem::impact_loss(right, impact, right_flux(problem, density, 3)),
+        .left_momentum = problem::impact_momentum_change(left, transform::impact_flux(density, 2)),
+        .right_momentum = problem::impact_momentum_change(right, right_flux(problem, density, 2))};
+  }
+  const auto sum = [&](const std::optional<problem::Wall>& wall, double towards,
+                       const auto& quantity) {
+    if (!wall) return 0.0;
+    return sum_over_impacts(density, wall->position, towards,
+                            [&](double u) { return quantity(*wall, u); });
+  };
+  const auto loss = [impact](const problem::Wall& wall, double u) {
+    return problem::energy_lost(wall, impact, u);
+  };
+  return {.left_loss = sum(left, -1, loss),
+          .right_loss = sum(right, 1, loss),
+          .left_momentum = sum(left, -1, problem::momentum_change),
+          .right_momentum = sum(right, 1, problem::momentum_change)};
+}
+
 double damping_power(const problem::System& system, const transform::SmoothDensity& density) {
+  if (!system.has_polynomial_force()) {
+    return transform::expectation(
+        density, [&](double y, double v) { return v * system.damping_force(y, v); });
+  }
   return transform::expectation(density, [&](double y, double v) {
     return (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v * v;
   });
 }
 
-problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
-                                        problem::ImpactCondition impact,
+problem::PowerBalanceTerms energy_terms(const problem::Problem& problem, const WallTerms& walls,
                                         const transform::SmoothDensity& density,
                                         const transform::Moments& moments) {
   const problem::System& system = problem.system;
-  problem::PowerBalanceTerms terms{
-      .mean_velocity = moments.v1,
-      .mean_square_velocity = moments.v2,
-      .left_impact_loss =
-          problem::impact_loss(system.left_wall(), impact, transform::impact_flux(density, 3)),
-      .right_impact_loss =
-          problem::impact_loss(system.right_wall(), impact, right_flux(problem, density, 3))};
+  problem::PowerBalanceTerms terms{.mean_velocity = moments.v1,
+                                   .mean_square_velocity = moments.v2,
+                                   .left_impact_loss = walls.left_loss,
+                                   .right_impact_loss = walls.right_loss};
   if (!system.has_constant_damping()) {
     terms.mean_damping_power = damping_power(system, density);
+  }
+  if (problem.noise_factor) {
+    terms.mean_square_noise_factor = transform::expectation(
+        density, [&](double y, double v) { return problem.noise_factor->squared(y, v); });
   }
   return terms;
 }
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
+                                              const WallTerms& walls,
                                               const transform::SmoothDensity& density,
                                               const transform::QuadratureMarginals& marginals) {
-  const auto& force = problem.system.restoring_force();
   const problem::System& system = problem.system;
-  const double right_momentum =
-      problem::impact_momentum_change(system.right_wall(), right_flux(problem, density, 2));
-  problem::VirialBalanceTerms virial{
-      .mean_displacement = marginals.moments.y1,
-      .mean_square_velocity = marginals.moments.v2,
-      .mean_virial = mean_of_displacement_polynomial(marginals, force.multiplied_by_argument()),
-      .right_impact_momentum = right_momentum};
-  problem::MomentumBalanceTerms momentum{
-      .mean_force = mean_of_displacement_polynomial(marginals, force),
-      .left_impact_momentum =
-          problem::impact_momentum_change(system.left_wall(), transform::impact_flux(density, 2)),
-      .right_impact_momentum = right_momentum};
-  if (problem.system.rayleigh_coefficient() != 0) {
-    const auto mean = [&](const auto& g) { return transform::expectation(density, g); };
-    virial.mean_y_cubed_velocity = mean([](double y, double v) { return y * v * v * v; });
-    momentum.mean_cubed_velocity = mean([](double, double v) { return v * v * v; });
+  problem::VirialBalanceTerms virial{.mean_displacement = marginals.moments.y1,
+                                     .mean_square_velocity = marginals.moments.v2,
+                                     .mean_virial = 0,
+                                     .right_impact_momentum = walls.right_momentum};
+  problem::MomentumBalanceTerms momentum{.mean_force = 0,
+                                         .left_impact_momentum = walls.left_momentum,
+                                         .right_impact_momentum = walls.right_momentum};
+  const auto mean = [&](const auto& g) { return transform::expectation(density, g); };
+  if (system.has_polynomial_force()) {
+    const auto& force = system.restoring_force();
+    virial.mean_virial = mean_of_displacement_polynomial(marginals, force.multiplied_by_argument());
+    momentum.mean_force = mean_of_displacement_polynomial(marginals, force);
+    if (system.rayleigh_coefficient() != 0) {
+      virial.mean_y_cubed_velocity = mean([](double y, double v) { return y * v * v * v; });
+      momentum.mean_cubed_velocity = mean([](double, double v) { return v * v * v; });
+    }
+  } else {
+    virial.mean_virial = mean([&](double y, double v) { return y * system.force(y, v); });
+    momentum.mean_force = mean([&](double y, double v) { return system.force(y, v); });
   }
   transform::BalanceResiduals residuals{.virial =
                                             problem::virial_balance(problem, virial).residual()};
@@ -106,10 +156,11 @@ transform::QuadratureMarginals store_density(const problem::Problem& problem,
   solution.density = density;
   solution.mass = marginals.mass;
   solution.moments = physical_moments(problem.frame, marginals);
+  const WallTerms walls = wall_terms(problem, impact, density);
   solution.energy_residual =
-      problem::energy_residual(problem, energy_terms(problem, impact, density, marginals.moments));
+      problem::energy_residual(problem, energy_terms(problem, walls, density, marginals.moments));
   result.summary.moments = marginals.moments;
-  result.summary.balances = balance_residuals(problem, density, marginals);
+  result.summary.balances = balance_residuals(problem, walls, density, marginals);
   return marginals;
 }
 

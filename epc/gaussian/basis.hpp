@@ -19,12 +19,19 @@ struct BasisDerivatives {
 /// E[x1^2p x2^2q] = sigma_1^2p (2p-1)!! sigma_2^2q (2q-1)!!.
 class Basis {
  public:
+  /// Basis function x1^p x2^q / norm.
+  struct BasisFunction {
+    int p, q;
+    double norm;
+  };
+
   Basis(int order, MonomialSet set, const StandardDeviations& sigma);
 
   int order() const { return order_; }
   MonomialSet monomial_set() const { return set_; }
   const StandardDeviations& sigma() const { return sigma_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()); }
+  const std::vector<BasisFunction>& basis_functions() const { return members_; }
 
   double basis_value(Eigen::Index s, double x1, double x2) const;
   Eigen::MatrixXd basis_values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
@@ -41,10 +48,6 @@ class Basis {
   /// norm.
   Eigen::MatrixXd column_products(const Eigen::MatrixXd& of_x1, const Eigen::MatrixXd& of_x2) const;
 
-  struct BasisFunction {
-    int p, q;
-    double norm;
-  };
   int order_;
   MonomialSet set_;
   StandardDeviations sigma_;

@@ -73,7 +73,7 @@ bool has_signed_part(const ResidualCoefficients& f) {
 
 }  // namespace
 
-ProjectedEquations::ProjectedEquations(Basis basis)
+ProjectedEquations::ProjectedEquations(Basis basis, std::optional<ProjectedFormulas> formulas)
     : basis_(std::move(basis)),
       smooth_(projection_nodes(
           product_rule(numerics::gauss_hermite_rule(smooth_degree(basis_.order())),
@@ -86,16 +86,32 @@ ProjectedEquations::ProjectedEquations(Basis basis)
       impact_(projection_nodes(
           wall_line_rule(numerics::normal_rule_weighted_by_abs(impact_degree(basis_.order())),
                          basis_.sigma()),
-          basis_)) {}
+          basis_)),
+      formulas_(std::move(formulas)) {}
 
 ProjectedEquations::ProjectedEquations(Basis basis, const problem::ImpulseTrain& impulses,
-                                       double jump_radius)
-    : ProjectedEquations(std::move(basis)) {
+                                       double jump_radius,
+                                       std::optional<ProjectedFormulas> formulas)
+    : ProjectedEquations(std::move(basis), std::move(formulas)) {
   jump_.emplace(basis_, impulses, jump_radius);
 }
 
 Eigen::VectorXd ProjectedEquations::residual(const ResidualCoefficients& f,
                                              const Eigen::VectorXd& a) const {
+  Eigen::VectorXd result = residual_without_formulas(f, a);
+  if (f.formula_fraction != 0) result += f.formula_fraction * formulas_.value().projection(a);
+  return result;
+}
+
+Eigen::MatrixXd ProjectedEquations::jacobian(const ResidualCoefficients& f,
+                                             const Eigen::VectorXd& a) const {
+  Eigen::MatrixXd result = jacobian_without_formulas(f, a);
+  if (f.formula_fraction != 0) result += f.formula_fraction * formulas_.value().jacobian(a);
+  return result;
+}
+
+Eigen::VectorXd ProjectedEquations::residual_without_formulas(const ResidualCoefficients& f,
+                                                              const Eigen::VectorXd& a) const {
   if (!f.folded) {
     return smooth_.project_on_basis(
         values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
@@ -119,8 +135,8 @@ Eigen::VectorXd ProjectedEquations::residual(const ResidualCoefficients& f,
                       }));
 }
 
-Eigen::MatrixXd ProjectedEquations::jacobian(const ResidualCoefficients& f,
-                                             const Eigen::VectorXd& a) const {
+Eigen::MatrixXd ProjectedEquations::jacobian_without_formulas(const ResidualCoefficients& f,
+                                                              const Eigen::VectorXd& a) const {
   if (!f.folded) {
     return smooth_.project_gradients_on_basis(
         gradients_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {

@@ -5,6 +5,7 @@
 
 #include "epc/gaussian/basis.hpp"
 #include "epc/gaussian/jump_integral_remainder.hpp"
+#include "epc/gaussian/projected_formulas.hpp"
 #include "epc/gaussian/residual.hpp"
 #include "numerics/roots/newton.hpp"
 
@@ -16,25 +17,35 @@ namespace fpkcheck::epc::gaussian {
 ///
 /// Every integral is exact up to rounding, by Gauss rules under the Gaussian weights: each part of
 /// F is a polynomial times a factor 1, sgn(x1) or |x2| delta(x1). For `kf` the remainder of the
-/// jump integral is not a polynomial (JumpIntegralRemainder).
+/// jump integral is not a polynomial (JumpIntegralRemainder). Terms by formulas have their own
+/// quadrature (ProjectedFormulas).
 class ProjectedEquations {
  public:
   /// Constructs the equations without the remainder of the jump integral (f.jump_fraction = 0).
-  explicit ProjectedEquations(Basis basis);
+  /// @param formulas terms by formulas; absent for f.formula_fraction = 0
+  explicit ProjectedEquations(Basis basis, std::optional<ProjectedFormulas> formulas = {});
   ProjectedEquations(Basis basis, const problem::ImpulseTrain& impulses,
-                     double jump_radius = JumpIntegralRemainder::kRadius);
+                     double jump_radius = JumpIntegralRemainder::kRadius,
+                     std::optional<ProjectedFormulas> formulas = {});
 
   const Basis& basis() const { return basis_; }
+  const std::optional<ProjectedFormulas>& formulas() const { return formulas_; }
 
   Eigen::VectorXd residual(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
   Eigen::MatrixXd jacobian(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
 
  private:
+  Eigen::VectorXd residual_without_formulas(const ResidualCoefficients& f,
+                                            const Eigen::VectorXd& a) const;
+  Eigen::MatrixXd jacobian_without_formulas(const ResidualCoefficients& f,
+                                            const Eigen::VectorXd& a) const;
+
   Basis basis_;
   ProjectionNodes smooth_;  // nodes with the weights f1 f2
   ProjectionNodes signed_;  // nodes with the weights sgn(x1) f1 f2
   ProjectionNodes impact_;  // nodes with the weights delta(x1) |x2| f1 f2
   std::optional<JumpIntegralRemainder> jump_;
+  std::optional<ProjectedFormulas> formulas_;
 };
 
 /// Returns the unit of the residual: the damping c, but at least 1e-4 times the frequency

@@ -1,5 +1,8 @@
 #include "epc/gaussian/residual.hpp"
 
+#include <cassert>
+
+#include "epc/gaussian/projected_formulas.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::epc::gaussian {
@@ -49,24 +52,38 @@ ExponentDerivatives odd_series_gradient(const RateTimesMoments& m, const Exponen
 }  // namespace
 
 ResidualCoefficients residual_coefficients(const problem::Problem& problem,
-                                           DensityEquation equation) {
+                                           DensityEquation equation,
+                                           const StandardDeviations& sigma) {
   const bool higher = equation != DensityEquation::white;
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
   const bool folded = system.left_wall().has_value();
+  const bool constant_restitution = !folded || system.left_wall()->has_constant_restitution();
   const numerics::Polynomial none({});
-  return {.damping = system.damping(),
-          .odd_force = folded ? part(system.restoring_force(), 1) : system.restoring_force(),
-          .even_force = folded ? part(system.restoring_force(), 0) : none,
-          .impact_loss = 1 - system.restitution(),
-          .rate_times_moment = {0, impulses.rate_times_moment(1),
-                                impulses.rate_times_moment(2) + problem.noise.intensity,
-                                higher ? impulses.rate_times_moment(3) : 0,
-                                higher ? impulses.rate_times_moment(4) : 0},
-          .jump_fraction = equation == DensityEquation::kf ? 1.0 : 0.0,
-          .folded = folded,
-          .damping_polynomial = system.damping_polynomial(),
-          .rayleigh = system.rayleigh_coefficient()};
+  ResidualCoefficients f{
+      .damping = 0,
+      .odd_force = none,
+      .even_force = none,
+      .impact_loss = constant_restitution ? 1 - system.restitution() : 0,
+      .rate_times_moment = {0, impulses.rate_times_moment(1), total_intensity(problem),
+                            higher ? impulses.rate_times_moment(3) : 0,
+                            higher ? impulses.rate_times_moment(4) : 0},
+      .jump_fraction = equation == DensityEquation::kf ? 1.0 : 0.0,
+      .folded = folded};
+  if (has_formulas(problem)) {
+    assert(sigma.x1 > 0 && sigma.x2 > 0);
+    f.damping = total_intensity(problem) / (2 * sigma.x2 * sigma.x2);
+    f.damping_polynomial = numerics::Polynomial({f.damping});
+    f.odd_force = numerics::Polynomial({0, sigma.x2 * sigma.x2 / (sigma.x1 * sigma.x1)});
+    f.formula_fraction = 1;
+    return f;
+  }
+  f.damping = system.damping();
+  f.odd_force = folded ? part(system.restoring_force(), 1) : system.restoring_force();
+  if (folded) f.even_force = part(system.restoring_force(), 0);
+  f.damping_polynomial = system.damping_polynomial();
+  f.rayleigh = system.rayleigh_coefficient();
+  return f;
 }
 
 ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, double fraction) {
@@ -74,6 +91,7 @@ ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, dou
   f.impact_loss *= fraction;
   for (const int order : {1, 3, 4}) f.rate_times_moment[order] *= fraction;
   f.jump_fraction *= fraction;
+  f.formula_fraction *= fraction;
   return f;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "epc/form/polynomial.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 #include "problem/model.hpp"
 
@@ -16,6 +17,9 @@ using RateTimesMoments = std::array<double, 5>;
 
 /// Coefficients of the residual F of paper (22). On the (z, z') plane the spring force g becomes
 /// sgn(x1) g(|x1|): odd powers of g are unchanged, and even powers are multiplied by sgn(x1).
+/// For a problem with formulas (has_formulas()) force and damping are the linear terms whose
+/// density under white noise is the Gaussian weight, and ProjectedFormulas projects the remaining
+/// terms.
 struct ResidualCoefficients {
   double damping;
   numerics::Polynomial odd_force;
@@ -30,15 +34,18 @@ struct ResidualCoefficients {
   bool folded = true;
   numerics::Polynomial damping_polynomial{{}};
   double rayleigh = 0;
+  double formula_fraction = 0;  ///< factor of the terms by formulas: 1 with formulas, else 0
 };
 
 /// @param equation white (without E[Y^3] and E[Y^4]), km4 or kf
+/// @param sigma deviations of the Gaussian weights; needed for a problem with formulas
 ResidualCoefficients residual_coefficients(const problem::Problem& problem,
-                                           problem::DensityEquation equation);
+                                           problem::DensityEquation equation,
+                                           const StandardDeviations& sigma = {});
 
 /// Returns coefficients between white noise with elastic impacts (fraction 0) and the full problem
-/// (fraction 1): 1-r, lambda E[Y], lambda E[Y^3], lambda E[Y^4] and jump_fraction are multiplied by
-/// the fraction. At fraction 0 the density is C exp( -(c/D2)(x2^2/2 + U(|x1|)) ).
+/// (fraction 1): 1-r, lambda E[Y], lambda E[Y^3], lambda E[Y^4], jump_fraction and formula_fraction
+/// are multiplied by the fraction. At fraction 0 the density is C exp( -(c/D2)(x2^2/2 + U(|x1|)) ).
 ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, double fraction);
 
 /// Derivatives of Q_n at a point: q1 is the first derivative in x1, q22 the second derivative in

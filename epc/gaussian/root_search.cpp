@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "epc/gaussian/continuation.hpp"
 #include "epc/gaussian/density_support.hpp"
@@ -27,22 +28,35 @@ std::vector<Term> gaussian_exponent(const StandardDeviations& sigma) {
   return {{2, 0, -1 / (2 * sigma.x1 * sigma.x1)}, {0, 2, -1 / (2 * sigma.x2 * sigma.x2)}};
 }
 
-// Without a wall, asymmetric forces or impulses need all monomials.
+bool is_force_odd(const problem::System& system) {
+  if (!system.has_polynomial_force()) return system.formula().parity() == problem::Parity::odd;
+  const numerics::Polynomial& force = system.restoring_force();
+  return force.coefficient(0) == 0 && force.coefficient(2) == 0;
+}
+
+// Without a wall, asymmetric forces, noise or impulses need all monomials.
 MonomialSet monomials_of(const problem::Problem& problem, const Options& options) {
   if (problem.system.left_wall()) return options.monomials;
-  const numerics::Polynomial& force = problem.system.restoring_force();
-  const bool symmetric = force.coefficient(0) == 0 && force.coefficient(2) == 0 &&
-                         problem.impulses.rate_times_moment(1) == 0 &&
-                         problem.impulses.law().is_symmetric();
+  const bool symmetric =
+      is_force_odd(problem.system) &&
+      (!problem.noise_factor || problem.noise_factor->parity() == problem::Parity::even) &&
+      problem.impulses.rate_times_moment(1) == 0 && problem.impulses.law().is_symmetric();
   return symmetric ? options.monomials : MonomialSet::general;
 }
 
-ProjectedEquations projection_of(const problem::Problem& problem, const Options& options) {
-  const Basis basis(options.order, monomials_of(problem, options),
-                    gaussian_weight_deviations(problem));
-  if (effective_equation(options) == DensityEquation::kf)
-    return ProjectedEquations(basis, problem.impulses);
-  return ProjectedEquations(basis);
+ProjectedEquations projection_of(const problem::Problem& problem, const Options& options,
+                                 const ResidualCoefficients& coefficients,
+                                 const StandardDeviations& sigma) {
+  const Basis basis(options.order, monomials_of(problem, options), sigma);
+  std::optional<ProjectedFormulas> formulas;
+  if (has_formulas(problem)) {
+    formulas.emplace(basis, problem, coefficients.damping, coefficients.odd_force.coefficient(1));
+  }
+  if (effective_equation(options) == DensityEquation::kf) {
+    return ProjectedEquations(basis, problem.impulses, JumpIntegralRemainder::kRadius,
+                              std::move(formulas));
+  }
+  return ProjectedEquations(basis, std::move(formulas));
 }
 
 std::string branch_end_text(const SolutionBranch& branch) {
@@ -60,15 +74,25 @@ std::string branch_end_text(const SolutionBranch& branch) {
 
 class RootSearch {
  public:
-  RootSearch(const problem::Problem& problem, const Options& options)
+  RootSearch(const problem::Problem& problem, const Options& options,
+             const StandardDeviations& sigma)
       : problem_(problem),
         options_(options),
-        projection_(projection_of(problem, options)),
-        coefficients_(residual_coefficients(problem, effective_equation(options))),
+        coefficients_(residual_coefficients(problem, effective_equation(options), sigma)),
+        projection_(projection_of(problem, options, coefficients_, sigma)),
         gaussian_coefficients_(projection_.basis().scaled_coefficients(
             gaussian_exponent(projection_.basis().sigma()))) {}
 
   RootSearchResult search() {
+    search_.sigma = projection_.basis().sigma();
+    const auto& formulas = projection_.formulas();
+    if (formulas && !(formulas->quadrature_error() <= ProjectedFormulas::kQuadratureTolerance)) {
+      search_.failure = fmt::format(
+          "narrower panels change the weighted moments of the formulas by {:.1e} of the largest "
+          "moment (limit {:.0e}): the formulas are too steep; use fd or mcs",
+          formulas->quadrature_error(), ProjectedFormulas::kQuadratureTolerance);
+      return search_;
+    }
     if (options_.order > 2) search_.previous = previous();
     const NewtonResult plain = newton_from(gaussian_coefficients_, false);
     search_.plain_newton_converges = plain.converged;
@@ -91,7 +115,7 @@ class RootSearch {
   std::optional<Polynomial> previous() const {
     Options lower = options_;
     lower.order -= 2;
-    return find_root(problem_, lower).root;
+    return RootSearch(problem_, lower, projection_.basis().sigma()).search().root;
   }
   Eigen::VectorXd previous_coefficients() const {
     return projection_.basis().scaled_coefficients(search_.previous->terms());
@@ -131,7 +155,7 @@ class RootSearch {
   void check_disc_sensitivity() {
     const Eigen::VectorXd a = projection_.basis().scaled_coefficients(search_.root->terms());
     const ProjectedEquations smaller(projection_.basis(), problem_.impulses,
-                                     JumpIntegralRemainder::kRadius - 1);
+                                     JumpIntegralRemainder::kRadius - 1, projection_.formulas());
     const NewtonResult there = solve_by_newton(smaller, coefficients_, a,
                                                {.tolerance = options_.tolerance,
                                                 .max_iterations = options_.max_iterations,
@@ -169,8 +193,8 @@ class RootSearch {
 
   const problem::Problem& problem_;
   const Options& options_;
-  ProjectedEquations projection_;
   ResidualCoefficients coefficients_;
+  ProjectedEquations projection_;
   Eigen::VectorXd gaussian_coefficients_;
   RootSearchResult search_;
   int attempts_ = 0;
@@ -179,7 +203,7 @@ class RootSearch {
 }  // namespace
 
 RootSearchResult find_root(const problem::Problem& problem, const Options& options) {
-  return RootSearch(problem, options).search();
+  return RootSearch(problem, options, gaussian_weight_deviations(problem)).search();
 }
 
 }  // namespace fpkcheck::epc::gaussian

@@ -15,6 +15,7 @@ namespace fpkcheck::epc::gaussian {
 
 struct RootSearchResult {
   std::optional<Polynomial> root;
+  StandardDeviations sigma = {};  ///< deviations of the Gaussian weights
   double residual = 0;   ///< residual of the root, or the smallest residual of all iterates
   double condition = 0;  ///< condition number of the Jacobian in the scaled unknowns
   int iterations = 0;

@@ -8,7 +8,6 @@
 #include "epc/gaussian/basis.hpp"
 #include "epc/gaussian/density_support.hpp"
 #include "epc/gaussian/root_search.hpp"
-#include "epc/selection_policy.hpp"
 #include "epc/summary.hpp"
 
 namespace fpkcheck::epc::gaussian {
@@ -72,8 +71,8 @@ std::string virial_inadmissible_reason(const problem::Problem& problem,
 }
 
 void assess_root(const problem::Problem& problem, const Polynomial& q,
-                 const std::optional<Polynomial>& previous, Result& result) {
-  const StandardDeviations sigma = gaussian_weight_deviations(problem);
+                 const StandardDeviations& sigma, const std::optional<Polynomial>& previous,
+                 Result& result) {
   const DensitySupport support(q, sigma);
   const LeadingForm form = leading_form(q, sigma);
   auto& [solution, summary] = result;
@@ -126,7 +125,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   result.summary.disc_sensitivity = search.disc_sensitivity;
   if (search.root) {
     result.summary.condition = search.condition;
-    assess_root(problem, *search.root, search.previous, result);
+    assess_root(problem, *search.root, search.sigma, search.previous, result);
   } else {
     result.solution.status = Status::not_converged;
     result.solution.reason = search.failure;

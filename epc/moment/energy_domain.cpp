@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -18,17 +19,66 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 
+// Points of a panel that ends at a kink, beyond its share of the points.
+constexpr int kExtraPoints = 8;
+
+// Returns the number of Gauss-Legendre points of each panel for a rule of about `point_count`
+// points.
+int points_per_panel(int point_count, std::size_t panels) {
+  return panels == 1 ? point_count : point_count / static_cast<int>(panels) + kExtraPoints;
+}
+
+std::vector<double> panel_ends(double low, const std::vector<double>& kinks, double high) {
+  std::vector<double> ends{low};
+  std::ranges::copy_if(kinks, std::back_inserter(ends),
+                       [&](double kink) { return low < kink && kink < high; });
+  ends.push_back(high);
+  return ends;
+}
+
+// Maps a rule on [-1, 1] by tau = t (a + (1 - a) t^2): the points are closer by the factor a at 0.
+void concentrate_at_zero(QuadratureRule& rule) {
+  constexpr double kSpacing = 0.1;
+  for (Eigen::Index i = 0; i < rule.size(); ++i) {
+    double& t = rule.points[i];
+    rule.weights[i] *= kSpacing + 3 * (1 - kSpacing) * t * t;
+    t *= kSpacing + (1 - kSpacing) * t * t;
+  }
+}
+
+// Returns Gauss-Legendre rules on the panels between successive ends, joined.
+QuadratureRule panel_rule(const std::vector<double>& ends, int point_count) {
+  const int points = points_per_panel(point_count, ends.size() - 1);
+  QuadratureRule joined{{}, Eigen::VectorXd(static_cast<Eigen::Index>(ends.size() - 1) * points)};
+  for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
+    const QuadratureRule panel = numerics::gauss_legendre_rule(points, ends[n], ends[n + 1]);
+    joined.weights.segment(std::ssize(joined.points), points) = panel.weights;
+    joined.points.insert(joined.points.end(), panel.points.begin(), panel.points.end());
+  }
+  return joined;
+}
+
+std::vector<double> kinks_of_restitution(const problem::Wall& wall, double largest_speed) {
+  return wall.has_constant_restitution() ? std::vector<double>{}
+                                         : wall.restitution_formula->kinks_in_v(0, largest_speed);
+}
+
 }  // namespace
 
 EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
     : potential_(problem),
       level_(level),
-      wall_low_(problem.system.left_wall() ? problem.system.left_wall()->position : -kInfinity),
-      wall_high_(problem.system.right_wall() ? problem.system.right_wall()->position : kInfinity) {
+      left_wall_(problem.system.left_wall()),
+      right_wall_(problem.system.right_wall()),
+      wall_low_(left_wall_ ? left_wall_->position : -kInfinity),
+      wall_high_(right_wall_ ? right_wall_->position : kInfinity) {
   assert(level > 0);
   const problem::UndampedOrbits orbits(problem);
   lowest_potential_ = orbits.lowest_potential();
   parts_ = orbits.half_cycles(lowest_potential_ + level_);
+  y_kinks_ = problem::kinks_in_y(problem, y_low(), y_max());
+  v_kinks_ = problem::kinks_in_v(problem, -v_max(), v_max());
+  dense_at_rest_ = !problem.system.has_polynomial_force() && v_kinks_.empty();
 }
 
 double EnergyDomain::turning_point(double from, double towards) const {
@@ -70,40 +120,60 @@ EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
 }
 
 QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) const {
-  const QuadratureRule tau = numerics::gauss_legendre_rule(v_points, -1, 1);
-  QuadraturePoints points =
-      QuadraturePoints::zeros(static_cast<Eigen::Index>(parts_.size()) * y_points * v_points);
-  Eigen::Index k = 0;
+  QuadratureRule tau =
+      numerics::gauss_legendre_rule(points_per_panel(v_points, v_kinks_.size() + 1), -1, 1);
+  if (dense_at_rest_) concentrate_at_zero(tau);
+  std::vector<double> y, v, energies, weights;
   for (const HalfCycle& part : parts_) {
     const auto [centre, half_length, first, last] = sine_map_of(part);
-    const QuadratureRule phi = numerics::gauss_legendre_rule(y_points, first, last);
-    for (int i = 0; i < y_points; ++i) {
-      const double y = centre + half_length * std::sin(phi.points[i]);
-      const double width = v_half_width(y);
+    std::vector<double> phi_ends = panel_ends(part.left, y_kinks_, part.right);
+    for (double& end : phi_ends)
+      end = std::asin(std::clamp((end - centre) / half_length, -1.0, 1.0));
+    phi_ends.front() = first;
+    phi_ends.back() = last;
+    const QuadratureRule phi = panel_rule(phi_ends, y_points);
+    for (Eigen::Index i = 0; i < phi.size(); ++i) {
+      const double at = centre + half_length * std::sin(phi.points[i]);
+      const double potential = energy(at, 0);
+      const double width = v_half_width(at);
       const double y_weight = phi.weights[i] * half_length * std::cos(phi.points[i]);
-      for (int j = 0; j < v_points; ++j, ++k) {
-        points.y[k] = y;
-        points.v[k] = width * tau.points[j];
-        points.energy[k] = energy(y, points.v[k]);
-        points.weight[k] = y_weight * width * tau.weights[j];
+      const std::vector<double> v_ends = panel_ends(-width, v_kinks_, width);
+      for (std::size_t n = 0; n + 1 < v_ends.size(); ++n) {
+        const double middle = (v_ends[n] + v_ends[n + 1]) / 2;
+        const double half_panel = (v_ends[n + 1] - v_ends[n]) / 2;
+        for (Eigen::Index j = 0; j < tau.size(); ++j) {
+          y.push_back(at);
+          v.push_back(middle + half_panel * tau.points[j]);
+          energies.push_back(v.back() * v.back() / 2 + potential);
+          weights.push_back(y_weight * half_panel * tau.weights[j]);
+        }
       }
     }
   }
-  points.s = points.y;
-  points.t = points.v;
-  return points;
+  const auto vector = [](const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+  };
+  return {.s = vector(y),
+          .t = vector(v),
+          .y = vector(y),
+          .v = vector(v),
+          .energy = vector(energies),
+          .weight = vector(weights)};
 }
 
 QuadratureRule EnergyDomain::left_wall_quadrature_rule(int point_count) const {
   const double width = parts_.front().at_left ? v_half_width(y_low()) : 0;
   if (width == 0) return {};
-  return numerics::gauss_legendre_rule(point_count, -width, 0);
+  std::vector<double> ends = panel_ends(0, kinks_of_restitution(*left_wall_, width), width);
+  std::ranges::reverse(ends);
+  for (double& end : ends) end = end == 0 ? 0 : -end;
+  return panel_rule(ends, point_count);
 }
 
 QuadratureRule EnergyDomain::right_wall_quadrature_rule(int point_count) const {
   const double width = parts_.back().at_right ? v_half_width(y_max()) : 0;
   if (width == 0) return {};
-  return numerics::gauss_legendre_rule(point_count, 0, width);
+  return panel_rule(panel_ends(0, kinks_of_restitution(*right_wall_, width), width), point_count);
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "epc/half_plane/basis.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/undamped_orbits.hpp"
+#include "problem/walls.hpp"
 
 namespace fpkcheck::problem {
 struct Problem;
@@ -48,10 +50,12 @@ class EnergyDomain {
   /// Returns Gauss-Legendre points in phi and tau on each part of the domain, where y = a + b
   /// sin(phi) and v = v_half_width(y) tau. The substitution y = a + b sin(phi)
   /// removes the square-root singularity at the turning points. The quadrature of smooth integrands
-  /// therefore converges geometrically.
+  /// therefore converges geometrically. Panels end at the values of y and of v at which a formula
+  /// of the problem has a kink.
   half_plane::QuadraturePoints quadrature_points(int y_points, int v_points) const;
-  /// Gauss-Legendre rule in v on the left wall before an impact, -v_half_width < v < 0. The rule is
-  /// empty if no left wall cuts the domain.
+  /// Gauss-Legendre rule in v on the left wall before an impact, -v_half_width < v < 0, with panels
+  /// that end at the kinks of the restitution coefficient. The rule is empty if no left wall cuts
+  /// the domain.
   numerics::QuadratureRule left_wall_quadrature_rule(int point_count) const;
   /// Gauss-Legendre rule in v on the right wall before an impact, 0 < v < v_half_width. The rule is
   /// empty if no right wall cuts the domain.
@@ -70,8 +74,13 @@ class EnergyDomain {
   problem::EffectivePotential potential_;  // potential V
   double level_;
   double lowest_potential_;
+  std::optional<problem::Wall> left_wall_, right_wall_;
   double wall_low_, wall_high_;
   std::vector<problem::HalfCycle> parts_;
+  std::vector<double> y_kinks_, v_kinks_;  // kinks of the formulas in the domain
+  // Whether the quadrature is finer at v = 0, where smoothed dry friction such as tanh(v/eps) is
+  // steep. A kink at v = 0 separates panels instead.
+  bool dense_at_rest_ = false;
 };
 
 }  // namespace fpkcheck::epc::moment

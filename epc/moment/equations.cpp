@@ -1,6 +1,7 @@
 #include "epc/moment/equations.hpp"
 
 #include <boost/math/special_functions/factorials.hpp>
+#include <cmath>
 #include <utility>
 
 #include "problem/problem.hpp"
@@ -14,6 +15,10 @@ using half_plane::products_of_columns;
 namespace {
 
 VectorXd total_force(const problem::System& system, const VectorXd& y, const VectorXd& v) {
+  if (!system.has_polynomial_force()) {
+    return VectorXd::NullaryExpr(y.size(),
+                                 [&](Eigen::Index i) { return system.force(y[i], v[i]); });
+  }
   if (system.has_constant_damping())
     return system.damping() * v + y.unaryExpr(system.restoring_force());
   const VectorXd damping = y.unaryExpr(system.damping_polynomial()).array() +
@@ -32,7 +37,8 @@ struct IncomingWallPoints {
     };
     y = joined(y, VectorXd::Constant(line.size(), wall.position));
     before = joined(before, line.point_vector());
-    after = joined(after, -wall.restitution * line.point_vector());
+    after = joined(after, line.point_vector().unaryExpr(
+                              [&](double v) { return -wall.restitution_at(std::abs(v)) * v; }));
     weight = joined(weight, line.weights);
   }
 };
@@ -57,14 +63,20 @@ half_plane::ClosureEquations closure_equations(
   const auto y_tables = basis.polynomials_in_s().derivative_tables(y, 1);
   const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
 
-  // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ]. White noise of
-  // diffusion coefficient D, besides the impulses, adds 2D to lambda E[Y^2], since D = 2D/2!.
+  // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + D G g_q'' + sum_j .. g_q^(j) ]. White
+  // noise of diffusion coefficient D, besides the impulses, adds 2D to lambda E[Y^2], since D =
+  // 2D/2!.
   MatrixXd impulses = MatrixXd::Zero(v.size(), n + 1);
   for (int j = 1; j <= n; ++j) {
-    const double intensity = j == 2 ? problem.noise.intensity : 0;
+    const double intensity = j == 2 && !problem.noise_factor ? problem.noise.intensity : 0;
     const double factor = (rate_times_moment[j] + intensity) /
                           boost::math::factorial<double>(static_cast<unsigned>(j));
     if (factor != 0) impulses += factor * v_tables[j];
+  }
+  if (problem.noise_factor) {
+    const VectorXd diffusion = VectorXd::NullaryExpr(
+        v.size(), [&](Eigen::Index i) { return noise_diffusion(problem, y[i], v[i]); });
+    impulses += diffusion.asDiagonal() * v_tables[2];
   }
   const VectorXd force = total_force(system, y, v);
 

@@ -11,13 +11,15 @@ namespace fpkcheck::epc::moment {
 /// Returns the exact moment equations of the impact process: Galerkin equations for the polynomials
 /// phi of the basis. The generator is
 ///
-///     L*phi = v phi_y - (f(y, v) + g(y)) phi_v + D phi_vv
-///             + sum_{j=1}^n lambda E[Y^j]/j! d^j phi/dv^j.
+///     L*phi = v phi_y - (f(y, v) + g(y)) phi_v + D G(y, v) phi_vv
+///             + sum_{j=1}^n lambda E[Y^j]/j! d^j phi/dv^j,
 ///
-/// The sum over j is finite, since phi is a polynomial. Each wall adds an impact term. For a right
-/// wall at y = b the impact term is
+/// with the square G of the noise factor. The force f + g, the factor G and the restitution
+/// coefficient r may be formulas, which are evaluated at the quadrature points. The sum over j is
+/// finite, since phi is a polynomial. Each wall adds an impact term. For a right wall at y = b the
+/// impact term is
 ///
-///     int_{v>0} v p(b,v) [phi(b,-r v) - phi(b,v)] dv.
+///     int_{v>0} v p(b,v) [phi(b,-r v) - phi(b,v)] dv,    r = r(v).
 ///
 /// @param rate_times_moment products lambda E[Y^j] for j = 0 .. n; entry 0 is unused, and entries
 ///   that the excitation lacks are 0

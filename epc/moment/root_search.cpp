@@ -64,7 +64,11 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   }
 
   QuadratureRefinementCriterion quadrature_refinement() const override {
-    return {QuadratureRefinementCriterion::ChangeMeasure::estimated, 1e-9};
+    // Kinks that are oblique to the axes limit the order of the quadrature. The tolerance of
+    // formulas is below the limit of solve(), and more points would not reduce the error of the
+    // closure.
+    const double tolerance = problem_.system.has_polynomial_force() ? 1e-9 : 1e-7;
+    return {QuadratureRefinementCriterion::ChangeMeasure::estimated, tolerance};
   }
 
   QuadraturePoints quadrature_points_below_energy(

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "epc/gaussian/basis.hpp"
+
+namespace fpkcheck::problem {
+struct Problem;
+}  // namespace fpkcheck::problem
+
+namespace fpkcheck::epc::gaussian {
+
+/// Returns whether the residual F has terms that only quadrature can project: a formula of the
+/// force or of a restitution coefficient, or noise with a factor.
+bool has_formulas(const problem::Problem& problem);
+
+/// Terms of the residual F by formulas, projected on the basis under the Gaussian weight w,
+///
+///     (1/p) d/dx2 [ (f - c x2 - k x1) p + delta(x1) (1 - r(|x2|)) x2 |x2| p ]
+///         + (1/p) d^2/dx2^2 [ D (G - 1) p ],      p = exp(Q_n),
+///
+/// where c and k are the coefficients of ResidualCoefficients, whose terms F contains besides. The
+/// term with r exists if r is a formula. On Zhuravlev's plane f and G at x1 < 0 are -f(-x1, -x2)
+/// and G(-x1, -x2).
+///
+/// Integration by parts moves the derivatives from the formulas, which may have kinks and jumps, to
+/// the projection function phi and the weight. With u = x2 / sigma_2^2 the projections are
+///
+///     int f [Q_2 phi - phi_2 + u phi] w,
+///     int D G [phi_22 - 2 u phi_2 + (u^2 - 1/sigma_2^2) phi - 2 Q_2 (phi_2 - u phi)
+///              + (Q_2^2 - Q_22) phi] w.
+///
+/// Therefore the weighted moments int f x1^p x2^q w and int D G x1^p x2^q w determine the
+/// projections for every Q_n.
+class ProjectedFormulas {
+ public:
+  /// Largest quadrature_error() of a solution.
+  static constexpr double kQuadratureTolerance = 1e-6;
+
+  /// @param damping,stiffness the coefficients c and k
+  /// @pre has_formulas(problem)
+  ProjectedFormulas(const Basis& basis, const problem::Problem& problem, double damping,
+                    double stiffness);
+
+  /// @param a scaled coefficients
+  Eigen::VectorXd projection(const Eigen::VectorXd& a) const;
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& a) const;
+  /// Returns the largest change of a weighted moment between the last two sets of panels, relative
+  /// to the largest moment; each moment is divided by the norm of its monomial.
+  double quadrature_error() const { return quadrature_error_; }
+
+ private:
+  void set_force_terms(const Basis& basis, const Eigen::MatrixXd& moments);
+  void set_noise_terms(const Basis& basis, const Eigen::MatrixXd& moments);
+
+  // projection = constant_ + linear_ a + a^T quadratic_[s] a in row s; quadratic_ is empty without
+  // a noise factor
+  Eigen::VectorXd constant_;
+  Eigen::MatrixXd linear_;
+  std::vector<Eigen::MatrixXd> quadratic_;
+  double quadrature_error_ = 0;
+};
+
+}  // namespace fpkcheck::epc::gaussian
