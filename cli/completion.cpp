@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/input_error.hpp"
 #include "problem/case_file.hpp"
 #include "problem/excitation.hpp"
 #include "problem/system.hpp"
@@ -29,11 +30,22 @@ Words method_names(const methods::SolverRegistry& registry) {
   return names;
 }
 
-Words case_keys() {
+// Returns the keys of case files, with the named constants of the case among the words.
+Words case_keys(const Words& words) {
   Words keys;
   for (const auto* section : problem::case_section_descriptions()) {
     for (const auto& parameter : section->parameters()) {
       keys.push_back(section->prefix() + parameter.name + '=');
+    }
+  }
+  for (const auto& word : words) {
+    if (problem::find_built_in_case(word) == nullptr && !word.ends_with(".ini")) continue;
+    try {
+      for (const auto& [name, value] : problem::load_case(word).system.named_constants()) {
+        keys.push_back("parameters." + name + '=');
+      }
+    } catch (const InputError&) {
+      // An unfinished case file has no constants yet.
     }
   }
   return keys;
@@ -64,12 +76,13 @@ Words append_to_list(const std::string& word, Words items) {
   return items;
 }
 
-Words option_values(const OptionHelp& option, const std::string& word, const CommandHelp& command,
+Words option_values(const OptionHelp& option, const Words& words, const CommandHelp& command,
                     const methods::SolverRegistry& registry) {
+  const auto& word = words.back();
   if (option.name == "--methods") return append_to_list(word, method_names(registry));
   if (option.name == "--formulations")
     return append_to_list(word, study::closure_formulations(registry));
-  if (option.name == "--set") return case_keys();
+  if (option.name == "--set") return case_keys(words);
   if (option.placeholder.starts_with("FILE")) return {kFileNamesCandidate};
   if (option.placeholder == "DIR") return {kDirectoryNamesCandidate};
   return option_choices(option.name, command.name, registry);
@@ -138,7 +151,7 @@ Words completion_candidates(const std::vector<CommandHelp>& commands,
   const auto& options = command->help.options;
   const auto before = std::ranges::find(options, words[words.size() - 2], &OptionHelp::name);
   if (before != options.end() && !before->placeholder.empty()) {
-    return words_with_prefix(word, option_values(*before, word, *command, registry));
+    return words_with_prefix(word, option_values(*before, words, *command, registry));
   }
   if (!word.starts_with('-')) return words_with_prefix(word, positional_candidates(*command));
   Words names;

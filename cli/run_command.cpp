@@ -37,6 +37,7 @@ examples:
   fpkcheck run
   fpkcheck run case1 --set system.restitution=0.9 --methods epc-gaussian-n6,fd,mcs
   fpkcheck run mine.ini --out results --seed 7
+  fpkcheck run hertz --set system.force='0.1*v + y - k*max(-y,0)^1.5' --methods fd,mcs
   fpkcheck run case1 --against measured_y.csv:lab --against measured_v.csv:lab
   fpkcheck run case1 --against mine.csv:mine,equation=km4,impact=delta,order=6
   fpkcheck run case1 --figures pdf,tex --figure-width 85 --curves epc-gaussian,mcs

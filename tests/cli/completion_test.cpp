@@ -71,6 +71,8 @@ TEST(Completion, OffersCasesMethodsAndKeys) {
   EXPECT_EQ(completed({"run", "--methods", "mcs,epc-polar-n4,fd-w"}),
             Words{"mcs,epc-polar-n4,fd-white"});
   EXPECT_EQ(completed({"run", "--set", "system.res"}), Words{"system.restitution="});
+  EXPECT_EQ(completed({"run", "hertz", "--set", "param"}),
+            (Words{"parameters.c=", "parameters.k="}));
 }
 
 TEST(Completion, IsEmptyWithoutCandidates) {
