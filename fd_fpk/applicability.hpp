@@ -19,8 +19,8 @@ std::string transient_unsupported_reason(const problem::Problem& problem, const 
 bool can_use_characteristics(const Options& options);
 
 /// Returns the reason why characteristics (fd_fpk/characteristics/) cannot compute the density of
-/// `kf`; empty if characteristics are applicable. Every motion must lose energy, since
-/// characteristics end at rest points.
+/// `kf`; empty if characteristics are applicable. With a wall every motion must lose energy, since
+/// characteristics end at rest points; without a wall the motion must tend to a limit cycle.
 std::string characteristics_unsupported_reason(const problem::Problem& problem);
 
 /// Returns whether mass comes to rest in contact, as an atom of the stationary law at a wall.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fd_fpk/characteristics/rest_points.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -77,7 +78,7 @@ bool has_wall_singularity(const problem::Problem& problem, const Options& option
 
 double automatic_origin_refinement(const problem::Problem& problem, const Options& options) {
   if (!has_dissipative_wall(problem.system)) {
-    return problem.system.has_force_jumps() ? kForceJumpRefinement : 1;
+    return problem.system.has_force_jumps_in_v() ? kForceJumpRefinement : 1;
   }
   const bool singular = has_wall_singularity(problem, options);
   // Schemes of high order oscillate on narrow cells at the spike of the density that rare impulses
@@ -105,7 +106,9 @@ bool are_characteristics_preferred(const problem::Problem& problem,
   constexpr double kStrongLosses = 0.4;
   constexpr double kMaxDeflection = 2;
   if (impulses_per_decay_time < kRare) return true;
-  if (!has_linearised_scales(problem)) return false;
+  if (!has_linearised_scales(problem)) {
+    return contraction_rate_of_attractors(Flow(problem.system)) > problem.impulses.arrival_rate();
+  }
   const auto linear = problem::equivalent_linearisation(problem);
   const bool losses =
       problem.system.restitution() < kStrongLosses &&

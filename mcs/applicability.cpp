@@ -39,8 +39,8 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
     return "the mass bounces on the wall without end, since the restitution coefficient tends to 1 "
            "with the impact speed; choose r(0) < 1";
   }
-  if (problem.system.has_force_jumps() && !has_noise) {
-    return "the mass sticks where the force jumps (sign); smooth it: tanh(v/eps)";
+  if (problem.system.has_force_jumps_in_v() && !has_noise) {
+    return "the mass can stick where the force jumps in v (sign); smooth it: tanh(v/eps)";
   }
   if (options.tails) {
     std::string why = unsupported_splitting_reason(problem, options);

@@ -126,6 +126,7 @@ System::System(const SystemCoefficients& coefficients, const WallParameters& wal
   tangent_ = force_.derivative();
   potential_ = force_.antiderivative();
   damping_ = numerics::Polynomial({c_.damping, 0, c_.van_der_pol});
+  damping_slope_ = damping_.derivative();
 }
 
 void System::evaluate_forces(std::size_t count, const double* y, const double* v,
@@ -168,6 +169,7 @@ System System::to_wall_coordinates(const WallFrame& frame) const {
   transformed.tangent_ = transformed.force_.derivative();
   transformed.potential_ = transformed.force_.antiderivative();
   transformed.damping_ = damping_.compose_affine(frame.origin, frame.sign());
+  transformed.damping_slope_ = transformed.damping_.derivative();
   if (formula_) transformed.formula_ = formula_->to_wall_coordinates(frame);
   if (stratonovich_factor_) {
     transformed.stratonovich_factor_ = stratonovich_factor_->to_wall_coordinates(frame);

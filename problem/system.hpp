@@ -81,13 +81,31 @@ class System {
     if (formula_) return force(y, v) - force(y, 0);
     return v * (damping_(y) + c_.rayleigh * v * v);
   }
+  /// Returns the derivatives of the force with respect to y and to v, where they exist.
+  /// @pre the noise has no factor that depends on v
+  double force_slope_in_y(double y, double v) const {
+    assert(!stratonovich_factor_);
+    return formula_ ? sign_ * formula_->with_slope_in_x(y, v).derivative
+                    : tangent_(y) + v * damping_slope_(y);
+  }
+  double force_slope_in_v(double y, double v) const {
+    assert(!stratonovich_factor_);
+    return formula_ ? sign_ * formula_->with_slope_in_v(y, v).derivative
+                    : damping_(y) + 3 * c_.rayleigh * v * v;
+  }
   /// Returns the formula of the force. @pre !has_polynomial_force()
   const Expression& formula() const {
     assert(formula_);
     return formula_->formula();
   }
-  /// Returns whether the force jumps, as dry friction mu_c sign(v) does at v = 0.
+  /// Returns whether the force jumps anywhere.
   bool has_force_jumps() const { return formula_ && formula_->formula().has_jumps(); }
+  /// Returns whether the force jumps in v, as dry friction mu_c sign(v) does at v = 0.
+  bool has_force_jumps_in_v() const { return formula_ && formula_->formula().has_jumps_in_v(); }
+  /// Returns whether the force jumps in v elsewhere than at v = 0, for |v| < `high`.
+  bool has_force_jumps_at_nonzero_v(double high) const {
+    return formula_ && formula_->formula().has_jumps_at_nonzero_v(high);
+  }
   /// Returns the values of y in (low, high) at which the force or its slope jumps, increasing.
   std::vector<double> kinks_in_y(double low, double high) const;
   /// Returns the values of v in (low, high) at which the force or its slope jumps, increasing.
@@ -154,7 +172,7 @@ class System {
   WallParameters wall_parameters_;
   NamedConstants constants_;
   Walls walls_;
-  numerics::Polynomial force_{{}}, tangent_{{}}, potential_{{}}, damping_{{}};
+  numerics::Polynomial force_{{}}, tangent_{{}}, potential_{{}}, damping_{{}}, damping_slope_{{}};
   std::optional<StateFunction> formula_;  // force that is no such polynomial
   double sign_ = 1;                       // sign of velocities and forces in wall coordinates
   // Noise in Stratonovich's sense, whose drift D G_v / 2 force() subtracts

@@ -167,12 +167,25 @@ bool is_at_wall(const Flow& flow, const RestPoint& point) {
   return is_at(WallSide::left) || is_at(WallSide::right);
 }
 
+// Factor of the cell width in y for motion along a limit cycle. For 3*(y^2-1)*v + y under impulses
+// of rate 1 and intensity 0.5 the residual of the power balance is 2.4 % on 265 x 206 cells with this
+// factor, and 3.2 % on 120 x 308 cells with the factor 1.
+constexpr double kLimitCycleFactor = 0.5;
+
+// Returns the rest points, or the equilibria that a limit cycle encloses.
+std::vector<double> centres_of_motion(const Flow& flow) {
+  std::vector<double> centres;
+  for (const RestPoint& point : rest_points(flow)) centres.push_back(point.y);
+  return centres.empty() ? flow.potential_extrema() : centres;
+}
+
 struct TypicalScales {
   double speed, core_v;
   std::vector<RestPoint> points;
   std::vector<double> core_y = {};  // Grading::core in y, for each rest point
   // Largest distance from a rest point that motion with the typical speed attains
   double widest = 0;
+  double least_potential = 0;
 };
 
 TypicalScales typical_scales(const problem::Problem& problem, const problem::MotionScales& scales,
@@ -180,11 +193,18 @@ TypicalScales typical_scales(const problem::Problem& problem, const problem::Mot
   TypicalScales found{.speed = typical_speed(problem, scales.velocity_deviation),
                       .core_v = kContactCore,
                       .points = rest_points(flow)};
+  const std::vector<double> centres = centres_of_motion(flow);
+  found.least_potential = flow.potential(centres.front());
+  const auto distance_from = [&](double y) {
+    const AccessibleInterval accessible_interval = flow.accessible_interval({y, found.speed});
+    return std::max(y - accessible_interval.low, accessible_interval.high - y);
+  };
+  for (const double y : centres) {
+    found.widest = std::max(found.widest, distance_from(y));
+    found.least_potential = std::min(found.least_potential, flow.potential(y));
+  }
   for (const RestPoint& point : found.points) {
-    const AccessibleInterval accessible_interval = flow.accessible_interval({point.y, found.speed});
-    const double length =
-        std::max(point.y - accessible_interval.low, accessible_interval.high - point.y);
-    found.widest = std::max(found.widest, length);
+    const double length = distance_from(point.y);
     if (point.contact) {
       // The first cell in y has the height of a flight with the width of the first cell in v as
       // speed.
@@ -205,15 +225,13 @@ Grid contact_grid(const problem::Problem& problem, const problem::MotionScales& 
   const Flow flow(problem.system);
   const TypicalScales scale = typical_scales(problem, scales, flow);
   const double part = kCellWidth / options.refinement;
-  double least = flow.potential(scale.points.front().y);
-  for (const RestPoint& point : scale.points) least = std::min(least, flow.potential(point.y));
   std::vector<double> anchors{box.x1_min};
   for (const RestPoint& point : scale.points) {
     if (point.y > anchors.back() && point.y < box.x1_max) anchors.push_back(point.y);
   }
   anchors.push_back(box.x1_max);
   const auto width_in_y = [&](double y) {
-    const double speed = std::sqrt(2 * std::max(0.0, flow.potential(y) - least));
+    const double speed = std::sqrt(2 * std::max(0.0, flow.potential(y) - scale.least_potential));
     // Near a saddle the force does not determine the length scale of the density.
     double nearest = scale.widest;
     for (const RestPoint& point : scale.points) {
@@ -224,7 +242,7 @@ Grid contact_grid(const problem::Problem& problem, const problem::MotionScales& 
     for (std::size_t k = 0; k < scale.points.size(); ++k) {
       inverse += 1 / (scale.core_y[k] + std::abs(y - scale.points[k].y));
     }
-    return part / inverse;
+    return (scale.points.empty() ? kLimitCycleFactor : 1) * part / inverse;
   };
   const std::vector<double> speeds{0, box.x2_max};
   const auto width_in_v = [&](double v) {
@@ -247,16 +265,16 @@ Box initial_contact_box(const problem::Problem& problem, const problem::MotionSc
       .x1_max = 0,
       .x2_max = options.x2_max.value_or(kTimes * typical_speed(problem, scales.velocity_deviation) +
                                         std::abs(law.mean()) + kDeviations * law.deviation())};
-  double lowest = 0, highest = 0;
-  for (const RestPoint& point : rest_points(flow)) {
-    const AccessibleInterval accessible_interval = flow.accessible_interval({point.y, box.x2_max});
-    lowest = std::min(lowest, accessible_interval.low);
-    highest = std::max(highest, accessible_interval.high);
-  }
   const auto& left = flow.wall(WallSide::left);
   const auto& right = flow.wall(WallSide::right);
-  box.x1_min = left ? left->position : kHigher * lowest;
+  double highest = 0;
+  for (const double y : centres_of_motion(flow)) {
+    const AccessibleInterval accessible_interval = flow.accessible_interval({y, box.x2_max});
+    highest = std::max(highest, accessible_interval.high);
+    if (!left) highest = std::max(highest, -accessible_interval.low);
+  }
   box.x1_max = right ? right->position : options.x1_max.value_or(kHigher * highest);
+  box.x1_min = left ? left->position : -box.x1_max;
   return box;
 }
 

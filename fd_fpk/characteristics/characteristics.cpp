@@ -17,6 +17,8 @@ constexpr int kChords = 10;
 // Duration of a characteristic, in mean times between impulses; a longer flight is negligible.
 constexpr double kMaxDecayTimes = 40;
 constexpr long kMostSteps = 20000;
+// The same duration along a limit cycle: 2e-9 of the mass remain in the cell of the last state.
+constexpr double kMaxCycleDecayTimes = 20;
 // Lower limit of the flux of area, which decays to zero for overdamped motion.
 constexpr double kLeastFlux = 1e-200;
 
@@ -197,17 +199,19 @@ Characteristic Characteristics::trace_characteristic(const PhaseState& from, dou
               .flux = flux,
               .first = visits_.size()};
   if (deadline_.has_passed()) out_of_time_ = true;
-  constexpr double kReuseRatio =
-      // ratio of the current energy to an earlier energy above which the accessible interval of the
-      // earlier state is reused
-      0.7;
+  // Smallest ratio of the current energy and an earlier energy, one of which may be larger, at which
+  // the accessible interval of the earlier state is reused
+  constexpr double kReuseRatio = 0.7;
   Characteristic track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
   AccessibleInterval accessible_interval = flow_.accessible_interval(from);
   double energy = track.energy - accessible_interval.least_potential, time = 0;
   for (long step = 0;; ++step) {
     if ((track.characteristic_end.rest = equilibrium_containing(at.state))) break;
     if (must_stop_tracing() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
-    if (flow_.energy(at.state) - accessible_interval.least_potential < kReuseRatio * energy) {
+    // Along a limit cycle no rest point ends the characteristic.
+    if (rest_.empty() && rate_ * time > kMaxCycleDecayTimes) break;
+    const double left = flow_.energy(at.state) - accessible_interval.least_potential;
+    if (left < kReuseRatio * energy || left * kReuseRatio > energy) {
       accessible_interval = flow_.accessible_interval(at.state);
       energy = flow_.energy(at.state) - accessible_interval.least_potential;
     }
@@ -260,7 +264,7 @@ void Characteristics::record_cell_visits(Position& at, const PhaseState& to, dou
   // (Liouville).
   const double x = flow_.contraction_rate({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
   constexpr double kSmall = 1e-4;
-  const double mean = x > kSmall ? -std::expm1(-x) / x : 1 - x / 2 + x * x / 6;
+  const double mean = std::abs(x) > kSmall ? -std::expm1(-x) / x : 1 - x / 2 + x * x / 6;
   const double flux = std::max(kLeastFlux, at.flux * mean);
   at.flux = std::max(kLeastFlux, at.flux * (1 - x * mean));
   at.state = to;

@@ -227,13 +227,14 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
   StationaryMasses result{.masses = std::nullopt,
                           .rest = points,
                           .visits = static_cast<long>(characteristics.visits().size())};
-  // The initial state is the oscillator at rest.
+  // The initial state is the oscillator at rest; without a rest point, the uniform distribution.
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size() + atoms);
   for (const RestPoint& point : points) {
     if (point.contact) continue;
     for (const auto& [cell, share] : point.cells) start(cell) = share;
   }
   start.tail(atoms).setOnes();
+  if (points.empty()) start = grid.cell_areas();
   start /= start.sum();
   Eigen::VectorXd after = chain.apply_jump(start);
   correct_by_gmres(chain, aggregation, kRoughChainTolerance, deadline, after, result);

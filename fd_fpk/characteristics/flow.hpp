@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "problem/effective_potential.hpp"
 #include "problem/system.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -36,7 +37,6 @@ struct HalfCycle {
 /// characteristics of the density equation.
 class Flow {
  public:
-  /// @pre the damping dissipates energy everywhere: f v >= 0
   explicit Flow(const problem::System& system);
 
   const std::optional<problem::Wall>& wall(WallSide side) const {
@@ -52,11 +52,11 @@ class Flow {
   /// Returns the relative rate df/dv at which the flow contracts areas of the phase plane
   /// (Liouville), with the damping force f.
   double contraction_rate(const PhaseState& at) const;
-  double force(double y) const { return force_(y); }
+  double force(double y) const { return system_.force(y, 0); }
   double energy(const PhaseState& at) const { return at.v * at.v / 2 + potential_(at.y); }
   double potential(double y) const { return potential_(y); }
   /// Returns the positions of the extrema of the potential between the walls, in increasing order.
-  const std::vector<double>& potential_extrema() const { return potential_extrema_; }
+  const std::vector<double>& potential_extrema() const { return potential_.extrema(); }
 
   /// Returns the state after one time step of the classical Runge-Kutta method. Where strong
   /// damping makes the Runge-Kutta method unstable, an exponential (Rosenbrock-Euler) method with
@@ -83,15 +83,17 @@ class Flow {
   struct OverdampedModes {
     double slow, fast, v_slow, v_fast;
   };
+  bool is_overdamped(const PhaseState& at) const;
   OverdampedModes overdamped_modes(const PhaseState& at) const;
   PhaseState advance_overdamped(const PhaseState& from, double time) const;
+  double resolved_time_step(const PhaseState& from, double time, double size,
+                            double frequency) const;
   double end_of_accessible_interval(double y, double energy, WallSide side) const;
+  double largest_stiffness(double low, double high) const;
 
   problem::System system_;
-  numerics::Polynomial force_, tangent_, potential_, damping_, damping_slope_;
-  double rayleigh_;
-  // Positions of the extrema of the potential U, and of the tangent stiffness g'
-  std::vector<double> potential_extrema_, stiffness_extrema_;
+  problem::EffectivePotential potential_;  // of the spring alone
+  std::vector<double> stiffness_extrema_;  // extrema of the tangent stiffness g', a polynomial
 };
 
 }  // namespace fpkcheck::fd_fpk

@@ -123,7 +123,8 @@ std::vector<RestPoint> rest_points(const Flow& flow) {
       }
       return flow.wall(WallSide::right) ? flow.wall(WallSide::right)->position : turn + 1;
     }();
-    if (flow.force((turn + next) / 2) > 0) points.push_back({.y = turn});
+    const bool repels = flow.contraction_rate({turn, 0}) < 0;
+    if (flow.force((turn + next) / 2) > 0 && !repels) points.push_back({.y = turn});
   }
   at_wall(WallSide::right);
   return points;
@@ -133,6 +134,41 @@ std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double im
   auto points = rest_points(flow);
   for (RestPoint& point : points) assign_cells(flow, grid, impulse_rate, point);
   return points;
+}
+
+namespace {
+
+// Returns the mean contraction rate along the limit cycle to which the motion tends.
+double contraction_rate_of_limit_cycle(const Flow& flow) {
+  constexpr int kTransient = 10, kCycles = 10;
+  constexpr long kMostSteps = 100000;
+  const double centre = flow.potential_extrema().empty() ? 0 : flow.potential_extrema().front();
+  PhaseState state{centre, 1};
+  double contracted = 0, time = 0;
+  int cycles = 0;
+  for (long step = 0; step < kMostSteps && cycles < kTransient + kCycles; ++step) {
+    const double span = flow.max_time_step(state, flow.accessible_interval(state));
+    const PhaseState end = flow.advance_state(state, span);
+    if (state.v <= 0 && end.v > 0) ++cycles;
+    if (cycles >= kTransient) {
+      contracted += span * (flow.contraction_rate(state) + flow.contraction_rate(end)) / 2;
+      time += span;
+    }
+    state = end;
+  }
+  return time > 0 ? contracted / time : 0;
+}
+
+}  // namespace
+
+double contraction_rate_of_attractors(const Flow& flow) {
+  const auto points = rest_points(flow);
+  if (points.empty()) return contraction_rate_of_limit_cycle(flow);
+  double largest = 0;
+  for (const RestPoint& point : points) {
+    if (!point.contact) largest = std::max(largest, flow.contraction_rate({point.y, 0}));
+  }
+  return largest;
 }
 
 double relative_uniform_cell_radius(double deviation, double typical_amplitude) {

@@ -38,6 +38,11 @@ std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double im
 /// Returns all rest points of the motion, by increasing y, without innermost cells.
 std::vector<RestPoint> rest_points(const Flow& flow);
 
+/// Returns the largest rate at which the motion contracts areas of the phase plane near its
+/// equilibria, or, without a rest point, the mean rate along a limit cycle. Where impulses arrive
+/// less often, the stationary density is unbounded.
+double contraction_rate_of_attractors(const Flow& flow);
+
 /// Returns the distance to an equilibrium, relative to the typical amplitude A, below which cells
 /// have a constant width. Under rare impulses most of the mass is at rest in the innermost cells.
 /// The mean displacement is then proportional to s^2 / A, with the standard deviation s of the

@@ -125,7 +125,7 @@ std::pair<double, double> one_sided_forces(const problem::System& system, double
 std::vector<DensityKink> density_kinks(const problem::System& system, const Excitation& excitation,
                                        const Grid& grid) {
   const double diffusion = excitation.diffusion;
-  if (!system.has_force_jumps() || diffusion <= 0 || excitation.multiplicative) return {};
+  if (!system.has_force_jumps_in_v() || diffusion <= 0 || excitation.multiplicative) return {};
   std::vector<DensityKink> kinks;
   for (int i = 0; i < grid.nx(); ++i) {
     const auto [below, above] = one_sided_forces(system, grid.x1.cell_centre(i), grid);

@@ -53,7 +53,7 @@ double integrate_function(const problem::System& system, const Grid& grid,
   const std::array weights{Gauss::weights()[1] / 2, Gauss::weights()[0] / 2,
                            Gauss::weights()[1] / 2};
   const int points = averaging_stencil_size(scheme_order);
-  const auto barrier = system.has_force_jumps() ? std::optional(grid.nv() / 2) : std::nullopt;
+  const auto barrier = system.has_force_jumps_in_v() ? std::optional(grid.nv() / 2) : std::nullopt;
   const AxisOperator of_x1 = point_value_operator(grid.x1, points, fractions),
                      of_x2 = point_value_operator(grid.x2, points, fractions, barrier);
   const Eigen::MatrixXd p =

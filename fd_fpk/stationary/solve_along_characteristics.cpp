@@ -51,10 +51,12 @@ MarginalMasses marginal_masses(const GridSolution& on) {
 // Largest accepted mass in the end cells of a box, where mass that would leave the box accumulates.
 constexpr double kMaxMassAtEnd = 1e-6;
 double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses) {
-  const double in_y = on.grid.x1.right_end_condition() == AxisEndCondition::vacuum
-                          ? marginal_masses.of_y(marginal_masses.of_y.size() - 1)
-                          : 0;
-  return std::max(in_y, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1));
+  const Eigen::VectorXd& of_y = marginal_masses.of_y;
+  const auto is_open = [](AxisEndCondition end) { return end == AxisEndCondition::vacuum; };
+  const double on_left = is_open(on.grid.x1.left_end_condition()) ? of_y(0) : 0;
+  const double on_right = is_open(on.grid.x1.right_end_condition()) ? of_y(of_y.size() - 1) : 0;
+  return std::max(
+      {on_left, on_right, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1)});
 }
 
 // Returns the smallest face position beyond which the mass is at most `negligible`. The function
@@ -69,6 +71,20 @@ double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double ne
     --last;
   }
   return axis.face_position(last);
+}
+
+// Returns the largest distance from y = 0 of the support, on both sides of an axis without walls.
+double end_of_support_in_y(const Axis& axis, const Eigen::VectorXd& masses, double negligible) {
+  const double right = end_of_support(axis, masses, negligible);
+  if (axis.left_end_condition() != AxisEndCondition::vacuum) return right;
+  double beyond = 0;
+  int first = 0;
+  while (first + 1 < axis.cell_count()) {
+    beyond += std::abs(masses(first));
+    if (beyond > negligible) break;
+    ++first;
+  }
+  return std::max(right, -axis.face_position(first));
 }
 
 // Returns a box, determined on wide cells, that contains all but a negligible part of the mass.
@@ -94,7 +110,7 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
     const GridSolution on = solve_in_box(problem, scales, coarse, box, deadline);
     if (!on.found.masses) return box;
     const MarginalMasses masses = marginal_masses(on);
-    const double y = end_of_support(on.grid.x1, masses.of_y, kNegligible);
+    const double y = end_of_support_in_y(on.grid.x1, masses.of_y, kNegligible);
     const double v = end_of_support(on.grid.speed_axis(), masses.of_speed, kNegligible);
     const bool wider_y = !given_y && y >= box.x1_max;
     const bool wider_v = !given_v && v >= box.x2_max;
@@ -105,6 +121,7 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
       break;
     const double wider = beyond > kLargeMass ? kFastWidening : kWider;
     if (!given_y) box.x1_max = wider_y ? wider * box.x1_max : y;
+    if (!problem.system.left_wall()) box.x1_min = -box.x1_max;
     if (!given_v) box.x2_max = wider_v ? wider * box.x2_max : v;
     if (!wider_y && !wider_v) break;
   }

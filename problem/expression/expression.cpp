@@ -192,7 +192,8 @@ Parity Expression::parity() const {
   return stack.front();
 }
 
-std::vector<double> Expression::kinks(Operation variable, double low, double high) const {
+std::vector<double> Expression::kinks(Operation variable, double low, double high,
+                                      const std::function<bool(std::size_t)>& wanted) const {
   const Operation other = variable == Operation::y ? Operation::v : Operation::y;
   // Sign changes are searched between this number of points; kinks closer than two points can be
   // missed. The search ends after the same number of sign changes, which no grid resolves.
@@ -200,7 +201,7 @@ std::vector<double> Expression::kinks(Operation variable, double low, double hig
   std::vector<char> has_kink(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     has_kink[k] = nodes_[k].operation == Operation::call && nodes_[k].function->kink != nullptr &&
-                  !contains(nodes_[k].first, k, other);
+                  !contains(nodes_[k].first, k, other) && wanted(k);
   }
   if (std::ranges::count(has_kink, 1) == 0) return {};
   // One evaluation computes the functions of all kinks: the time is linear in the number of nodes.
@@ -239,10 +240,10 @@ std::vector<double> Expression::kinks(Operation variable, double low, double hig
 }
 
 std::vector<double> Expression::kinks_in_y(double low, double high) const {
-  return kinks(Operation::y, low, high);
+  return kinks(Operation::y, low, high, [](std::size_t) { return true; });
 }
 std::vector<double> Expression::kinks_in_v(double low, double high) const {
-  return kinks(Operation::v, low, high);
+  return kinks(Operation::v, low, high, [](std::size_t) { return true; });
 }
 
 bool Expression::has_oblique_kinks() const {
@@ -267,6 +268,27 @@ bool Expression::has_jumps() const {
   return std::ranges::any_of(nodes_, [](const Node& node) {
     return node.operation == Operation::call && node.function->name == "sign";
   });
+}
+
+bool Expression::is_jump_in_v(std::size_t node) const {
+  return nodes_[node].operation == Operation::call && nodes_[node].function->name == "sign" &&
+         contains(nodes_[node].first, node, Operation::v);
+}
+
+bool Expression::has_jumps_in_v() const {
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    if (is_jump_in_v(k)) return true;
+  }
+  return false;
+}
+
+bool Expression::has_jumps_at_nonzero_v(double high) const {
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    if (is_jump_in_v(k) && contains(nodes_[k].first, k, Operation::y)) return true;
+  }
+  const auto jumps =
+      kinks(Operation::v, -high, high, [&](std::size_t node) { return is_jump_in_v(node); });
+  return std::ranges::any_of(jumps, [](double v) { return v != 0; });
 }
 
 }  // namespace fpkcheck::problem

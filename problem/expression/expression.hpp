@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -92,6 +93,10 @@ class Expression {
   bool has_kinks() const;
   /// Whether the expression contains sign(), hence jumps.
   bool has_jumps() const;
+  /// Whether the expression jumps in v: it contains sign() of a function of v.
+  bool has_jumps_in_v() const;
+  /// Whether the expression jumps in v elsewhere than on the line v = 0, for |v| < `high`.
+  bool has_jumps_at_nonzero_v(double high) const;
 
   /// Largest number of characters, operations and nested operations.
   static constexpr std::size_t kMaxLength = 4000, kMaxNodes = 2000, kMaxDepth = 100;
@@ -122,7 +127,10 @@ class Expression {
   Number evaluate_lanes(const Number& y, const Number& v, std::size_t count) const;
   bool depends_on(Operation variable) const;
   bool contains(std::size_t begin, std::size_t end, Operation operation) const;
-  std::vector<double> kinks(Operation variable, double low, double high) const;
+  bool is_jump_in_v(std::size_t node) const;
+  // Returns the values of the variable at which a function of a node in `wanted` has a kink.
+  std::vector<double> kinks(Operation variable, double low, double high,
+                            const std::function<bool(std::size_t)>& wanted) const;
 
   std::string text_;
   std::vector<Node> nodes_;  // postfix order

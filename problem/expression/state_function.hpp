@@ -19,6 +19,11 @@ class StateFunction {
   double operator()(double x, double v) const {
     return (*formula_)(frame_.physical_y(x), frame_.physical_velocity(v));
   }
+  /// Returns the value, and the derivative with respect to the displacement in wall coordinates.
+  numerics::DualNumber with_slope_in_x(double x, double v) const {
+    return (*formula_)(numerics::DualNumber{frame_.physical_y(x), frame_.sign()},
+                       numerics::DualNumber{frame_.physical_velocity(v), 0});
+  }
   /// Returns the value, and the derivative with respect to the velocity in wall coordinates.
   numerics::DualNumber with_slope_in_v(double x, double v) const {
     return (*formula_)(numerics::DualNumber{frame_.physical_y(x), 0},

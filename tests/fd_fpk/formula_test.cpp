@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "fd_fpk/applicability.hpp"
 #include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
@@ -163,6 +164,23 @@ TEST(Formula, KeepsTheBalancesOfDryFrictionUnderWhiteNoise) {
   EXPECT_NEAR(solution.moments.v2, 0.465973, 2 * summary.error->moments.v2);
 }
 
+// Under impulses alone dry friction holds the mass at rest on an interval of y: the law has atoms.
+TEST(Formula, MustNotJumpInVelocityWithoutNoiseOrElsewhereThanAtRest) {
+  const auto impulses = tests::gaussian_impulses(1, 0.2);
+  const auto reason = [&](const std::string& formula, const Options& options = {}) {
+    return unsupported_reason(tests::with_impulses(system_of(formula), impulses), options);
+  };
+  EXPECT_NE(reason("0.2*sign(v) + y").find("stick"), std::string::npos);
+  EXPECT_NE(reason("0.1*v + 0.3*sign(v - 0.5) + y").find("stick"), std::string::npos);
+  EXPECT_EQ(reason("0.1*v + 0.3*sign(y) + y"), "");
+  EXPECT_EQ(reason("0.2*tanh(v/0.01) + y"), "");
+  const Options white{.equation = DensityEquation::white};
+  EXPECT_EQ(reason("0.2*sign(v) + y", white), "");
+  EXPECT_NE(reason("0.1*v + 0.3*sign(v - 0.5) + y", white).find("only at v = 0"),
+            std::string::npos);
+  EXPECT_NE(reason("0.1*v + 0.3*sign(v - y) + y", white).find("only at v = 0"), std::string::npos);
+}
+
 // Impulses of intensity I and rate 1, no wall: the balance of power is E[v f] = I/2. With the
 // damping 0.1 v, E[v^2] = 1.
 TEST(Formula, KeepsTheBalanceOfPowerWithKinksWithinItsError) {
@@ -180,6 +198,38 @@ TEST(Formula, KeepsTheBalanceOfPowerWithKinksWithinItsError) {
   EXPECT_LE(std::abs(solution.energy_residual),
             summary.error->moments.v2 / solution.moments.v2 * (1 + 1e-9));
   EXPECT_LT(std::abs(solution.energy_residual), 2e-5);
+}
+
+// The damping 0.02 v + 0.1 tanh(20 v) contracts areas near rest at the rate 2.02, above the impulse
+// rate 1: the density is unbounded at the rest point at the wall, and only transport along
+// characteristics resolves the density. The moments are those of
+// `fpkcheck mcs --time 4e6 --seed 7`.
+TEST(Formula, IsTransportedAlongCharacteristicsWhereTheDensityIsUnbounded) {
+  const problem::WallParameters wall{.left = 0, .left_restitution = 0.9};
+  const auto p = tests::with_impulses(system_of("0.02*v + 0.1*tanh(20*v) + y", wall),
+                                      tests::gaussian_impulses(1, 0.5));
+  const auto [solution, summary] = solve(p, {.max_seconds = 60});
+  ASSERT_EQ(solution.status, Status::ok) << solution.reason;
+  EXPECT_EQ(summary.transport, TransportScheme::characteristics);
+  EXPECT_GE(solution.min_density, -1e-12);
+  const auto& error = summary.error->moments;
+  EXPECT_LE(std::abs(solution.energy_residual), error.v2 / solution.moments.v2 * (1 + 1e-9));
+  EXPECT_LT(error.v2, 5e-3);
+  EXPECT_NEAR(solution.moments.y2, 1.73126, error.y2 + 4 * 0.00075);
+  EXPECT_NEAR(solution.moments.v2, 1.72993, error.v2 + 4 * 0.00048);
+}
+
+// The van der Pol oscillator with eps = 3: the density is concentrated on a curve, which the cells do
+// not resolve, and the status must not be `ok`. The moments are those of `fpkcheck mcs`, with
+// standard errors of 2e-4 and 5e-4.
+TEST(Formula, HasARelaxationOscillationWithinTwoPercent) {
+  const auto p =
+      tests::with_impulses(system_of("3*(y^2-1)*v + y"), tests::gaussian_impulses(1, 0.5));
+  const auto solution =
+      solve(p, {.transport = TransportScheme::characteristics, .error_estimate = false}).solution;
+  EXPECT_EQ(solution.status, Status::inadmissible) << solution.reason;
+  EXPECT_NEAR(solution.moments.y2, 2.3949, 0.02 * 2.3949);
+  EXPECT_NEAR(solution.moments.v2, 2.3948, 0.02 * 2.3948);
 }
 
 // A wall on the right at 0.4: the solver sees the mirrored and shifted formula.

@@ -162,5 +162,37 @@ TEST(Flow, OverdampedMotionIsAccurateForDampingThatDependsOnDisplacement) {
   EXPECT_NEAR(state.v / fine.v, 1, 1e-2);
 }
 
+// The term 0*abs(y) hides the polynomial from System.
+TEST(Flow, OfAFormulaAgreesWithTheFlowOfItsPolynomial) {
+  const problem::WallParameters wall{.left = 0, .left_restitution = 0.8};
+  const Flow polynomial(problem::System(
+      {.damping = 0.1, .van_der_pol = 0.3, .rayleigh = 0.2, .stiffness = 1, .cubic = 0.5}, wall));
+  const Flow formula(
+      problem::System({.force = "v*(0.1 + 0.3*y^2 + 0.2*v^2) + y + 0.5*y^3 + 0*abs(y)"}, wall));
+  const PhaseState at{0.7, -0.4};
+  EXPECT_NEAR(formula.acceleration(at), polynomial.acceleration(at), 1e-14);
+  EXPECT_NEAR(formula.contraction_rate(at), polynomial.contraction_rate(at), 1e-14);
+  EXPECT_NEAR(formula.energy(at), polynomial.energy(at), 1e-14);
+  const HalfCycle expected = polynomial.half_cycle(1.3), found = formula.half_cycle(1.3);
+  EXPECT_NEAR(found.impact_speed, expected.impact_speed, 1e-5);
+  EXPECT_NEAR(found.duration, expected.duration, 1e-5);
+}
+
+// Dry friction 0.5, smoothed over |v| < 1e-3: the energy lost is 0.5 times the path.
+TEST(Flow, ResolvesASharpChangeOfTheForce) {
+  const Flow flow(problem::System({.force = "0.5*tanh(1000*v) + y"}, {.none = true}));
+  PhaseState state{1, 0.2};
+  double work = 0, time = 0;
+  const double start = flow.energy(state);
+  while (time < 1) {
+    const double span = flow.max_time_step(state, flow.accessible_interval(state));
+    const PhaseState end = flow.advance_state(state, span);
+    work += 0.5 * std::abs(end.y - state.y);  // dry friction 0.5
+    state = end;
+    time += span;
+  }
+  EXPECT_NEAR(start - flow.energy(state), work, 2e-3 * work);
+}
+
 }  // namespace
 }  // namespace fpkcheck::fd_fpk

@@ -199,6 +199,12 @@ TEST(Expression, FindsKinksOnLinesOfTheAxes) {
   near(f.kinks_in_y(-3, 3), {-std::sqrt(2), 0.5, std::sqrt(2)});
   near(f.kinks_in_v(-3, 3), {-1});
   EXPECT_TRUE(f.has_jumps());
+  EXPECT_TRUE(f.has_jumps_in_v());
+  EXPECT_FALSE(parse("0.1*v + sign(y)").has_jumps_in_v());
+  EXPECT_TRUE(f.has_jumps_at_nonzero_v(3));
+  EXPECT_FALSE(f.has_jumps_at_nonzero_v(0.9));
+  EXPECT_FALSE(parse("0.2*sign(v) + sign(y)").has_jumps_at_nonzero_v(3));
+  EXPECT_TRUE(parse("sign(v - y)").has_jumps_at_nonzero_v(3));
   EXPECT_FALSE(f.has_oblique_kinks());
   EXPECT_TRUE(parse("abs(y - v)").has_oblique_kinks());
   EXPECT_FALSE(parse("tanh(y - v)").has_oblique_kinks());
