@@ -56,6 +56,10 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
     return "the mass comes to rest in contact with a wall: only characteristics treat this atom; "
            "use kf and leave out transport, order, nx, nv and origin-refinement";
   }
+  if (rests && !problem.system.has_constant_restitution()) {
+    return "the mass comes to rest in contact with a wall: finite volumes represent this atom only "
+           "for constant restitution coefficients; use mcs";
+  }
   if (rests || options.transport == TransportScheme::characteristics) {
     return noise ? "characteristics: the motion between impulses must be deterministic; use "
                    "transport upwind"
