@@ -202,17 +202,18 @@ class ProblemStatement {
       add(fmt::format("g(y, y′) = {}{}", formula_html(*factor),
                       sense ? fmt::format(" &emsp; (in the sense of {})", *sense) : ""));
     }
-    for (const auto& [side, subscript] :
-         {std::pair{&Walls::left, "a"}, std::pair{&Walls::right, "b"}}) {
+    const auto add_restitution = [&](std::optional<Wall> Walls::*side, const char* subscript) {
       const auto restitution = common([&](const Problem& p) -> std::optional<std::string> {
         const auto& wall = p.system.walls().*side;
         if (!wall || wall->has_constant_restitution()) return std::nullopt;
         return wall->restitution_formula->text();
       });
-      if (!restitution) continue;
+      if (!restitution) return;
       add(fmt::format("r<sub>{}</sub>(u) = {} &emsp; with the impact speed u = |y′<sub>−</sub>|",
                       subscript, formula_html(*restitution, "u")));
-    }
+    };
+    add_restitution(&Walls::left, "a");
+    add_restitution(&Walls::right, "b");
     return html;
   }
   std::string damping() const {
