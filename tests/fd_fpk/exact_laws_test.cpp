@@ -56,6 +56,7 @@ void expect_ball(double restitution, double refinement) {
   Options options = direct_options(refinement);
   // No finer grids for any status.
   options.refine_unresolved = false;
+  options.max_seconds = 200;  // the law, not the time, is tested
   expect_law(tests::with_noise(system, 1), options,
              {.impact_rate = ball.impact_rate(),
               .y1 = ball.mean_height(),
