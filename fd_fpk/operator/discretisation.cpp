@@ -303,7 +303,11 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
     const auto of_factor = problem.noise_factor->kinks_in_y(box.x1_min, box.x1_max);
     kinks.insert(of_factor.begin(), of_factor.end());
   }
-  for (const double kink : kinks) points.push_back({kink, {}});
+  // More kinks than this are closer than the cells, which resolve none of them.
+  constexpr std::size_t kMostKinks = 100;
+  if (kinks.size() <= kMostKinks) {
+    for (const double kink : kinks) points.push_back({kink, {}});
+  }
   if (graded.at_right_wall) points.push_back({box.x1_max, graded.x1});
   const StretchedCoordinate stretched(system, box, lengths);
   const X1Cells x1_cells{box, points, stretched};

@@ -205,7 +205,8 @@ std::vector<double> Expression::kinks(Operation variable, double low, double hig
   }
   if (std::ranges::count(has_kink, 1) == 0) return {};
   // One evaluation computes the functions of all kinks: the time is linear in the number of nodes.
-  std::vector<double> left_values(nodes_.size()), right_values(nodes_.size());
+  std::vector<double> earlier_values(nodes_.size()), left_values(nodes_.size());
+  std::vector<double> right_values(nodes_.size());
   const auto evaluate_kinks = [&](std::size_t end, double x, std::vector<double>& values) {
     const double y = variable == Operation::y ? x : 0, v = variable == Operation::y ? 0 : x;
     evaluate<double>(nodes_[end - 1].first, end, y, v, [&](std::size_t k, double a, double b) {
@@ -221,7 +222,9 @@ std::vector<double> Expression::kinks(Operation variable, double low, double hig
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       if (has_kink[k] == 0) continue;
       const double at_left = left_values[k], at_right = right_values[k];
-      if (at_right == 0 && n < kPoints) found.insert(right);
+      // Only an isolated zero is a kink. An argument that is zero over an interval, as that of
+      // abs(max(y, 0)) for y < 0, has the kinks of the functions in it.
+      if (n > 1 && earlier_values[k] != 0 && at_left == 0 && at_right != 0) found.insert(left);
       if (!((at_left < 0 && at_right > 0) || (at_left > 0 && at_right < 0))) continue;
       if (++changes > kPoints) return {found.begin(), found.end()};
       std::vector<double> values(nodes_.size());
@@ -234,6 +237,7 @@ std::vector<double> Expression::kinks(Operation variable, double low, double hig
       found.insert(numerics::bracketed_root(value, left, right));
     }
     left = right;
+    std::swap(earlier_values, left_values);
     std::swap(left_values, right_values);
   }
   return {found.begin(), found.end()};

@@ -64,11 +64,13 @@ class ExpressionParser {
   [[noreturn]] void fail(const std::string& expected) {
     skip_spaces();
     const char next = at_ < text_.size() ? text_[at_] : ' ';
+    const bool begins_factor = next == '(' || is_letter(next) || is_digit(next);
     const std::string_view hint = next == '\''  ? "; write v for the velocity y'"
                                   : next == '|' ? "; write abs(v) for |v|"
                                   : next == '=' ? "; write only the force f of y'' + f = excitation"
                                   : next == '*' ? "; write y^2 for a power"
-                                                : "";
+                                  : begins_factor ? "; write * between factors, as in 2*y*(1 + v)"
+                                                  : "";
     // The whole character is quoted if it is a sequence of several bytes (UTF-8).
     std::size_t end = at_ + 1;
     while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
@@ -260,6 +262,9 @@ class ExpressionParser {
     if (function == kFunctions.end()) {
       std::vector<std::string_view> names;
       for (const Function& known : kFunctions) names.push_back(known.name);
+      const bool is_factor = constants_.contains(name) || name == "pi" ||
+                             (name.size() == 1 && variables_.find(name) != std::string_view::npos);
+      if (is_factor) fail_at(begin, fmt::format("{0} is no function; write {0}*(..)", name));
       fail_at(begin, fmt::format("unknown function {}; known functions: {}",
                                  base::in_quotes(std::string(name)), fmt::join(names, ", ")));
     }

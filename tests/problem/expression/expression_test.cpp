@@ -209,6 +209,10 @@ TEST(Expression, FindsKinksOnLinesOfTheAxes) {
   EXPECT_TRUE(parse("abs(y - v)").has_oblique_kinks());
   EXPECT_FALSE(parse("tanh(y - v)").has_oblique_kinks());
   near(parse("max(-y, 5 + y^1001)").kinks_in_y(-2.9, 4), {-1.001385522307552});
+  // An argument of abs() that is zero for y > 0 adds no kink to that of min().
+  near(parse("abs(min(y, 0))^1.5").kinks_in_y(-3, 4), {0});
+  near(parse("abs(min(y, 0))^1.5").kinks_in_y(-3, 3), {0});
+  near(parse("abs(y)").kinks_in_y(-3, 3), {0});
   near(parse("abs(abs(abs(y) - 2) - 1)").kinks_in_y(-3.5, 3.5), {-3, -2, -1, 0, 1, 2, 3});
 }
 
