@@ -290,8 +290,8 @@ void require_defined_restoring_force(const System& system) {
                            (!system.right_wall() || y < system.right_wall()->position);
     if (!is_inside || !std::isnan(system.force(y, 0))) return;
     throw InputError(fmt::format(
-        "system.force is undefined at y = {:.3g}, v = 0: no number is the value there; exclude "
-        "this y by a wall, or use for example abs(y) or max(y, 0)",
+        "system.force is undefined at y = {:.3g}, v = 0, such as the root or a fractional power of "
+        "a negative number; write max(.., 0) or abs(..) there, or exclude this y by a wall",
         y));
   };
   for (int n = -kDecades * kPointsPerDecade; n <= kDecades * kPointsPerDecade; ++n) {
@@ -321,9 +321,10 @@ void require_stationary_density(const Problem& problem) {
         "there is no stationary density: the restoring force does not confine the mass on the {0}; "
         "{1}, or add wall.{0}",
         side,
-        !has_formula                       ? "change the sign of its highest power"
-        : std::string_view(side) == "left" ? "choose a system.force that is negative at large -y"
-                                           : "choose a system.force that is positive at large y"));
+        !has_formula ? "change the sign of its highest power"
+        : std::string_view(side) == "left"
+            ? "choose a system.force that is negative where y is large and negative"
+            : "choose a system.force that is positive where y is large"));
   }
   // The paper's oscillator always has a stationary density, since only the impulses supply energy
   // and the damping dissipates energy.

@@ -75,8 +75,9 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
     if (flag < 0) break;
   }
   if (callbacks.deadline_exceeded) {
-    result.failure = fmt::format("GMRES did not converge: max_seconds expired after {} iterations",
-                                 result.iterations);
+    result.failure = fmt::format(
+        "max_seconds expired after {} iterations of GMRES; increase max-seconds or use fewer cells",
+        result.iterations);
     return result;
   }
   const bool reduced = flag == kSuccess || flag == SUNLS_RES_REDUCED;
@@ -84,7 +85,8 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
     result.solution = vector_view(x.get());
   } else {
     result.failure =
-        fmt::format("GMRES did not converge in {} iterations (flag {})", result.iterations, flag);
+        fmt::format("GMRES did not converge in {} iterations (flag {}); use another grid",
+                    result.iterations, flag);
   }
   return result;
 }

@@ -26,7 +26,7 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
   auto [correction, iterations, failure] =
       gmres(times, approximate_solve, -(op * start), op.areas, kTolerance, deadline);
   const double seconds = stopwatch.seconds();
-  if (!correction) return {std::nullopt, iterations, failure + "; use another grid", seconds};
+  if (!correction) return {std::nullopt, iterations, failure, seconds};
   Eigen::VectorXd averages = start + *correction;
   averages /= op.total_mass(averages);
   return {std::move(averages), iterations, "", seconds};

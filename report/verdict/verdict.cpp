@@ -205,10 +205,11 @@ std::string confirmation_text(const RunAssessment& assessed, int cases) {
 
 Words recommendation(const RunAssessment& assessed, int cases) {
   if (const int judged = case_count(assessed.references); judged < cases) {
-    return {
-        fmt::format("There is no reference{}: rely on the error estimate of each solution. Add "
-                    "fd-kf and mcs to --methods, or raise their limits (--max-seconds, --time).",
-                    case_count_phrase(cases - judged, cases))};
+    return {fmt::format(
+        "There is no reference{}: rely on the error estimate of each solution. Raise the "
+        "limits of fd (--max-seconds) and mcs (--time), or compare both: fpkcheck run "
+        "--methods fd,mcs.",
+        case_count_phrase(cases - judged, cases))};
   }
   Words sentences{fmt::format(
       "For reference values use {}, the solution of the full problem (all jumps, exact impact) "

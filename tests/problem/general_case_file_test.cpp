@@ -160,7 +160,9 @@ TEST(GeneralCaseFile, StatesProblemCauseAndActionOfEachFormula) {
          "write parameters.NAME for a named constant");
   // Potentials that are undefined or do not confine
   expect(message("sqrt(y) + v"), "system.force is undefined at y = -");
-  expect(message("-y + v"), "on the left; choose a system.force that is negative at large -y");
+  expect(message("-y + v"),
+         "on the left; choose a system.force that is negative "
+         "where y is large and negative");
   expect(message("v - 1 - exp(-y)"), "on the right; choose a system.force that is positive");
   expect(message("-sin(y) + v"), "does not confine the mass");
   expect(message("sin(y) + v"), "does not confine the mass");
