@@ -70,7 +70,7 @@ struct SimulationReference {
   Marginal y, ydot;
   double y_sampling_l1, ydot_sampling_l1;  // expected sampling error in L1
   std::vector<transform::RestAtom> atoms = {};
-  std::string status = {};  // only an `ok` simulation serves as reference
+  std::string status = {};  // only an `ok` simulation serves as reference; empty: not simulated
 
   bool is_usable() const { return status == "ok"; }
 };
@@ -157,16 +157,14 @@ SimulationReference simulation_reference(const problem::Problem& problem,
   return simulation_reference;
 }
 
-MethodResult answer(const methods::Method& method, const problem::Problem& problem,
-                    const compare::ComparisonAxes& axes,
-                    const SimulationReference& simulation_reference) {
-  const Solution solution = methods::solve_with_method(method, problem, {axes, {}});
+MethodResult compared_with(const SimulationReference& simulation_reference,
+                           const Solution& solution) {
   MethodResult result{.status = std::string(name(solution.status)),
                       .seconds = solution.seconds,
                       .density = solution.density.has_value(),
                       .error_estimate = solution.error,
                       .reason = solution.reason};
-  if (!result.density) return result;
+  if (!result.density || simulation_reference.status.empty()) return result;
   const auto distance_to_reference = [&](StateVariable variable, const Marginal& judged) {
     return transform::l1(transform::marginal(solution, variable, judged.edges), judged) +
            compare::rest_atom_l1_distance(solution.atoms, simulation_reference.atoms, variable);
@@ -402,11 +400,21 @@ int run(const Settings& settings) {
     const auto& problem = problems.back();
     if (settings.verbose) print_parameters(problem);
     const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
-    references.push_back(simulation_reference(problem, axes, settings));
-    std::vector<MethodResult> row(methods.size());
+    std::vector<Solution> solutions(methods.size());
     base::parallel_for(methods.size(), 0, [&](std::size_t m) {
-      row[m] = answer(methods[m], problem, axes, references.back());
+      solutions[m] = methods::solve_with_method(methods[m], problem, {axes, {}});
     });
+    // Only densities with status ok need a reference. The motion of a formula without such a density
+    // may escape to amplitudes that take hours to simulate.
+    const bool is_any_ok = std::ranges::any_of(
+        solutions, [](const Solution& s) { return s.status == transform::Status::ok; });
+    references.push_back(is_any_ok || !settings.formulas
+                             ? simulation_reference(problem, axes, settings)
+                             : SimulationReference{});
+    std::vector<MethodResult> row;
+    for (const Solution& solution : solutions) {
+      row.push_back(compared_with(references.back(), solution));
+    }
     if (settings.verbose) print_solutions(references.back(), methods, row);
     answers.push_back(std::move(row));
   }
