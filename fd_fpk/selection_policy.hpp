@@ -23,8 +23,8 @@ bool has_linearised_scales(const problem::Problem& problem);
 inline constexpr double kMostImpulsesOfCharacteristics = 3000;
 /// Returns whether the solver first tries transport along characteristics.
 bool are_characteristics_preferred(const problem::Problem& problem, double impulses_per_decay_time);
-/// Returns whether upwind differences cannot resolve the density, which is unbounded or has flights
-/// between impacts shorter than a cell.
+/// Returns whether upwind differences cannot resolve the density, which is unbounded, concentrated
+/// on a limit cycle, or has flights between impacts shorter than a cell.
 bool are_characteristics_required(const problem::Problem& problem);
 
 /// Automatic order of the scheme for a density with several length scales, without losses at a

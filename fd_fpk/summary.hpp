@@ -67,6 +67,10 @@ struct Summary {
   /// Whether the residuals of the balances are lower limits of the error estimate, since the
   /// observed order of convergence may be too high
   bool balances_limit_errors = false;
+  /// Mean absolute power E[|v f|] of the damping force f in units of the input power, for motion
+  /// along a limit cycle; otherwise 1. The force supplies and dissipates many times the input, so
+  /// that small errors of the density cause large residuals of the balances.
+  double exchanged_power = 1;
   /// Residuals of the balances of power, virial and momentum; absent without a density
   transform::BalanceResiduals balances = {};
   /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite if the oscillator comes to rest in

@@ -74,6 +74,7 @@ Characteristics::Characteristics(const problem::System& system, const Grid& grid
     if (flow_.wall(side)) trace_from_wall(side, characteristics_per_cell);
   }
   sort_wall_characteristics();
+  if (rest_.empty()) trace_from_uncovered_cells();
   trace_through_uncrossed_cells();
   normalise_visit_areas();
   find_continuations_at_walls(from_outside_);
@@ -154,6 +155,49 @@ void Characteristics::sort_wall_characteristics() {
   from_walls_ = std::move(sorted);
   for (WallCharacteristics* wall_characteristics : {&from_left_, &from_right_}) {
     for (int& track : wall_characteristics->tracks) track = place[track];
+  }
+}
+
+// Traces characteristics from the faces through which the motion enters a cell, for cells that the
+// strips of the other characteristics do not cover. The motion inside a limit cycle starts near an
+// unstable equilibrium and crosses no side of the box. The strips cover the missing part of the area
+// of each cell; the order of the cells is that of the motion, by increasing energy.
+void Characteristics::trace_from_uncovered_cells() {
+  constexpr double kMissing = 0.3;  // largest accepted fraction of the area without strips
+  constexpr double kInside = 1e-9;  // distance of the starts from the faces, in cell widths
+  const int nv = grid_.nv();
+  std::vector<double> covered(grid_.size());
+  const auto cover = [&](std::size_t first) {
+    for (std::size_t n = first; n < visits_.size(); ++n) {
+      covered[visits_[n].cell] += visits_[n].share;
+    }
+  };
+  const auto missing_fraction = [&](int cell) {
+    return 1 - covered[cell] / (grid_.x1.cell_width(cell / nv) * grid_.x2.cell_width(cell % nv));
+  };
+  cover(0);
+  std::vector<std::pair<double, int>> uncovered;  // energies and cells
+  for (int cell = 0; cell < grid_.size(); ++cell) {
+    if (missing_fraction(cell) < kMissing) continue;
+    uncovered.emplace_back(
+        flow_.energy({grid_.x1.cell_centre(cell / nv), grid_.x2.cell_centre(cell % nv)}), cell);
+  }
+  std::ranges::sort(uncovered);
+  for (const auto& [energy, cell] : uncovered) {
+    const double missing = missing_fraction(cell);
+    if (missing < kMissing) continue;
+    const std::size_t first = visits_.size();
+    const int i = cell / nv, j = cell % nv;
+    const double y = grid_.x1.cell_centre(i), width_y = grid_.x1.cell_width(i);
+    const double v = grid_.x2.cell_centre(j), width_v = grid_.x2.cell_width(j);
+    const auto start = [&](const PhaseState& from, double flux) {
+      if (flux > 0) from_outside_.push_back(trace_characteristic(from, missing * flux));
+    };
+    const double half_y = (0.5 - kInside) * width_y, half_v = (0.5 - kInside) * width_v;
+    start({v > 0 ? y - half_y : y + half_y, v}, std::abs(v) * width_v);
+    start({y, v - half_v}, flow_.acceleration({y, v - half_v}) * width_y);
+    start({y, v + half_v}, -flow_.acceleration({y, v + half_v}) * width_y);
+    cover(first);
   }
 }
 

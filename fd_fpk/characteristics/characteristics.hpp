@@ -112,6 +112,7 @@ class Characteristics {
   void trace_from_box_sides(int characteristics_per_cell);
   void trace_from_wall(WallSide side, int characteristics_per_cell);
   void sort_wall_characteristics();
+  void trace_from_uncovered_cells();
   void trace_through_uncrossed_cells();
   Characteristic trace_characteristic(const PhaseState& from, double flux);
   bool must_stop_tracing() const { return out_of_time_ || visits_.size() > kMaxVisits; }

@@ -263,6 +263,13 @@ double mean_damping_power(const problem::System& system, const transform::Moment
          system.rayleigh_coefficient() * moments.v4;
 }
 
+double mean_absolute_damping_power(const problem::System& system, const Grid& grid,
+                                   const Eigen::VectorXd& averages, int scheme_order) {
+  return integrate_function(system, grid, averages, scheme_order, [&](double x1, double x2) {
+    return std::abs(x2 * system.damping_force(x1, x2));
+  });
+}
+
 problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
                                         problem::ImpactCondition impact,
                                         const transform::Moments& moments, const Grid& grid,

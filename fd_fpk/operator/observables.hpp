@@ -60,6 +60,10 @@ double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& averages, int s
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
                           const Grid& grid, const Eigen::VectorXd& averages, int scheme_order);
 
+/// Returns the mean E[|v f|] of the power that the damping force f takes or gives.
+double mean_absolute_damping_power(const problem::System& system, const Grid& grid,
+                                   const Eigen::VectorXd& averages, int scheme_order);
+
 /// Returns the terms of the power balance of a density given by cell averages.
 /// @param moments moments of the density in the coordinates of the grid
 problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,

@@ -92,7 +92,8 @@ double end_of_support_in_y(const Axis& axis, const Eigen::VectorXd& masses, doub
 // ends than kMaxMassAtEnd would be rejected.
 Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
                         const Options& options, const Deadline& deadline) {
-  constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
+  // The masses have errors of the tolerance of the chain, 1e-10 (characteristics/embedded_chain.cpp).
+  constexpr double kCoarse = 0.4, kNegligible = 1e-9, kWider = 1.5;
   // Mass at the ends of the box above which the box is widened by the larger factor kFastWidening.
   constexpr double kLargeMass = 1e-3, kFastWidening = 3;
   // Approximate ratio of the computing times in the wider and the narrower box
@@ -182,6 +183,11 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
            problem.system.right_wall(), problem::ImpactCondition::map, rate * right.energy),
        .mean_damping_power =
            mean_damping_power(problem.system, in_frame, on.grid, averages, kOrderOfObservables)});
+  if (on.found.rest.empty()) {
+    summary.exchanged_power = std::max(
+        1.0, mean_absolute_damping_power(problem.system, on.grid, averages, kOrderOfObservables) /
+                 (problem.impulses.intensity() / 2));
+  }
   summary.balances = balance_residuals(
       problem, on.grid, averages, kOrderOfObservables,
       {.left = problem::impact_momentum_change(problem.system.left_wall(), rate * left.momentum),

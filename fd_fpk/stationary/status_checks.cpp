@@ -54,15 +54,16 @@ void check_resolution(const Options& options, Result& result) {
     const bool first_order_impact = options.impact == ImpactCondition::delta;
     solution.reason = fmt::format(
         "the density is negative, {:.1g} of its peak: {}", solution.min_density,
-        first_order_impact ? "the grid is too coarse, or the first-order impact has no nonnegative "
-                             "density; compare with a finer grid"
-                           : "the grid does not resolve it; refine the grid with nx and nv");
+        first_order_impact
+            ? "the grid is too coarse, or the first-order impact has no nonnegative "
+              "density; compare with a finer grid"
+            : "the grid does not resolve it; refine the grid with nx and nv, or use mcs");
   } else if (std::abs(solution.energy_residual) >
                  std::max(kStationaryLimits.power, options.accuracy) ||
              std::isnan(solution.energy_residual)) {
     solution.reason = fmt::format(
         "the power balance has a residual of {:.1g} of the input: the grid does not resolve the "
-        "density; refine the grid with nx and nv",
+        "density; refine the grid with nx and nv, or use mcs",
         solution.energy_residual);
   }
   if (!solution.reason.empty()) solution.status = Status::inadmissible;
@@ -75,12 +76,13 @@ void check_balances(Result& result) {
       {"power", solution.energy_residual},
       {"virial", summary.balances.virial.value_or(0)},
       {"momentum", summary.balances.momentum.value_or(0)}};
+  const double limit = kMaxBalanceResidual * summary.exchanged_power;
   for (const auto& [name, residual] : balances) {
-    if (std::abs(residual) <= kMaxBalanceResidual) continue;
+    if (std::abs(residual) <= limit) continue;
     solution.status = Status::inaccurate;
-    solution.reason =
-        fmt::format("the {} balance has a residual of {:.1g}, more than {:g}; increase max-seconds",
-                    name, std::abs(residual), kMaxBalanceResidual);
+    solution.reason = fmt::format(
+        "the {} balance has a residual of {:.1g}, more than {:.1g}; increase max-seconds", name,
+        std::abs(residual), limit);
     return;
   }
 }

@@ -41,7 +41,8 @@ void check_box_size(const problem::WallFrame& frame, const Grid& grid, Result& r
 void check_resolution(const Options& options, Result& result);
 
 /// Changes the status `ok` to `inaccurate` if the balance of power, virial or momentum has a
-/// residual above kMaxBalanceResidual. The check is for problems that must_satisfy_balances().
+/// residual above kMaxBalanceResidual times Summary::exchanged_power. The check is for problems that
+/// must_satisfy_balances().
 void check_balances(Result& result);
 inline constexpr double kMaxBalanceResidual = 1e-4;
 
