@@ -89,6 +89,20 @@ void add_discretisation_errors(const CaseResult& one, Sentences& sentences) {
       largest.moments.v2));
 }
 
+void add_sampling_errors(const CaseResult& one, Sentences& sentences) {
+  if (!one.budget.empty()) return;  // the error budget has the sampling errors
+  for (const auto& solution : one.solutions) {
+    if (!solution.sampling || !solution.standard_errors) continue;
+    const auto& [y, ydot, y_99, ydot_99] = *solution.sampling;
+    const auto& moments = solution.standard_errors->moments;
+    sentences.push_back(
+        fmt::format("The sampling error of {}: on average L1 {}; standard errors {:.1g} in E[y^2] "
+                    "and {:.1g} in E[y'^2].",
+                    solution.id(), l1_distances_text(MarginalDistances{y, ydot}), moments.y2,
+                    moments.v2));
+  }
+}
+
 void add_approximation_errors(const CaseResult& one, Sentences& sentences) {
   Sentences of_equations, of_impacts;
   for (const auto& a : one.solutions) {
@@ -382,6 +396,7 @@ std::vector<std::string> findings(const CaseResult& one) {
   Sentences sentences = guaranteed_bounds_findings(one);
   if (one.solutions.size() > 1) sentences.push_back(describe_reference(one));
   add_discretisation_errors(one, sentences);
+  add_sampling_errors(one, sentences);
   add_approximation_errors(one, sentences);
   add_closest_closures(one, sentences);
   add_measured_errors(one, sentences);

@@ -194,6 +194,18 @@ TEST(Findings, StateTheDiscretisationError) {
             "in p(y) and 2.5e-05 in p(y'), 4e-06 in E[y^2] and 2e-06 in E[y'^2].");
 }
 
+TEST(Findings, StateTheSamplingError) {
+  auto case_result = made_up_case();
+  auto& mcs = solution_of(case_result, "mcs");
+  mcs.sampling = transform::SamplingError{.y = 3e-3, .ydot = 2e-3};
+  mcs.standard_errors = transform::StandardErrors{.moments = {.y2 = 4e-4, .v2 = 5e-4}};
+  EXPECT_EQ(sentence_with(case_result, "The sampling error of"), "");  // the error budget contains it
+  case_result.budget.clear();
+  EXPECT_EQ(sentence_with(case_result, "The sampling error of"),
+            "The sampling error of mcs: on average L1 0.003 in p(y) and 0.002 in p(y'); standard "
+            "errors 0.0004 in E[y^2] and 0.0005 in E[y'^2].");
+}
+
 TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
   auto case_result = made_up_case();
   for (auto& solution : case_result.solutions) {

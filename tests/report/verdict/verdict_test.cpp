@@ -210,7 +210,7 @@ TEST(Verdict, StatesThatThereIsNoReference) {
   EXPECT_TRUE(
       run_verdict.answer[0].starts_with("There is no reference: no solution of the full problem"));
   EXPECT_TRUE(run_verdict.lines.empty());
-  EXPECT_TRUE(contains(run_verdict.recommendation.front(), "Add fd-kf and mcs"));
+  EXPECT_TRUE(contains(run_verdict.recommendation.front(), "--methods fd,mcs"));
 }
 
 TEST(VerdictText, PutsFourCasesBesideEachOtherAt80Columns) {
