@@ -76,7 +76,7 @@ const Description<Options>& description() {
               {"RAD",
                "interval between the kicks that approximate white noise, in radians (default "
                "0.05; for other oscillators than the paper's 0.2 if every restitution coefficient is at "
-               "least 0.6 and noise.factor is absent)"},
+               "least 0.6, noise.factor is absent and the force does not jump in v)"},
               closed_interval(kShortestStep, kLongestWhiteStep))
           .add("tails", &Options::tails, {"", "resolve the far tails by importance splitting"})
           .add("controlled", &Options::controlled,
