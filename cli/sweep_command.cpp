@@ -180,6 +180,7 @@ sweep::Plan make_sweep_plan(const SweepArguments& arguments,
   }
   plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
   plan.marginals = arguments.marginals;
+  sweep::require_known_constants(plan.base, plan.axes);
   plan.points = sweep::make_points(plan.axes, plan.design, plan.sobol_points);
 
   base::Values given = arguments.given;

@@ -7,6 +7,7 @@
 
 #include "base/input_error.hpp"
 #include "made_up_sweep.hpp"
+#include "problem/case_file.hpp"
 #include "temporary_directory.hpp"
 #include "workflows/sweep/plan/axis.hpp"
 #include "workflows/sweep/plan/plan.hpp"
@@ -94,6 +95,14 @@ TEST(Plan, AProblemHasTheValuesOfItsPoint) {
   EXPECT_EQ(problem.system.coefficients().restitution, 0.9);
   EXPECT_EQ(problem.system.coefficients().cubic, plan.base.system.coefficients().cubic);
   EXPECT_EQ(problem.name, plan.base.name);
+}
+
+// A misspelt constant would solve the same problem at each point.
+TEST(Plan, VariesOnlyConstantsOfTheCase) {
+  const auto base = problem::load_case("coulomb", {});
+  require_known_constants(base, {parse_axis("parameters.mu", "0.1,0.2", "x"), kRates});
+  EXPECT_THROW(require_known_constants(base, {parse_axis("parameters.mue", "0.1,0.2", "x")}),
+               InputError);
 }
 
 class PlanFile : public testing::Test {

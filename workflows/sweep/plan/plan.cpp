@@ -118,6 +118,19 @@ PlanPoints make_points(const std::vector<Axis>& axes, PlanDesign design, std::si
   return {};
 }
 
+void require_known_constants(const problem::Problem& base, const std::vector<Axis>& axes) {
+  constexpr std::string_view kParameters = "parameters.";
+  for (const auto& axis : axes) {
+    if (!axis.key.starts_with(kParameters)) continue;
+    const std::string name = axis.key.substr(kParameters.size());
+    if (!base.system.named_constants().contains(name)) {
+      throw InputError(
+          fmt::format("{} is varied, but [parameters] of {} has no {}; correct the name", axis.key,
+                      base.name, name));
+    }
+  }
+}
+
 problem::Problem Plan::problem_at(std::size_t point) const {
   auto sections = problem::sections(base);
   for (std::size_t a = 0; a < axes.size(); ++a) {

@@ -37,6 +37,11 @@ using PlanPoints = std::vector<std::vector<base::Value>>;
 ///         points
 PlanPoints make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points);
 
+/// Requires that each varied constant `parameters.NAME` is a constant of the base case, so that a
+/// misspelt name does not solve the same problem at each point.
+/// @throws InputError
+void require_known_constants(const problem::Problem& base, const std::vector<Axis>& axes);
+
 enum class ClosureErrorSource {
   /// Distance from the reference of the point, plus the error estimate of the reference.
   reference,
