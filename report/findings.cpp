@@ -95,11 +95,10 @@ void add_sampling_errors(const CaseResult& one, Sentences& sentences) {
     if (!solution.sampling || !solution.standard_errors) continue;
     const auto& [y, ydot, y_99, ydot_99] = *solution.sampling;
     const auto& moments = solution.standard_errors->moments;
-    sentences.push_back(
-        fmt::format("The sampling error of {}: on average L1 {}; standard errors {:.1g} in E[y^2] "
-                    "and {:.1g} in E[y'^2].",
-                    solution.id(), l1_distances_text(MarginalDistances{y, ydot}), moments.y2,
-                    moments.v2));
+    sentences.push_back(fmt::format(
+        "The sampling error of {}: on average L1 {}; standard errors {:.1g} in E[y^2] "
+        "and {:.1g} in E[y'^2].",
+        solution.id(), l1_distances_text(MarginalDistances{y, ydot}), moments.y2, moments.v2));
   }
 }
 

@@ -199,7 +199,8 @@ TEST(Findings, StateTheSamplingError) {
   auto& mcs = solution_of(case_result, "mcs");
   mcs.sampling = transform::SamplingError{.y = 3e-3, .ydot = 2e-3};
   mcs.standard_errors = transform::StandardErrors{.moments = {.y2 = 4e-4, .v2 = 5e-4}};
-  EXPECT_EQ(sentence_with(case_result, "The sampling error of"), "");  // the error budget contains it
+  EXPECT_EQ(sentence_with(case_result, "The sampling error of"),
+            "");  // the error budget contains it
   case_result.budget.clear();
   EXPECT_EQ(sentence_with(case_result, "The sampling error of"),
             "The sampling error of mcs: on average L1 0.003 in p(y) and 0.002 in p(y'); standard "
