@@ -92,8 +92,10 @@ double end_of_support_in_y(const Axis& axis, const Eigen::VectorXd& masses, doub
 // ends than kMaxMassAtEnd would be rejected.
 Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
                         const Options& options, const Deadline& deadline) {
-  // The masses have errors of the tolerance of the chain, 1e-10 (characteristics/embedded_chain.cpp).
-  constexpr double kCoarse = 0.4, kNegligible = 1e-9, kWider = 1.5;
+  constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
+  // Around a limit cycle the errors of GMRES, 1e-10 (characteristics/embedded_chain.cpp), spread over
+  // the whole box, since the motion far from the cycle is slow.
+  constexpr double kNegligibleAroundCycle = 1e-9;
   // Mass at the ends of the box above which the box is widened by the larger factor kFastWidening.
   constexpr double kLargeMass = 1e-3, kFastWidening = 3;
   // Approximate ratio of the computing times in the wider and the narrower box
@@ -111,8 +113,9 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
     const GridSolution on = solve_in_box(problem, scales, coarse, box, deadline);
     if (!on.found.masses) return box;
     const MarginalMasses masses = marginal_masses(on);
-    const double y = end_of_support_in_y(on.grid.x1, masses.of_y, kNegligible);
-    const double v = end_of_support(on.grid.speed_axis(), masses.of_speed, kNegligible);
+    const double negligible = on.found.rest.empty() ? kNegligibleAroundCycle : kNegligible;
+    const double y = end_of_support_in_y(on.grid.x1, masses.of_y, negligible);
+    const double v = end_of_support(on.grid.speed_axis(), masses.of_speed, negligible);
     const bool wider_y = !given_y && y >= box.x1_max;
     const bool wider_v = !given_v && v >= box.x2_max;
     const double beyond = mass_at_end(on, masses);
