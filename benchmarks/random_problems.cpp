@@ -72,6 +72,7 @@ struct SimulationReference {
   std::vector<transform::RestAtom> atoms = {};
   std::string status = {};  // only an `ok` simulation serves as reference; empty: not simulated
 
+  bool is_simulated() const { return !status.empty(); }
   bool is_usable() const { return status == "ok"; }
 };
 
@@ -157,14 +158,14 @@ SimulationReference simulation_reference(const problem::Problem& problem,
   return simulation_reference;
 }
 
-MethodResult compared_with(const SimulationReference& simulation_reference,
-                           const Solution& solution) {
+MethodResult compare_with_reference(const SimulationReference& simulation_reference,
+                                    const Solution& solution) {
   MethodResult result{.status = std::string(name(solution.status)),
                       .seconds = solution.seconds,
                       .density = solution.density.has_value(),
                       .error_estimate = solution.error,
                       .reason = solution.reason};
-  if (!result.density || simulation_reference.status.empty()) return result;
+  if (!result.density || !simulation_reference.is_simulated()) return result;
   const auto distance_to_reference = [&](StateVariable variable, const Marginal& judged) {
     return transform::l1(transform::marginal(solution, variable, judged.edges), judged) +
            compare::rest_atom_l1_distance(solution.atoms, simulation_reference.atoms, variable);
@@ -413,7 +414,7 @@ int run(const Settings& settings) {
                              : SimulationReference{});
     std::vector<MethodResult> row;
     for (const Solution& solution : solutions) {
-      row.push_back(compared_with(references.back(), solution));
+      row.push_back(compare_with_reference(references.back(), solution));
     }
     if (settings.verbose) print_solutions(references.back(), methods, row);
     answers.push_back(std::move(row));

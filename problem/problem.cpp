@@ -290,8 +290,8 @@ void require_defined_restoring_force(const System& system) {
                            (!system.right_wall() || y < system.right_wall()->position);
     if (!is_inside || !std::isnan(system.force(y, 0))) return;
     throw InputError(fmt::format(
-        "system.force is undefined at y = {:.3g}, v = 0, such as the root or a fractional power of "
-        "a negative number; write max(.., 0) or abs(..) there, or exclude this y by a wall",
+        "system.force is undefined at y = {:.3g}, v = 0: a root, logarithm or power has no value "
+        "there; write max(.., 0) or abs(..) as its argument, or exclude this y by a wall",
         y));
   };
   for (int n = -kDecades * kPointsPerDecade; n <= kDecades * kPointsPerDecade; ++n) {

@@ -89,19 +89,6 @@ void add_discretisation_errors(const CaseResult& one, Sentences& sentences) {
       largest.moments.v2));
 }
 
-void add_sampling_errors(const CaseResult& one, Sentences& sentences) {
-  if (!one.budget.empty()) return;  // the error budget has the sampling errors
-  for (const auto& solution : one.solutions) {
-    if (!solution.sampling || !solution.standard_errors) continue;
-    const auto& [y, ydot, y_99, ydot_99] = *solution.sampling;
-    const auto& moments = solution.standard_errors->moments;
-    sentences.push_back(fmt::format(
-        "The sampling error of {}: on average L1 {}; standard errors {:.1g} in E[y^2] "
-        "and {:.1g} in E[y'^2].",
-        solution.id(), l1_distances_text(MarginalDistances{y, ydot}), moments.y2, moments.v2));
-  }
-}
-
 void add_approximation_errors(const CaseResult& one, Sentences& sentences) {
   Sentences of_equations, of_impacts;
   for (const auto& a : one.solutions) {
@@ -228,6 +215,19 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
 MarginalDistances sampling_errors(const Solution& solution, bool smooth = false) {
   const auto& stated = smooth ? best_sampling_error(solution) : solution.sampling;
   return stated ? MarginalDistances{stated->y, stated->ydot} : MarginalDistances{};
+}
+
+void add_sampling_errors(const CaseResult& one, Sentences& sentences) {
+  if (!one.budget.empty()) return;  // the error budget has the sampling errors
+  for (const auto& solution : one.solutions) {
+    const MarginalDistances l1 = sampling_errors(solution);
+    if (!l1.has_any_distance() || !solution.standard_errors) continue;
+    const auto& moments = solution.standard_errors->moments;
+    sentences.push_back(
+        fmt::format("The sampling error of {}: on average L1 {}; standard errors {:.1g} in E[y^2] "
+                    "and {:.1g} in E[y'^2].",
+                    solution.id(), l1_distances_text(l1), moments.y2, moments.v2));
+  }
 }
 
 // Returns the sampling error of the difference of two independent estimates, whose variances add.

@@ -82,7 +82,8 @@ Characteristics::Characteristics(const problem::System& system, const Grid& grid
 }
 
 std::string Characteristics::failure_reason() const {
-  if (out_of_time_) return "characteristics: max_seconds expired during their construction";
+  if (out_of_time_)
+    return "characteristics: max_seconds expired during their construction; increase max-seconds";
   if (!must_stop_tracing()) return "";
   return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMaxVisits);
 }
@@ -158,25 +159,25 @@ void Characteristics::sort_wall_characteristics() {
   }
 }
 
-// Traces characteristics from the faces through which the motion enters a cell, for cells that the
-// strips of the other characteristics do not cover. The motion inside a limit cycle starts near an
-// unstable equilibrium and crosses no side of the box. The strips cover the missing part of the area
-// of each cell; the order of the cells is that of the motion, by increasing energy.
+// Traces characteristics that start at the faces through which the motion enters a cell, for each
+// cell whose area the strips do not cover. Such cells are inside a limit cycle, where all motion
+// starts near an unstable equilibrium and none enters through the sides of the box. The new strips
+// cover the missing fraction of the area. Cells of lower energy come first, since the motion passes
+// them earlier.
 void Characteristics::trace_from_uncovered_cells() {
   constexpr double kMissing = 0.3;  // largest accepted fraction of the area without strips
   constexpr double kInside = 1e-9;  // distance of the starts from the faces, in cell widths
   const int nv = grid_.nv();
-  std::vector<double> covered(grid_.size());
-  const auto cover = [&](std::size_t first) {
+  const Eigen::VectorXd areas = grid_.cell_areas();
+  Eigen::VectorXd covered = Eigen::VectorXd::Zero(grid_.size());
+  const auto add_areas_of_visits = [&](std::size_t first) {
     for (std::size_t n = first; n < visits_.size(); ++n) {
-      covered[visits_[n].cell] += visits_[n].share;
+      covered(visits_[n].cell) += visits_[n].share;
     }
   };
-  const auto missing_fraction = [&](int cell) {
-    return 1 - covered[cell] / (grid_.x1.cell_width(cell / nv) * grid_.x2.cell_width(cell % nv));
-  };
-  cover(0);
-  std::vector<std::pair<double, int>> uncovered;  // energies and cells
+  const auto missing_fraction = [&](int cell) { return 1 - covered(cell) / areas(cell); };
+  add_areas_of_visits(0);
+  std::vector<std::pair<double, int>> uncovered;  // energies and indices of cells
   for (int cell = 0; cell < grid_.size(); ++cell) {
     if (missing_fraction(cell) < kMissing) continue;
     uncovered.emplace_back(
@@ -190,14 +191,14 @@ void Characteristics::trace_from_uncovered_cells() {
     const int i = cell / nv, j = cell % nv;
     const double y = grid_.x1.cell_centre(i), width_y = grid_.x1.cell_width(i);
     const double v = grid_.x2.cell_centre(j), width_v = grid_.x2.cell_width(j);
-    const auto start = [&](const PhaseState& from, double flux) {
-      if (flux > 0) from_outside_.push_back(trace_characteristic(from, missing * flux));
+    const auto trace_if_inflow = [&](const PhaseState& from, double inflow) {
+      if (inflow > 0) from_outside_.push_back(trace_characteristic(from, missing * inflow));
     };
     const double half_y = (0.5 - kInside) * width_y, half_v = (0.5 - kInside) * width_v;
-    start({v > 0 ? y - half_y : y + half_y, v}, std::abs(v) * width_v);
-    start({y, v - half_v}, flow_.acceleration({y, v - half_v}) * width_y);
-    start({y, v + half_v}, -flow_.acceleration({y, v + half_v}) * width_y);
-    cover(first);
+    trace_if_inflow({v > 0 ? y - half_y : y + half_y, v}, std::abs(v) * width_v);
+    trace_if_inflow({y, v - half_v}, flow_.acceleration({y, v - half_v}) * width_y);
+    trace_if_inflow({y, v + half_v}, -flow_.acceleration({y, v + half_v}) * width_y);
+    add_areas_of_visits(first);
   }
 }
 

@@ -176,20 +176,20 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
     }
   }
   const auto in_frame = moments(on.grid, averages, kOrderOfObservables);
-  solution.energy_residual = problem::energy_residual(
-      problem,
-      {.mean_velocity = in_frame.v1,
-       .mean_square_velocity = in_frame.v2,
-       .left_impact_loss = problem::impact_loss(problem.system.left_wall(),
-                                                problem::ImpactCondition::map, rate * left.energy),
-       .right_impact_loss = problem::impact_loss(
-           problem.system.right_wall(), problem::ImpactCondition::map, rate * right.energy),
-       .mean_damping_power =
-           mean_damping_power(problem.system, in_frame, on.grid, averages, kOrderOfObservables)});
+  const problem::PowerBalanceTerms terms{
+      .mean_velocity = in_frame.v1,
+      .mean_square_velocity = in_frame.v2,
+      .left_impact_loss = problem::impact_loss(problem.system.left_wall(),
+                                               problem::ImpactCondition::map, rate * left.energy),
+      .right_impact_loss = problem::impact_loss(problem.system.right_wall(),
+                                                problem::ImpactCondition::map, rate * right.energy),
+      .mean_damping_power =
+          mean_damping_power(problem.system, in_frame, on.grid, averages, kOrderOfObservables)};
+  solution.energy_residual = problem::energy_residual(problem, terms);
   if (on.found.rest.empty()) {
     summary.exchanged_power = std::max(
         1.0, mean_absolute_damping_power(problem.system, on.grid, averages, kOrderOfObservables) /
-                 (problem.impulses.intensity() / 2));
+                 problem::power_balance(problem, terms).input);
   }
   summary.balances = balance_residuals(
       problem, on.grid, averages, kOrderOfObservables,

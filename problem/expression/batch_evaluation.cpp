@@ -81,7 +81,7 @@ FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const R
 }
 
 // Values and derivatives with respect to v of a batch of points, as numerics::DualNumber. The members
-// have no initial values, so that the stack of an evaluation costs no time.
+// have no initial values, so that an evaluation does not set its whole stack to zero.
 struct DualBatch {
   Real value, derivative;
 

@@ -222,8 +222,8 @@ std::vector<double> Expression::kinks(Operation variable, double low, double hig
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       if (has_kink[k] == 0) continue;
       const double at_left = left_values[k], at_right = right_values[k];
-      // Only an isolated zero is a kink. An argument that is zero over an interval, as that of
-      // abs(max(y, 0)) for y < 0, has the kinks of the functions in it.
+      // A zero at a point of the search is a kink if both neighbouring values differ from zero. An
+      // argument that is zero over an interval, as max(y, 0) for y < 0, has its own kinks only.
       if (n > 1 && earlier_values[k] != 0 && at_left == 0 && at_right != 0) found.insert(left);
       if (!((at_left < 0 && at_right > 0) || (at_left > 0 && at_right < 0))) continue;
       if (++changes > kPoints) return {found.begin(), found.end()};

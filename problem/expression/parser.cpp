@@ -233,18 +233,25 @@ class ExpressionParser {
     }
   }
 
+  // Returns the operand that a name stands for: a variable, a named constant or pi.
+  std::optional<Node> operand_of(std::string_view name) const {
+    if (name.size() == 1 && variables_.find(name) != std::string_view::npos) {
+      return Node{name == "y" ? Operation::y : Operation::v};
+    }
+    const auto constant = constants_.find(name);
+    if (constant != constants_.end()) return Node{Operation::constant, constant->second};
+    if (name == "pi") return Node{Operation::constant, std::numbers::pi};
+    return std::nullopt;
+  }
+
   void parse_name() {
     const std::size_t begin = at_;
     while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
     const std::string_view name = text_.substr(begin, at_ - begin);
     if (accept('(')) {
       parse_call(name, begin);
-    } else if (name.size() == 1 && variables_.find(name) != std::string_view::npos) {
-      append(Node{name == "y" ? Operation::y : Operation::v}, 0);
-    } else if (const auto constant = constants_.find(name); constant != constants_.end()) {
-      append_constant(constant->second);
-    } else if (name == "pi") {
-      append_constant(std::numbers::pi);
+    } else if (const auto operand = operand_of(name)) {
+      append(*operand, 0);
     } else if (std::ranges::find(kFunctions, name, &Function::name) != kFunctions.end()) {
       fail_at(begin, fmt::format("the function {0} lacks its argument; write {0}(..)", name));
     } else {
@@ -260,11 +267,10 @@ class ExpressionParser {
   void parse_call(std::string_view name, std::size_t begin) {
     const auto function = std::ranges::find(kFunctions, name, &Function::name);
     if (function == kFunctions.end()) {
+      if (operand_of(name))
+        fail_at(begin, fmt::format("{0} is not a function; write {0}*(..)", name));
       std::vector<std::string_view> names;
       for (const Function& known : kFunctions) names.push_back(known.name);
-      const bool is_factor = constants_.contains(name) || name == "pi" ||
-                             (name.size() == 1 && variables_.find(name) != std::string_view::npos);
-      if (is_factor) fail_at(begin, fmt::format("{0} is no function; write {0}*(..)", name));
       fail_at(begin, fmt::format("unknown function {}; known functions: {}",
                                  base::in_quotes(std::string(name)), fmt::join(names, ", ")));
     }
