@@ -118,7 +118,7 @@ bool are_characteristics_preferred(const problem::Problem& problem,
 
 bool are_characteristics_required(const problem::Problem& problem) {
   constexpr double kStronglyBouncing = 5;
-  // Differences resolve the narrow density around a limit cycle less well.
+  // Without a rest point the density is concentrated around a limit cycle.
   if (!has_linearised_scales(problem)) return rest_points(Flow(problem.system)).empty();
   return is_density_unbounded_at_origin(problem) ||
          (has_short_flights(problem) && mean_force_ratio(problem) > kStronglyBouncing);

@@ -68,7 +68,8 @@ struct Options {
   /// Interval between the kicks that approximate white noise, in radians, at most 0.5. For the
   /// paper's oscillator the frequency of equivalent linearisation defines the radians, and the
   /// default is 0.05. For other oscillators the mean frequency and the damping define the radians,
-  /// and the default is 0.2 or 0.05 (automatic_kick_step()).
+  /// and the default is 0.2, or 0.05 at strong impact losses, under multiplicative noise, and where
+  /// the force jumps in v.
   std::optional<double> white_step{};
   /// Splits trajectories at high energies (ImportanceSplitting), to resolve densities of 1e-8 of
   /// the peak density and less.

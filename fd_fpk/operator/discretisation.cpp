@@ -303,7 +303,8 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
     const auto of_factor = problem.noise_factor->kinks_in_y(box.x1_min, box.x1_max);
     kinks.insert(of_factor.begin(), of_factor.end());
   }
-  // More kinks than this are closer than the cells, which resolve none of them.
+  // An axis of usual grids has about 100 cells. More kinks are closer than these cells, and a face at
+  // each of them would only add cells.
   constexpr std::size_t kMostKinks = 100;
   if (kinks.size() <= kMostKinks) {
     for (const double kink : kinks) points.push_back({kink, {}});
