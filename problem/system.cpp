@@ -136,6 +136,7 @@ void System::evaluate_forces(std::size_t count, const double* y, const double* v
     return;
   }
   formula_->evaluate(count, y, v, force);
+  if (sign_ == 1) return;
   for (std::size_t k = 0; k < count; ++k) force[k] *= sign_;
 }
 

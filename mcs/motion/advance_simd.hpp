@@ -531,8 +531,9 @@ struct LaneState {
     for (;;) {
       const Mask active = remaining > 0.0;
       if (!simd::any_lane_set(active)) break;
-      // Every iteration advances the time of a lane or ends at a wall. At a wall the velocity
-      // points inwards or the mass rests, so the next iteration advances the time.
+      // Every iteration advances the time of a lane, ends at a wall, or rejects the step of a
+      // FormulaFlight. At a wall the velocity points inwards or the mass rests, so the next iteration
+      // advances the time. After a rejected step the next step is shorter.
       apply_impacts(active);
       Real span = simd::lanewise_min(until_impulse, remaining);
       if constexpr (Motion::kHasKicks) span = simd::lanewise_min(span, until_kick);

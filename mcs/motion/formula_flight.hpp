@@ -42,10 +42,11 @@ struct PackedStates {
 template <class Real, class Mask>
 FPKCHECK_INLINE Real formula_force(const Oscillator& oscillator, const PhaseState<Real>& at,
                                    const Mask& wanted) {
-  const PackedStates<Real> states(at, wanted);
-  typename PackedStates<Real>::Numbers force;
-  evaluate_forces(oscillator, states.count, states.y.at, states.v.at, force.at);
-  return states.unpack(force);
+  typename PackedStates<Real>::Numbers y, v, force;
+  simd::store(at.y, y.at);
+  simd::store(at.v, v.at);
+  evaluate_forces(oscillator, simd::kWidth<Real>, y.at, v.at, force.at);
+  return simd::select_or_zero(wanted, simd::load<Real>(force.at));
 }
 
 /// End of the previous flight and the next trial step, one trajectory per lane.
@@ -57,7 +58,8 @@ struct IntegratorState {
 };
 
 /// Flights of an oscillator whose force is a formula: a step of the method of Dormand and Prince of
-/// order 5(4) (J. Comput. Appl. Math. 6, 1980), whose embedded solution of order 4 limits the step.
+/// order 5(4) (J. Comput. Appl. Math. 6, 1980), whose embedded solution of order 4 limits the step. A
+/// step that is not accurate is replaced by a flight of duration 0, so that no lane waits for another.
 /// The flight is the Hermite polynomial of degree 5 with the position, velocity and acceleration at
 /// both ends.
 template <class Real>
@@ -91,27 +93,21 @@ class FormulaFlight : public FreeFlight<Real, 6> {
       first = simd::select(unknown, acceleration(start, unknown), first);
     const Real trial = simd::lanewise_min(integrator.step, simd::broadcast<Real>(longest));
     step_ = simd::lanewise_min(trial, until_event);
-    for (Mask open = moving; simd::any_lane_set(open);) {
-      const Real used = step_;
-      const Real error = take_step(first, open) * (1.0 / tolerance);
-      // A trial state outside the domain of the formula has the error NaN.
-      const Real known_error = simd::select(error == error, error, simd::broadcast<Real>(1e100));
-      const Real factor = kSafety * simd::exponential(-0.2 * simd::logarithm(known_error + 1e-100));
-      const Real next =
-          used * simd::lanewise_min(simd::lanewise_max(factor, simd::broadcast<Real>(kLeastFactor)),
-                                    simd::broadcast<Real>(kLargestFactor));
-      // Without a finite force at the start no step is better.
-      const Mask rejected = open & (known_error > 1.0) & (used > shortest) & (first == first);
-      const Mask accepted = open & (rejected == none);
-      // The trial step does not decrease after a step that an event shortened, and after a state
-      // without a finite force, from which no step leads back.
-      const Mask keeps = (used == until_event) | (first != first);
-      const Real after = simd::select(keeps, simd::lanewise_max(next, trial), next);
-      integrator.step = simd::select(
-          accepted, simd::lanewise_max(after, simd::broadcast<Real>(shortest)), integrator.step);
-      step_ = simd::select(rejected, next, step_);
-      open = rejected;
-    }
+    const Real used = step_;
+    const Real error = take_step(first, moving) * (1.0 / tolerance);
+    // A trial state outside the domain of the formula has the error NaN.
+    const Real known_error = simd::select(error == error, error, simd::broadcast<Real>(1e100));
+    const Real next = used * step_factor(known_error);
+    // Without a finite force at the start no step is better.
+    const Mask rejected = moving & (known_error > 1.0) & (used > shortest) & (first == first);
+    const Mask accepted = moving & (rejected == none);
+    // The trial step does not decrease after a step that an event shortened, and after a state
+    // without a finite force, from which no step leads back.
+    const Mask keeps = (used == until_event) | (first != first);
+    const Real after = simd::select(keeps, simd::lanewise_max(next, trial), next);
+    integrator.step = simd::select(
+        accepted, simd::lanewise_max(after, simd::broadcast<Real>(shortest)), integrator.step);
+    if (simd::any_lane_set(rejected)) stay_at_start(start, first, next, rejected, integrator);
     integrator.end.y = simd::select(moving, end_.y, integrator.end.y);
     integrator.end.v = simd::select(moving, end_.v, integrator.end.v);
     integrator.acceleration = simd::select(moving, end_acceleration_, integrator.acceleration);
@@ -138,6 +134,27 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   // ever shorter steps while the velocity stays at the jump.
   static constexpr double kShortest = 1e-9, kShortestAtJumps = 1.0 / 256;
   static constexpr double kSafety = 0.9, kLeastFactor = 0.2, kLargestFactor = 5;
+
+  /// Returns the ratio of the next step to a step with an error, as a fraction of the tolerance:
+  /// 0.9 error^(-3/16) within limits. The exponent of the method, -1/5, would take a logarithm.
+  FPKCHECK_INLINE static Real step_factor(const Real& error) {
+    const Real root = simd::square_root(simd::square_root(simd::square_root(error + 1e-100)));
+    const Real factor = kSafety / (root * simd::square_root(root));
+    return simd::lanewise_min(simd::lanewise_max(factor, simd::broadcast<Real>(kLeastFactor)),
+                              simd::broadcast<Real>(kLargestFactor));
+  }
+
+  /// Replaces a step that is not accurate by a step of duration 0. The next flight is shorter.
+  template <class Mask>
+  FPKCHECK_INLINE void stay_at_start(const PhaseState<Real>& start, const Real& first,
+                                     const Real& next, const Mask& rejected,
+                                     IntegratorState<Real>& integrator) {
+    step_ = simd::select(rejected, Real{}, step_);
+    end_.y = simd::select(rejected, start.y, end_.y);
+    end_.v = simd::select(rejected, start.v, end_.v);
+    end_acceleration_ = simd::select(rejected, first, end_acceleration_);
+    integrator.step = simd::select(rejected, next, integrator.step);
+  }
 
   template <class Mask>
   FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& at, const Mask& wanted) const {

@@ -176,6 +176,7 @@ FPKCHECK_INLINE void raise_to_power(DualBatch& base, const DualBatch& exponent, 
 constexpr double kLargestHalfInteger = 8;
 
 FPKCHECK_INLINE Real load(std::size_t count, const double* numbers) {
+  if (count == Expression::kBatch) return simd::load<Real>(numbers);
   Real batch{};
   for (std::size_t k = 0; k < Expression::kBatch; ++k) batch[k] = numbers[k < count ? k : 0];
   return batch;
@@ -187,9 +188,9 @@ template <class Number>
 FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number& v,
                                                   std::size_t count) const {
   std::array<Number, kMaxDepth + 1> stack;
+  stack[0] = y;  // A formula has at least one node, which GCC 12 does not see.
   std::size_t top = 0;
-  for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    const Node& node = nodes_[k];
+  for (const Node& node : nodes_) {
     switch (node.operation) {
       case Operation::constant:
         stack[top++] = constant_of<Number>(node.constant);
@@ -225,7 +226,7 @@ FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number&
           break;
         }
         --top;
-        const Node& exponent = nodes_[k - 1];
+        const Node& exponent = *(&node - 1);
         const double doubled = 2 * exponent.constant;
         if (exponent.operation == Operation::constant && doubled == std::trunc(doubled) &&
             std::abs(exponent.constant) < kLargestHalfInteger) {

@@ -18,6 +18,7 @@ StateFunction::PhysicalStates StateFunction::physical_states(std::size_t count, 
 
 void StateFunction::evaluate(std::size_t count, const double* x, const double* v,
                              double* values) const {
+  if (frame_.is_identity()) return formula_->evaluate_batch(count, x, v, values);
   const PhysicalStates states = physical_states(count, x, v);
   formula_->evaluate_batch(count, states.y.data(), states.v.data(), values);
 }
