@@ -93,17 +93,16 @@ class FormulaFlight : public FreeFlight<Real, 6> {
       first = simd::select(unknown, acceleration(start, unknown), first);
     const Real trial = simd::lanewise_min(integrator.step, simd::broadcast<Real>(longest));
     step_ = simd::lanewise_min(trial, until_event);
-    const Real used = step_;
     const Real error = take_step(first, moving) * (1.0 / tolerance);
     // A trial state outside the domain of the formula has the error NaN.
     const Real known_error = simd::select(error == error, error, simd::broadcast<Real>(1e100));
-    const Real next = used * step_factor(known_error);
+    const Real next = step_ * step_factor(known_error);
     // Without a finite force at the start no step is better.
-    const Mask rejected = moving & (known_error > 1.0) & (used > shortest) & (first == first);
+    const Mask rejected = moving & (known_error > 1.0) & (step_ > shortest) & (first == first);
     const Mask accepted = moving & (rejected == none);
     // The trial step does not decrease after a step that an event shortened, and after a state
     // without a finite force, from which no step leads back.
-    const Mask keeps = (used == until_event) | (first != first);
+    const Mask keeps = (step_ == until_event) | (first != first);
     const Real after = simd::select(keeps, simd::lanewise_max(next, trial), next);
     integrator.step = simd::select(
         accepted, simd::lanewise_max(after, simd::broadcast<Real>(shortest)), integrator.step);
@@ -135,8 +134,9 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   static constexpr double kShortest = 1e-9, kShortestAtJumps = 1.0 / 256;
   static constexpr double kSafety = 0.9, kLeastFactor = 0.2, kLargestFactor = 5;
 
-  /// Returns the ratio of the next step to a step with an error, as a fraction of the tolerance:
-  /// 0.9 error^(-3/16) within limits. The exponent of the method, -1/5, would take a logarithm.
+  /// Returns the factor by which the step changes after an error, given as a multiple of the
+  /// tolerance: 0.9 error^(-3/16), within limits. Square roots give this power; the usual power -1/5
+  /// needs a logarithm and an exponential.
   FPKCHECK_INLINE static Real step_factor(const Real& error) {
     const Real root = simd::square_root(simd::square_root(simd::square_root(error + 1e-100)));
     const Real factor = kSafety / (root * simd::square_root(root));
@@ -161,10 +161,10 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     return -(formula_force(oscillator_, at, wanted) + oscillator_.force[0]);
   }
 
-  /// Takes one step in the lanes of `open`, from the acceleration at the start.
+  /// Takes one step in the lanes of `moving`, from the acceleration at the start.
   /// @return the error estimate relative to the extent of the motion
   template <class Mask>
-  FPKCHECK_INLINE Real take_step(const Real& first, const Mask& open) {
+  FPKCHECK_INLINE Real take_step(const Real& first, const Mask& moving) {
     using namespace dormand_prince;
     const Real h = step_, y = a_[0], v = a_[1];
     // Velocities are v + h u; the sums of u have no rounding errors of v.
@@ -179,7 +179,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
         moved = moved + kStage[stage][j] * u[j];
       }
       end = {y + h * (kNode[stage] * v + h * moved), v + h * u[stage]};
-      k[stage] = acceleration(end, open);
+      k[stage] = acceleration(end, moving);
     }
     Real y_error{}, v_error{};
     for (int j = 0; j < kStages; ++j) {
@@ -190,7 +190,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     const Real p = moved - 0.5 * first, q = u[kStages - 1] - first, r = k[kStages - 1] - first;
     const Real over = 1.0 / h;
     const auto set = [&](Real & to, const Real& from) __attribute__((always_inline)) {
-      to = simd::select(open, from, to);
+      to = simd::select(moving, from, to);
     };
     set(end_.y, end.y);
     set(end_.v, end.v);

@@ -191,11 +191,9 @@ void evaluate_written_forces(const Oscillator& oscillator, int count, const doub
                              const double* v, double* force) {
   const problem::System& system = *oscillator.system;
   system.evaluate_forces(static_cast<std::size_t>(count), y, v, force);
-  int others = 0;
-  for (int k = 0; k < count; ++k) {
-    others |= static_cast<int>(!(std::abs(force[k]) <= std::numeric_limits<double>::max()));
-  }
-  if (others == 0) return;
+  int finite = 0;
+  for (int k = 0; k < count; ++k) finite += static_cast<int>(std::isfinite(force[k]));
+  if (finite == count) return;
   for (int k = 0; k < count; ++k) {
     if (std::isfinite(force[k])) continue;
     const double inside = position_between_walls(oscillator, y[k]);

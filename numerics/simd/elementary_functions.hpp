@@ -54,26 +54,26 @@ FPKCHECK_INLINE Real exponential(const Real& x) {
   const Real n = shifted - kShift;
   const Real r = (x - n * kLn2High) - n * kLn2Low;
   // Horner's rule for even and odd powers separately halves the chain of dependent operations.
-  constexpr double kOverFactorial[] = {1.0,
-                                       1.0,
-                                       1.0 / 2,
-                                       1.0 / 6,
-                                       1.0 / 24,
-                                       1.0 / 120,
-                                       1.0 / 720,
-                                       1.0 / 5040,
-                                       1.0 / 40320,
-                                       1.0 / 362880,
-                                       1.0 / 3628800,
-                                       1.0 / 39916800,
-                                       1.0 / 479001600,
-                                       1.0 / 6227020800};
+  constexpr double kReciprocalFactorials[] = {1.0,
+                                              1.0,
+                                              1.0 / 2,
+                                              1.0 / 6,
+                                              1.0 / 24,
+                                              1.0 / 120,
+                                              1.0 / 720,
+                                              1.0 / 5040,
+                                              1.0 / 40320,
+                                              1.0 / 362880,
+                                              1.0 / 3628800,
+                                              1.0 / 39916800,
+                                              1.0 / 479001600,
+                                              1.0 / 6227020800};
   const Real r2 = r * r;
-  Real even = Real{} + kOverFactorial[12], odd = Real{} + kOverFactorial[13];
+  Real even = Real{} + kReciprocalFactorials[12], odd = Real{} + kReciprocalFactorials[13];
 #pragma GCC unroll 16
   for (int k = 10; k >= 0; k -= 2) {
-    even = even * r2 + kOverFactorial[k];
-    odd = odd * r2 + kOverFactorial[k + 1];
+    even = even * r2 + kReciprocalFactorials[k];
+    odd = odd * r2 + kReciprocalFactorials[k + 1];
   }
   Real series = even + r * odd;
   // Adding n to the exponent bits of the Taylor series of exp r multiplies the series by 2^n.

@@ -190,7 +190,8 @@ FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number&
   std::array<Number, kMaxDepth + 1> stack;
   stack[0] = y;  // A formula has at least one node, which GCC 12 does not see.
   std::size_t top = 0;
-  for (const Node& node : nodes_) {
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const Node& node = nodes_[k];
     switch (node.operation) {
       case Operation::constant:
         stack[top++] = constant_of<Number>(node.constant);
@@ -226,7 +227,7 @@ FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number&
           break;
         }
         --top;
-        const Node& exponent = *(&node - 1);
+        const Node& exponent = nodes_[k - 1];
         const double doubled = 2 * exponent.constant;
         if (exponent.operation == Operation::constant && doubled == std::trunc(doubled) &&
             std::abs(exponent.constant) < kLargestHalfInteger) {
