@@ -84,6 +84,9 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
     if (!why.empty()) return why;
   }
   if (problem::has_equivalent_linearisation(problem)) return "";
+  if (problem.impulse_factor) {
+    return "the closures exist for impulses without the factor impulse.factor; use fd or mcs";
+  }
   if (std::string why = force_jump_reason(problem, options); !why.empty()) return why;
   const problem::ProblemFeatures features = problem::features(problem);
   switch (options.formulation) {

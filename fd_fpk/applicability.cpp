@@ -36,6 +36,11 @@ std::string unresolved_jump_reason(const problem::Problem& problem, bool has_dif
 }  // namespace
 
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
+  if (problem.impulse_factor && options.equation != DensityEquation::kf &&
+      options.equation != DensityEquation::white) {
+    return "the truncated series exist for impulses without the factor impulse.factor; use kf or "
+           "white";
+  }
   const auto features = problem::features(problem);
   const bool noise = has_diffusion(features, options);
   // The equation km4 and the impact condition delta act like white noise at the wall. For the
@@ -55,6 +60,10 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   if (rests && !can_use_characteristics(options)) {
     return "the mass comes to rest in contact with a wall: only characteristics treat this atom; "
            "use kf and leave out transport, order, nx, nv and origin-refinement";
+  }
+  if (rests && problem.impulse_factor) {
+    return "the mass comes to rest in contact with a wall: finite volumes represent this atom only "
+           "for impulses without the factor impulse.factor; use mcs";
   }
   if (rests && !problem.system.has_constant_restitution()) {
     return "the mass comes to rest in contact with a wall: finite volumes represent this atom only "
@@ -125,6 +134,10 @@ std::string unsupported_circling_reason(const problem::Problem& problem, const F
 std::string characteristics_unsupported_reason(const problem::Problem& problem) {
   if (!problem.system.has_constant_restitution()) {
     return "characteristics need constant restitution coefficients; use transport upwind";
+  }
+  if (problem.impulse_factor) {
+    return "characteristics: the impulses are multiplied by the factor impulse.factor; use transport "
+           "upwind";
   }
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses) {

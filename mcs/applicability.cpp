@@ -34,6 +34,9 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
       return "noise.factor depends on v and has jumps (sign); smooth them: tanh(v/eps)";
     }
   }
+  if (problem.impulse_factor && options.equation == DensityEquation::white) {
+    return "impulse.factor excludes white noise in place of the impulses; use kf, or fd";
+  }
   const bool has_noise = problem.noise.is_present() || options.equation == DensityEquation::white;
   if (!problem.system.has_constant_restitution() && !has_noise && has_endless_bounces(problem)) {
     return "the mass bounces on the wall without end, since the restitution coefficient tends to 1 "
@@ -54,6 +57,9 @@ std::string unsupported_splitting_reason(const problem::Problem& problem, const 
   if (is_duffing_at_wall(problem)) return "";
   if (!problem.system.has_polynomial_force()) {
     return "tail splitting needs a polynomial potential, and the force is a formula";
+  }
+  if (problem.impulse_factor) {
+    return "tail splitting needs impulses of equal law everywhere, and impulse.factor varies them";
   }
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses || options.equation == DensityEquation::white) {

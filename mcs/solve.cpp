@@ -88,6 +88,9 @@ problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
   if (problem.noise_factor) {
     terms.mean_square_noise_factor = r.noise_factor / simulation.expected_samples_per_stream();
   }
+  if (problem.impulse_factor) {
+    terms.mean_square_impulse_factor = r.impulse_factor / simulation.expected_samples_per_stream();
+  }
   return terms;
 }
 
@@ -104,9 +107,10 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
     }));
   };
   // The weighted mean over the streams estimates a quantity that is linear in the averages of the
-  // streams. With multiplicative noise, only the difference of input and dissipation is linear.
+  // streams. With factors of noise or impulses, only the difference of input and dissipation is
+  // linear.
   Estimate residual{};
-  if (problem.noise_factor) {
+  if (problem.noise_factor || problem.impulse_factor) {
     residual = estimate_of_streams([&](const problem::PowerBalanceTerms& terms) {
       const auto [input, dissipated] = problem::power_balance(problem, terms);
       return input - dissipated;

@@ -30,7 +30,7 @@ PowerBalance power_balance(const Problem& problem, const PowerBalanceTerms& term
   const double damping_power = system.has_constant_damping()
                                    ? system.damping() * terms.mean_square_velocity
                                    : terms.mean_damping_power;
-  return {.input = problem.impulses.rate_times_moment(2) / 2 +
+  return {.input = problem.impulses.rate_times_moment(2) / 2 * terms.mean_square_impulse_factor +
                    problem.impulses.rate_times_moment(1) * terms.mean_velocity +
                    problem.noise.diffusion() * terms.mean_square_noise_factor,
           .dissipated = damping_power + terms.left_impact_loss + terms.right_impact_loss};

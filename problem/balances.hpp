@@ -10,8 +10,9 @@ struct PowerBalanceTerms {
   double mean_square_velocity;
   /// Energy lost per unit time in impacts at the left and at the right wall (impact_loss()).
   double left_impact_loss = 0, right_impact_loss = 0;
-  double mean_damping_power = {};       ///< E[y' f(y, y')]; not used if f = c y'
-  double mean_square_noise_factor = 1;  ///< E[G] of multiplicative noise with G = g^2
+  double mean_damping_power = {};         ///< E[y' f(y, y')]; not used if f = c y'
+  double mean_square_noise_factor = 1;    ///< E[G] of multiplicative noise with G = g^2
+  double mean_square_impulse_factor = 1;  ///< E[b^2] of parametric impulses with the factor b
 };
 
 /// Returns the energy lost in an impact at the speed u, (1 - r^2) u^2 / 2, or (1 - r) u^2 for
@@ -32,7 +33,7 @@ double impact_loss(const std::optional<Wall>& wall, ImpactCondition impact, doub
 /// Input minus dissipation is the time derivative of the mean energy E[v^2]/2 + E[U(y)], where U is
 /// the potential of System.
 struct PowerBalance {
-  double input;       ///< D E[G] + lambda E[Y^2]/2 + lambda E[Y] E[v]
+  double input;       ///< D E[G] + lambda E[Y^2] E[b^2]/2 + lambda E[Y] E[v]
   double dissipated;  ///< E[v f] + energy lost in impacts
 };
 PowerBalance power_balance(const Problem& problem, const PowerBalanceTerms& terms);
@@ -40,7 +41,7 @@ PowerBalance power_balance(const Problem& problem, const PowerBalanceTerms& term
 /// Returns the input minus the dissipation in the stationary balance of power, divided by the
 /// input. The balance of power is
 ///
-///     D E[G] + lambda E[Y^2]/2 + lambda E[Y] E[v] = E[v f] + int (1-r^2) |v|^3/2 p(a,v) dv + ..,
+///     D E[G] + lambda E[Y^2] E[b^2]/2 + lambda E[Y] E[v] = E[v f] + int (1-r^2) |v|^3/2 p(a,v) dv + ..,
 ///
 /// with the force f of the equation in Ito's sense. The residual is zero for the exact stationary density of each of the equations `white`, `km4` and
 /// `kf`. The energy is quadratic in v, and therefore only the moments E[Y] and E[Y^2] enter the

@@ -40,7 +40,10 @@ double mean_tangent_stiffness(const System& system, double s) {
 
 bool has_equivalent_linearisation(const Problem& problem) {
   const System& system = problem.system;
-  if (!system.has_polynomial_force() || !system.has_constant_restitution()) return false;
+  if (!system.has_polynomial_force() || !system.has_constant_restitution() ||
+      problem.impulse_factor) {
+    return false;
+  }
   const auto& g = system.restoring_force().coefficients();
   return system.left_wall() && system.left_wall()->position == 0 && !system.right_wall() &&
          system.has_constant_damping() && system.damping() > 0 && g[0] == 0 && g[1] >= 0 &&

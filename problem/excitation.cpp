@@ -35,7 +35,11 @@ namespace {
 ImpulseLaw make_law(const ImpulseParameters& parameters) {
   impulse_parameter_description().validate(parameters);
   require_magnitudes_in_range(impulse_parameter_description(), parameters);
-  const auto& [rate, law, intensity, mean, skewness, table] = parameters;
+  const auto& [rate, law, intensity, mean, skewness, table, factor] = parameters;
+  if (factor && mean != 0) {
+    throw InputError(fmt::format(
+        "impulse.mean = {} beside impulse.factor (must be 0 for parametric impulses)", mean));
+  }
   const double variance = intensity / rate - mean * mean;
   if (variance <= 0) {
     throw InputError(fmt::format(
@@ -72,6 +76,9 @@ const Description<ImpulseParameters>& impulse_parameter_description() {
                {"FILE", "CSV of a tabulated law: amplitude,probability or amplitude,density"})
           .with_symbol("table", "table")
           .with_display_text([](const std::string& text) { return amplitude_table_summary(text); })
+          .with_default_omitted_from_files(nothing)
+          .add("factor", &P::factor, {"B", "factor b(y) of parametric impulses, as a formula"})
+          .with_symbol("b", "b")
           .with_default_omitted_from_files(nothing);
   return description;
 }

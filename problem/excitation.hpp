@@ -31,6 +31,8 @@ struct ImpulseParameters {
   std::optional<double> skewness = {};
   /// Amplitudes of a tabulated law, as a table literal (problem/amplitude_table.hpp).
   std::optional<std::string> table = {};
+  /// Formula of the factor b(y) of parametric impulses, which change y' by b(y) Y; if absent, b = 1
+  std::optional<std::string> factor = {};
 };
 
 const base::Description<ImpulseParameters>& impulse_parameter_description();

@@ -86,6 +86,14 @@ void read_noise_factor(Problem& problem) {
   problem.noise_factor = std::move(factor);
 }
 
+// Sets the factor of parametric impulses, a formula of y alone.
+void read_impulse_factor(Problem& problem) {
+  const auto& formula = problem.impulses.parameters().factor;
+  if (!formula) return;
+  problem.impulse_factor.emplace(
+      Expression::parse(*formula, problem.system.named_constants(), "impulse.factor", "y"));
+}
+
 std::string number_text(const base::Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:g}", *number) : std::get<std::string>(value);
@@ -96,6 +104,12 @@ std::string number_text(const base::Value& value) {
 double noise_diffusion(const Problem& problem, double y, double v) {
   return problem.noise.diffusion() *
          (problem.noise_factor ? problem.noise_factor->squared(y, v) : 1);
+}
+
+double square_impulse_factor(const Problem& problem, double y) {
+  if (!problem.impulse_factor) return 1;
+  const double b = (*problem.impulse_factor)(y, 0);
+  return b * b;
 }
 
 namespace {
@@ -111,8 +125,13 @@ std::vector<double> sorted_union(std::vector<double> a, const std::vector<double
 
 std::vector<double> kinks_in_y(const Problem& problem, double low, double high) {
   std::vector<double> kinks = problem.system.kinks_in_y(low, high);
-  const auto& g = problem.noise_factor;
-  return g ? sorted_union(std::move(kinks), g->kinks_in_y(low, high)) : kinks;
+  if (const auto& g = problem.noise_factor) {
+    kinks = sorted_union(std::move(kinks), g->kinks_in_y(low, high));
+  }
+  if (const auto& b = problem.impulse_factor) {
+    kinks = sorted_union(std::move(kinks), b->kinks_in_x(low, high));
+  }
+  return kinks;
 }
 
 std::vector<double> kinks_in_v(const Problem& problem, double low, double high) {
@@ -195,6 +214,7 @@ Problem problem_from_sections(const std::string& name,
         ImpulseTrain(impulse_parameter_description().read(impulse->values, "impulse"));
   }
   read_noise_factor(problem);
+  read_impulse_factor(problem);
   require_stationary_density(problem);
   return problem;
 }
@@ -248,11 +268,12 @@ std::string parameters_text(const Problem& problem, bool typeset) {
 
 namespace {
 
-// Requires that force and noise factor are finite, the noise factor positive, and the restitution
+// Requires that force and factors are finite, the noise factor positive, and the restitution
 // coefficients valid, on a grid of the states that the motion reaches.
 void require_valid_formulas(const Problem& problem, const EnergyAveraging& averaging) {
   const System& system = problem.system;
-  if (system.has_polynomial_force() && !problem.noise_factor && system.has_constant_restitution()) {
+  if (system.has_polynomial_force() && !problem.noise_factor && !problem.impulse_factor &&
+      system.has_constant_restitution()) {
     return;
   }
   constexpr int kPoints = 41;
@@ -260,6 +281,12 @@ void require_valid_formulas(const Problem& problem, const EnergyAveraging& avera
   require_valid_restitution(system.walls(), reached.v_high);
   for (int i = 0; i < kPoints; ++i) {
     const double y = reached.y_low + (reached.y_high - reached.y_low) * i / (kPoints - 1);
+    if (const double square = square_impulse_factor(problem, y); !std::isfinite(square)) {
+      throw InputError(
+          fmt::format("impulse.factor is not finite at y = {:.3g}, which the motion "
+                      "reaches; choose a factor that is finite there",
+                      y));
+    }
     for (int j = 0; j < kPoints; ++j) {
       const double v = reached.v_high * (2.0 * j / (kPoints - 1) - 1);
       const double force = system.force(y, v);

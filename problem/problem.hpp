@@ -18,6 +18,9 @@ struct Problem {
   WhiteNoise noise = {};
   /// The factor g of multiplicative noise, noise.factor; absent if g = 1.
   std::optional<NoiseFactor> noise_factor = {};
+  /// The factor b(y) of parametric impulses, impulse.factor; absent if b = 1. An impulse changes y'
+  /// by b(y) Y. Since y is continuous, the senses of Ito and Marcus agree.
+  std::optional<StateFunction> impulse_factor = {};
   /// Transformation between the coordinate of `system` and the physical coordinate y. Solvers
   /// return moments of the physical coordinate y.
   WallFrame frame = {};
@@ -26,12 +29,15 @@ struct Problem {
 /// Returns the diffusion coefficient D G(y, v) of the noise.
 double noise_diffusion(const Problem& problem, double y, double v);
 
+/// Returns b^2, the factor of E[Y^2] for impulses at the displacement y; 1 without a factor.
+double square_impulse_factor(const Problem& problem, double y);
+
 /// Returns the total intensity lambda E[Y^2] + 2D of impulses and noise, that is, the intensity of
-/// Gaussian white noise of equal power if g = 1.
+/// Gaussian white noise of equal power if g = b = 1.
 double total_intensity(const Problem& problem);
 
-/// Returns the values of y in (low, high) at which the force, the noise factor or one of their
-/// slopes jumps, increasing.
+/// Returns the values of y in (low, high) at which the force, a factor of noise or impulses, or one
+/// of their slopes jumps, increasing.
 std::vector<double> kinks_in_y(const Problem& problem, double low, double high);
 /// Returns the values of v in (low, high) at which the force, the noise factor or one of their
 /// slopes jumps, increasing.

@@ -41,6 +41,9 @@ std::string polynomial_required_reason(const Problem& problem) {
   if (problem.noise_factor) {
     return "the noise is multiplied by the factor noise.factor; use fd or mcs";
   }
+  if (problem.impulse_factor) {
+    return "the impulses are multiplied by the factor impulse.factor; use fd or mcs";
+  }
   if (!problem.system.has_constant_restitution()) {
     return "the restitution coefficient depends on the impact speed; use fd or mcs";
   }
@@ -64,7 +67,6 @@ std::string inelastic_collapse_reason(const Problem& problem, DensityEquation eq
 const std::vector<UnsupportedFeature>& unsupported_features() {
   static const std::vector<UnsupportedFeature> all{
       {"harmonic forcing", {"forcing", "harmonic", "periodic", "sinusoidal", "frequency"}},
-      {"parametric impulses", {"parametric"}},
       {"coloured noise", {"coloured", "colored", "correlation", "bandwidth", "filter"}},
       {"impulses other than a Poisson process", {"renewal", "arrivals", "interarrival", "levy"}},
       {"two or more degrees of freedom", {"dof", "freedom", "coupling", "oscillators"}},

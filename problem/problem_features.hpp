@@ -27,8 +27,8 @@ struct ProblemFeatures {
 
 ProblemFeatures features(const Problem& problem);
 
-/// Explains that a method needs a polynomial force, noise without a factor and constant restitution
-/// coefficients; empty if the problem has them.
+/// Explains that a method needs a polynomial force, noise and impulses without a factor and constant
+/// restitution coefficients; empty if the problem has them.
 std::string polynomial_required_reason(const Problem& problem);
 
 /// Critical restitution coefficient exp(-pi / sqrt 3) of inelastic collapse (Cornell, Swift and

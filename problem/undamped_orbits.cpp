@@ -111,6 +111,9 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
   const auto speed = [&](double y) {
     return std::sqrt(std::max(0.0, 2 * (energy - potential_(y))));
   };
+  const double impulse_diffusion = problem_.impulses.rate_times_moment(2) / 2;
+  // Closed integrals of D G v dy and of lambda E[Y^2] b^2/2 v dy, used if g or b is a formula
+  double of_noise = 0, of_impulses = 0;
   // With the substitution y = middle + half sin(phase), both v and dy / dphase behave like
   // cos(phase) at a turning point, so that dy / v is smooth in the phase.
   const auto add = [&](double phase, double weight) {
@@ -124,8 +127,10 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     if (const auto& g = problem_.noise_factor) {
       const double slope = (g->slope_of_square(y, v) - g->slope_of_square(y, -v)) / 2;
       orbit.loss += problem_.noise.diffusion() * slope * dy;
-      orbit.diffusion +=
-          (noise_diffusion(problem_, y, v) + noise_diffusion(problem_, y, -v)) / 2 * v * dy;
+      of_noise += (noise_diffusion(problem_, y, v) + noise_diffusion(problem_, y, -v)) / 2 * v * dy;
+    }
+    if (problem_.impulse_factor) {
+      of_impulses += impulse_diffusion * square_impulse_factor(problem_, y) * v * dy;
     }
     if (v <= 0) return;
     orbit.period += dy / v;
@@ -139,10 +144,8 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     add(kQuarter * x, weight);
     add(-kQuarter * x, weight);
   }
-  const double of_impulses = problem_.impulses.rate_times_moment(2) / 2;
-  orbit.diffusion +=
-      (problem_.noise_factor ? of_impulses : problem_.noise.diffusion() + of_impulses) *
-      orbit.action;
+  orbit.diffusion = (problem_.noise_factor ? of_noise : problem_.noise.diffusion() * orbit.action) +
+                    (problem_.impulse_factor ? of_impulses : impulse_diffusion * orbit.action);
   const auto bounce = [&](const Wall& wall) {
     orbit.loss += energy_lost(wall, ImpactCondition::map, speed(wall.position));
   };

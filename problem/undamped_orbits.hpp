@@ -21,7 +21,7 @@ struct OrbitIntegrals {
   /// Energy loss: closed integral of (f + D G_v) dy, plus (1 - r^2) u^2 / 2 at each wall hit at
   /// speed u. The term D G_v, with G = g^2, exists for noise with a factor g(y, v).
   double loss = 0;
-  /// Closed integral of (D G + lambda E[Y^2]/2) v dy, half of the diffusion coefficient of the
+  /// Closed integral of (D G + lambda E[Y^2] b^2/2) v dy, half of the diffusion coefficient of the
   /// energy times the period.
   double diffusion = 0;
   double time_integral_y = 0;        ///< period T times the orbit mean of y

@@ -142,6 +142,9 @@ Problem to_wall_coordinates(const WallFrame& frame, const Problem& problem) {
   if (transformed.noise_factor) {
     transformed.noise_factor = transformed.noise_factor->to_wall_coordinates(frame);
   }
+  if (transformed.impulse_factor) {
+    transformed.impulse_factor = transformed.impulse_factor->to_wall_coordinates(frame);
+  }
   return transformed;
 }
 

@@ -1,23 +1,28 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "fd_fpk/axis/axis_operators.hpp"
-#include "problem/noise_factor.hpp"
+#include "problem/excitation.hpp"
 
-namespace fpkcheck::problem {
-class ImpulseLaw;
-class ImpulseTrain;
-}  // namespace fpkcheck::problem
 namespace fpkcheck::fd_fpk {
 
-/// Noise with a factor g: the term (D G p)'' with G = g^2.
-struct MultiplicativeNoise {
-  double diffusion;  ///< diffusion coefficient D
-  problem::NoiseFactor factor;
+/// Diffusion coefficient D(x1, x2) of multiplicative noise or parametric impulses, in the term
+/// (D p)''.
+struct VariableDiffusion {
+  std::function<double(double x1, double x2)> coefficient;
+  /// Derivative of D with respect to x2; empty if D depends on x1 alone
+  std::function<double(double x1, double x2)> slope_in_x2 = {};
+};
+
+/// Parametric impulses: velocity jumps by b(x1) Y.
+struct ParametricImpulses {
+  problem::ImpulseTrain train;
+  problem::StateFunction factor;
 };
 
 /// Excitation terms of the density equation, discretised on a velocity axis.
@@ -34,7 +39,13 @@ struct Excitation {
   double exchange_drift = 0;
   double exchange_diffusion = 0;
   double exchange_rate = 0;
-  std::optional<MultiplicativeNoise> multiplicative = {};
+  std::optional<VariableDiffusion> variable_diffusion = {};  ///< in addition to `diffusion`
+  /// Parametric impulses in place of `exchange`. The drift and the diffusion above then belong to
+  /// the factor 1.
+  std::optional<ParametricImpulses> parametric = {};
+
+  /// Returns whether the excitation is the same at every x1 and x2.
+  bool is_uniform() const { return !variable_diffusion && !parametric; }
 };
 
 /// Returns the parameter-free regularisation length l of the truncated series `km4`, with l^2 =

@@ -29,12 +29,26 @@ Excitation drift_diffusion_approximation(const Excitation& excitation, const Axi
   const double overshoot_of_drift = x2.cell_widths().maxCoeff() > 1.5 * step ? 3 : 10;
   const double shortest = std::numbers::pi / step;
   const double fastest = overshoot_of_drift * excitation.exchange_rate / shortest;
-  return {.drift = excitation.drift + std::clamp(excitation.exchange_drift, -fastest, fastest),
-          .diffusion = excitation.diffusion +
-                       std::min(excitation.exchange_diffusion,
-                                kOvershoot * excitation.exchange_rate / (shortest * shortest)),
-          .exchange = {},
-          .multiplicative = excitation.multiplicative};
+  const double limit = kOvershoot * excitation.exchange_rate / (shortest * shortest);
+  Excitation local{
+      .drift = excitation.drift + std::clamp(excitation.exchange_drift, -fastest, fastest),
+      .diffusion = excitation.diffusion,
+      .exchange = {},
+      .variable_diffusion = excitation.variable_diffusion};
+  if (!excitation.parametric) {
+    local.diffusion += std::min(excitation.exchange_diffusion, limit);
+    return local;
+  }
+  // E[Y] = 0, so that the drift of parametric impulses is 0.
+  VariableDiffusion& variable =
+      local.variable_diffusion ? *local.variable_diffusion : local.variable_diffusion.emplace();
+  variable.coefficient = [=, of_noise = variable.coefficient,
+                          factor = excitation.parametric->factor,
+                          of_impulses = excitation.exchange_diffusion](double y, double v) {
+    const double b = factor(y, 0);
+    return (of_noise ? of_noise(y, v) : 0) + std::min(of_impulses * b * b, limit);
+  };
+  return local;
 }
 
 }  // namespace

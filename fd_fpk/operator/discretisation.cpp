@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -42,12 +41,44 @@ Excitation impulse_excitation(const problem::ImpulseTrain& impulses, const Optio
   return {};
 }
 
+// Returns the jumps by b Y of parametric impulses, without the drift and the diffusion of the
+// preconditioner.
+Excitation parametric_jump_excitation(const problem::Problem& problem) {
+  const problem::ImpulseTrain& impulses = problem.impulses;
+  return {.exchange = {},
+          .exchange_diffusion = impulses.rate_times_moment(2) / 2,
+          .exchange_rate = impulses.arrival_rate(),
+          .parametric = ParametricImpulses{impulses, *problem.impulse_factor}};
+}
+
+// Returns the diffusion coefficient of all terms with a factor of noise or impulses. White noise in
+// place of parametric impulses has the coefficient lambda E[Y^2] b^2 / 2.
+VariableDiffusion variable_diffusion(const problem::Problem& problem, bool with_impulses) {
+  // The functions keep a copy of the problem, which they may outlive.
+  const double of_impulses = with_impulses ? problem.impulses.rate_times_moment(2) / 2 : 0;
+  VariableDiffusion diffusion{.coefficient = [=](double x1, double x2) {
+    return problem::noise_diffusion(problem, x1, x2) +
+           of_impulses * problem::square_impulse_factor(problem, x1);
+  }};
+  if (problem.noise_factor && problem.noise_factor->depends_on_v()) {
+    diffusion.slope_in_x2 = [=](double x1, double x2) {
+      return problem.noise.diffusion() * problem.noise_factor->slope_of_square(x1, x2);
+    };
+  }
+  return diffusion;
+}
+
 // White noise adds (D G p)'' to every equation.
 Excitation excitation(const problem::Problem& problem, const Options& options, const Axis& axis,
                       double regularisation_length) {
-  Excitation terms = impulse_excitation(problem.impulses, options, axis, regularisation_length);
-  if (problem.noise_factor) {
-    terms.multiplicative = MultiplicativeNoise{problem.noise.diffusion(), *problem.noise_factor};
+  const bool is_white = options.equation == DensityEquation::white;
+  const bool has_impulse_diffusion = problem.impulse_factor && is_white;
+  Excitation terms = !problem.impulse_factor ? impulse_excitation(problem.impulses, options, axis,
+                                                                  regularisation_length)
+                     : is_white              ? Excitation{}
+                                             : parametric_jump_excitation(problem);
+  if (problem.noise_factor || has_impulse_diffusion) {
+    terms.variable_diffusion = variable_diffusion(problem, has_impulse_diffusion);
   } else {
     terms.diffusion += problem.noise.diffusion();
   }
@@ -296,13 +327,8 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   const double length = box.x1_max - box.x1_min;
   std::vector<RefinementPoint> points;
   if (graded.at_left_wall) points.push_back({box.x1_min, graded.x1});
-  // Faces at the kinks of force and noise factor keep the order of the averages over cells.
-  const auto of_force = system.kinks_in_y(box.x1_min, box.x1_max);
-  std::set<double> kinks(of_force.begin(), of_force.end());
-  if (problem.noise_factor) {
-    const auto of_factor = problem.noise_factor->kinks_in_y(box.x1_min, box.x1_max);
-    kinks.insert(of_factor.begin(), of_factor.end());
-  }
+  // Faces at the kinks of force and factors keep the order of the averages over cells.
+  const std::vector<double> kinks = problem::kinks_in_y(problem, box.x1_min, box.x1_max);
   // An axis of usual grids has about 100 cells. More kinks are closer than these cells, and a face at
   // each of them would only add cells.
   constexpr std::size_t kMostKinks = 100;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fd_fpk/axis/impact_map.hpp"
+#include "fd_fpk/operator/parametric_exchange.hpp"
 #include "problem/system.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -125,7 +126,7 @@ std::pair<double, double> one_sided_forces(const problem::System& system, double
 std::vector<DensityKink> density_kinks(const problem::System& system, const Excitation& excitation,
                                        const Grid& grid) {
   const double diffusion = excitation.diffusion;
-  if (!system.has_force_jumps_in_v() || diffusion <= 0 || excitation.multiplicative) return {};
+  if (!system.has_force_jumps_in_v() || diffusion <= 0 || excitation.variable_diffusion) return {};
   std::vector<DensityKink> kinks;
   for (int i = 0; i < grid.nx(); ++i) {
     const auto [below, above] = one_sided_forces(system, grid.x1.cell_centre(i), grid);
@@ -201,22 +202,16 @@ SparseColumnMatrix formula_force_matrix(const problem::System& system, const Gri
       });
 }
 
-// Returns the matrix of the term d^2/dx2^2 [ D G(x1, x2) p ] of multiplicative noise, as the
-// divergence of D G p' + D G' p.
-SparseColumnMatrix multiplicative_noise_matrix(const MultiplicativeNoise& noise, const Grid& grid,
-                                               const FaceReconstruction& on, int weight_points) {
-  const auto diffusion = [&](double x1, double x2) {
-    return noise.diffusion * noise.factor.squared(x1, x2);
-  };
+// Returns the matrix of the term d^2/dx2^2 [ D(x1, x2) p ], as the divergence of D p' + D' p.
+SparseColumnMatrix variable_diffusion_matrix(const VariableDiffusion& diffusion, const Grid& grid,
+                                             const FaceReconstruction& on, int weight_points) {
   SparseColumnMatrix matrix = weighted_divergence_matrix(
       grid, weight_points, [&](Eigen::Index) -> const AxisOperator& { return on.derivative; },
-      diffusion);
-  if (noise.factor.depends_on_v()) {
+      diffusion.coefficient);
+  if (diffusion.slope_in_x2) {
     matrix += weighted_divergence_matrix(
         grid, weight_points, [&](Eigen::Index) -> const AxisOperator& { return on.centred; },
-        [&](double x1, double x2) {
-          return noise.diffusion * noise.factor.slope_of_square(x1, x2);
-        });
+        diffusion.slope_in_x2);
   }
   return matrix;
 }
@@ -351,42 +346,65 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                    drift_diffusion_matrix(grid.x2, excitation,
                                                           centred_stencil_size(scheme_order)))
                : kinked_drift_diffusion_matrix(grid.x2, excitation, reconstructions);
-  if (excitation.multiplicative) {
-    local += multiplicative_noise_matrix(*excitation.multiplicative, grid, reconstructions.front(),
-                                         weight_points);
+  if (excitation.variable_diffusion) {
+    local += variable_diffusion_matrix(*excitation.variable_diffusion, grid,
+                                       reconstructions.front(), weight_points);
   }
   if (scheme_order % 2 == 1) local += upwind_correction_matrix(system, grid, reconstructions);
   local.prune(0.0);
   local.makeCompressed();
-  return {std::move(local), excitation.exchange, grid.cell_areas()};
+  std::vector<ExchangeTerm> exchange;
+  if (excitation.parametric) {
+    exchange = parametric_exchange(*excitation.parametric, grid, weight_points);
+  } else if (excitation.exchange.size() > 0) {
+    exchange.push_back({identity_matrix(grid.nx()), excitation.exchange});
+  }
+  return {std::move(local), std::move(exchange), grid.cell_areas()};
 }
 
 Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages) const {
   Eigen::VectorXd rate = local * averages;
-  if (exchange.size() > 0) {
-    const Eigen::Index nv = exchange.rows(), nx = averages.size() / nv;
-    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx).noalias() +=
-        exchange * Eigen::Map<const Eigen::MatrixXd>(averages.data(), nv, nx);
+  for (const auto& [of_x1, of_x2] : exchange) {
+    const Eigen::Index nv = of_x2.rows(), nx = of_x1.rows();
+    const Eigen::Map<const Eigen::MatrixXd> from(averages.data(), nv, nx);
+    Eigen::Map<Eigen::MatrixXd> to(rate.data(), nv, nx);
+    // Most rows of A are empty for parametric impulses.
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index i = 0; i < nx; ++i) {
+      if (of_x1.innerVector(i).nonZeros() > 0) columns.push_back(i);
+    }
+    Eigen::MatrixXd averaged = Eigen::MatrixXd::Zero(nv, static_cast<Eigen::Index>(columns.size()));
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      auto column = averaged.col(static_cast<Eigen::Index>(k));
+      for (AxisOperator::InnerIterator e(of_x1, columns[k]); e; ++e) {
+        column += e.value() * from.col(e.col());
+      }
+    }
+    const Eigen::MatrixXd jumped = of_x2 * averaged;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      to.col(columns[k]) += jumped.col(static_cast<Eigen::Index>(k));
+    }
   }
   return rate;
 }
 
 SparseColumnMatrix FokkerPlanckOperator::assembled_matrix() const {
-  if (exchange.size() == 0) return local;
   // Jumps by a whole number of cells cause rounding errors in matrix entries whose exact value is
   // zero.
   constexpr double kRounding = 1e-14;
-  const int nx = static_cast<int>(areas.size() / exchange.rows());
-  return local + kronecker_product(identity_matrix(nx),
-                                   exchange.sparseView(exchange.cwiseAbs().maxCoeff(), kRounding));
+  SparseColumnMatrix matrix = local;
+  for (const auto& [of_x1, of_x2] : exchange) {
+    matrix += kronecker_product(of_x1, of_x2.sparseView(of_x2.cwiseAbs().maxCoeff(), kRounding));
+  }
+  return matrix;
 }
 
 double FokkerPlanckOperator::max_mass_loss_rate() const {
   Eigen::RowVectorXd rate = areas.transpose() * local;
-  if (exchange.size() > 0) {
-    const Eigen::Index nv = exchange.rows(), nx = areas.size() / nv;
-    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx).noalias() +=
-        exchange.transpose() * Eigen::Map<const Eigen::MatrixXd>(areas.data(), nv, nx);
+  for (const auto& [of_x1, of_x2] : exchange) {
+    const Eigen::Index nv = of_x2.rows(), nx = of_x1.rows();
+    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx) +=
+        of_x2.transpose() * Eigen::Map<const Eigen::MatrixXd>(areas.data(), nv, nx) * of_x1;
   }
   return rate.transpose().cwiseQuotient(areas).cwiseAbs().maxCoeff();
 }

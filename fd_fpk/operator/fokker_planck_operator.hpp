@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <cstdint>
+#include <vector>
 
 #include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/axis/grid.hpp"
@@ -16,14 +17,19 @@ namespace fpkcheck::fd_fpk {
 /// Sparse matrix of compressed columns with 64-bit indices, the input format of KLU
 using SparseColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
+/// Term A (x) E of velocity jumps, with A acting on x1, shape (nx, nx), and E on x2, shape (nv, nv).
+struct ExchangeTerm {
+  AxisOperator of_x1;
+  Eigen::MatrixXd of_x2;
+};
+
 /// Semi-discrete equation dP/dt = L P for the cell averages P of p(y, y') on the half-plane, with L
-/// = local + 1 (x) exchange. The operator L conserves mass: the row vector of cell areas times L is
+/// = local + sum A (x) E. The operator L conserves mass: the row vector of cell areas times L is
 /// zero.
 struct FokkerPlanckOperator {
   SparseColumnMatrix
       local;  ///< terms of transport, impact, drift and diffusion; shape (size, size)
-  /// Term of the velocity jumps at fixed x1, shape (nv, nv); empty without jumps
-  Eigen::MatrixXd exchange;
+  std::vector<ExchangeTerm> exchange;  ///< one term unless the impulses are parametric
   Eigen::VectorXd areas;
 
   Eigen::VectorXd operator*(const Eigen::VectorXd& averages) const;

@@ -147,8 +147,8 @@ double impact_rate(const problem::System& system, const Excitation& excitation,
   std::optional<TestFunctionBalance> balance;
   const auto of = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
-    // The test function needs a constant diffusion coefficient and a constant restitution.
-    const bool has_test_function = !excitation.multiplicative && system.has_constant_restitution();
+    // The test function needs uniform excitation and a constant restitution.
+    const bool has_test_function = excitation.is_uniform() && system.has_constant_restitution();
     if (excitation.diffusion == 0 || !has_dissipative_impacts(*wall) || !has_test_function)
       return wall_speed_moment(grid, averages, scheme_order, 1, end);
     if (!balance) balance.emplace(system, excitation, impact, grid, scheme_order);

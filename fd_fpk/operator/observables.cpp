@@ -290,6 +290,11 @@ problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
         system, grid, averages, scheme_order,
         [&](double x1, double x2) { return problem.noise_factor->squared(x1, x2); });
   }
+  if (problem.impulse_factor) {
+    terms.mean_square_impulse_factor = integrate_function(
+        system, grid, averages, scheme_order,
+        [&](double x1, double) { return problem::square_impulse_factor(problem, x1); });
+  }
   terms.mean_damping_power = mean_damping_power(system, moments, grid, averages, scheme_order);
   return terms;
 }

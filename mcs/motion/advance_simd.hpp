@@ -70,7 +70,7 @@ struct LaneState {
   Real y5{}, y6{};
   Real force{}, force_y{}, force_v{};
   Real samples{}, impacts{}, flights{};
-  Real noise_factor{};  // sum of G = g^2
+  Real noise_factor{}, impulse_factor{};  // sums of G = g^2 and of b^2
   Real left_momentum{}, left_energy{}, right_momentum{}, right_energy{};
   Real rest_left{}, rest_right{};
   IntegratorState<Real> integrator{};  // used if Motion::kHasFormula
@@ -120,6 +120,7 @@ struct LaneState {
     add(force_y, &StreamStatistics::force_y);
     add(force_v, &StreamStatistics::force_v);
     add(noise_factor, &StreamStatistics::noise_factor);
+    add(impulse_factor, &StreamStatistics::impulse_factor);
     add(samples, &StreamStatistics::samples);
     add(rest_left, &StreamStatistics::rest_left);
     add(rest_right, &StreamStatistics::rest_right);
@@ -308,6 +309,7 @@ struct LaneState {
     if constexpr (Motion::kHasFormula) {
       count_forces(at, counted_weight, due);
     }
+    if (oscillator.impulse_factor != nullptr) count_impulse_factors(at, counted_weight);
     Real into_bins = counted_weight;
     if constexpr (Motion::kHasRest) {
       const Real x = at.y, xx = x * x;
@@ -335,6 +337,16 @@ struct LaneState {
     evaluate_noise_factor(motion.kicks, states.count, states.y.at, states.v.at, values.at);
     const Real g = states.unpack(values);
     noise_factor = noise_factor + counted_weight * (g * g);
+  }
+
+  FPKCHECK_INLINE void count_impulse_factors(const PhaseState<Real>& at,
+                                             const Real& counted_weight) {
+    Array<double> factors;
+    for (int i = 0; i < W; ++i) {
+      factors.at[i] = mcs::impulse_factor(oscillator, simd::lane_value(at.y, i));
+    }
+    const Real b = simd::load<Real>(factors.at);
+    impulse_factor = impulse_factor + counted_weight * (b * b);
   }
 
   FPKCHECK_INLINE void count_resting_samples(const Real& x, const Real& resting) {

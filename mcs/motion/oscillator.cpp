@@ -96,7 +96,10 @@ Oscillator::Kind kind_of(const problem::Problem& problem, const Oscillator& o) {
 
 bool is_duffing_at_wall(const problem::Problem& problem) {
   const problem::System& system = problem.system;
-  if (!system.has_polynomial_force() || !system.has_constant_restitution()) return false;
+  if (!system.has_polynomial_force() || !system.has_constant_restitution() ||
+      problem.impulse_factor) {
+    return false;
+  }
   const numerics::Polynomial& g = system.restoring_force();
   const double k = g.coefficient(1), mu = g.coefficient(3);
   const bool is_duffing = g.coefficient(0) == 0 && g.coefficient(2) == 0 && g.degree() <= 3 &&
@@ -115,6 +118,7 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
   } else {
     set_formulas(problem, o);
   }
+  if (problem.impulse_factor) o.impulse_factor = &*problem.impulse_factor;
   o.force[0] -= mean_force;
   o.kind = kind_of(problem, o);
   o.length = scales.displacement_deviation;
@@ -212,6 +216,11 @@ void add_slopes_of_square(const Oscillator& oscillator, int count, const double*
 }
 
 }  // namespace
+
+double impulse_factor(const Oscillator& oscillator, double y) {
+  if (oscillator.impulse_factor == nullptr) return 1;
+  return (*oscillator.impulse_factor)(position_between_walls(oscillator, y), 0);
+}
 
 void evaluate_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
                      double* force) {

@@ -6,6 +6,7 @@ namespace fpkcheck::problem {
 struct Problem;
 class System;
 class NoiseFactor;
+class StateFunction;
 struct MotionScales;
 struct Wall;
 }  // namespace fpkcheck::problem
@@ -81,7 +82,12 @@ struct Oscillator {
   bool is_ito = false;     ///< whether the force of `system` as written is that of Ito's sense
   bool has_jumps = false;  ///< Expression::has_jumps()
   bool has_kinks = false;  ///< Expression::has_kinks()
+  /// Factor b(y) of parametric impulses, which must outlive the oscillator; null for b = 1
+  const problem::StateFunction* impulse_factor = nullptr;
 };
+
+/// Returns the factor b(y) of parametric impulses; 1 without a factor.
+double impulse_factor(const Oscillator& oscillator, double y);
 
 /// Computes the force of the flights, that of Stratonovich's sense, at `count` <= 8 points. Beyond
 /// a wall a formula without a finite value is continued by the value at the wall.

@@ -28,14 +28,16 @@ inline void count_turning_point(const MotionParameters& motion, Stream& stream, 
 inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   const double before = b.v;
-  b.v += b.amplitude;
+  const double factor =
+      motion.oscillator.impulse_factor == nullptr ? 1 : impulse_factor(motion.oscillator, b.y);
+  b.v += factor * b.amplitude;
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
     const double counted_weight = branch_weight(motion, stream);
     ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
-    stream.record.work +=
-        counted_weight * ((b.amplitude - motion.shift) * before + b.amplitude * b.amplitude / 2);
+    stream.record.work += counted_weight * ((factor * b.amplitude - motion.shift) * before +
+                                            b.amplitude * b.amplitude / 2);
     if (motion.deposit) {
       std::array<double, 3>& drawn = stream.record.deposit.impulses;
       drawn[0] += counted_weight;

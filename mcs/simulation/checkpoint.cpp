@@ -91,6 +91,9 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
       text += fmt::format(" {}", base::name_of(*problem.noise.interpretation));
     }
   }
+  if (problem.impulse_factor) {
+    text += fmt::format("; impulse factor {}", problem.impulse_factor->formula().text());
+  }
   for (const Wall& w : {o.left, o.right}) {
     text += fmt::format("; wall {} {:a} {:a}", w.exists, w.position, w.restitution);
     if (w.formula != nullptr) text += " " + w.formula->restitution_formula->text();

@@ -43,6 +43,7 @@ struct StreamStatistics {
   /// sense; otherwise 0
   double force = 0, force_y = 0, force_v = 0;
   double noise_factor = 0;  ///< sum of G = g^2 over samples with multiplicative noise; otherwise 0
+  double impulse_factor = 0;  ///< sum of b^2 over samples with parametric impulses; otherwise 0
   double samples = 0;
   double rest_left = 0;  ///< weight of samples at rest on the left wall, which the histogram omits
   /// Weight of samples at rest on the right wall, which the histogram omits
@@ -74,10 +75,11 @@ struct StreamStatistics {
 template <class Record, class Visit>
 void for_each_statistic(Record& record, Visit visit) {
   visit(record.powers);
-  for (auto* sum : {&record.y5, &record.y6, &record.force, &record.force_y, &record.force_v,
-                    &record.noise_factor, &record.samples, &record.rest_left, &record.rest_right,
-                    &record.impacts, &record.left_momentum, &record.left_energy,
-                    &record.right_momentum, &record.right_energy, &record.work}) {
+  for (auto* sum :
+       {&record.y5, &record.y6, &record.force, &record.force_y, &record.force_v,
+        &record.noise_factor, &record.impulse_factor, &record.samples, &record.rest_left,
+        &record.rest_right, &record.impacts, &record.left_momentum, &record.left_energy,
+        &record.right_momentum, &record.right_energy, &record.work}) {
     visit(*sum);
   }
   for (auto* number : {&record.impulses, &record.branch_impulses, &record.flights}) {

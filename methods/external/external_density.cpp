@@ -190,13 +190,16 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
   const double square_noise_factor = integrals.integrate_times_density([&](double y, double v) {
     return problem.noise_factor ? problem.noise_factor->squared(y, v) : 1;
   });
+  const double square_impulse_factor = integrals.integrate_times_density(
+      [&](double y, double) { return problem::square_impulse_factor(problem, y); });
   solution.energy_residual = problem::energy_residual(
       problem, {.mean_velocity = moments.v1,
                 .mean_square_velocity = moments.v2,
                 .left_impact_loss = left_loss / solution.mass,
                 .right_impact_loss = right_loss / solution.mass,
                 .mean_damping_power = damping_power / solution.mass,
-                .mean_square_noise_factor = square_noise_factor / solution.mass});
+                .mean_square_noise_factor = square_noise_factor / solution.mass,
+                .mean_square_impulse_factor = square_impulse_factor / solution.mass});
   solution.reason = options.inadmissible_reason.empty()
                         ? inadmissible_reason(grid, points, peak, least, solution.mass)
                         : options.inadmissible_reason;

@@ -141,7 +141,11 @@ class ProblemStatement {
     const bool impulses = any([](const Problem& p) { return p.impulses.is_present(); });
     const bool noise = any([](const Problem& p) { return p.noise.is_present(); });
     std::vector<std::string> excitation;
-    if (impulses) excitation.emplace_back("Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>)");
+    const bool parametric = any([](const Problem& p) { return p.impulse_factor.has_value(); });
+    if (impulses) {
+      excitation.push_back(fmt::format("{}Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>)",
+                                       parametric ? "b(y) " : ""));
+    }
     const bool factor = any([](const Problem& p) { return p.noise_factor.has_value(); });
     if (noise) excitation.emplace_back(factor ? "√(2D) g(y, y′) W(t)" : "√(2D) W(t)");
     return fmt::format(
@@ -187,12 +191,16 @@ class ProblemStatement {
     return fmt::format("y′<sub>+</sub> = −r<sub>{0}</sub>{1} y′<sub>−</sub> &nbsp; at y = {0}",
                        position, has_restitution_formula(side) ? "(u)" : "");
   }
-  // The formulas of the noise factor and of the restitution coefficients, one in each line.
+  // The formulas of the factors and of the restitution coefficients, one in each line.
   std::string definitions() const {
     std::string html;
     const auto add = [&](const std::string& definition) {
       html += fmt::format("<p class=\"formula\">{}</p>\n", definition);
     };
+    if (const auto factor =
+            common([](const Problem& p) { return p.impulses.parameters().factor; })) {
+      add(fmt::format("b(y) = {}", formula_html(*factor)));
+    }
     if (const auto factor = common([](const Problem& p) { return p.noise.factor; })) {
       const auto sense = common([](const Problem& p) -> std::optional<std::string> {
         if (!p.noise.interpretation) return std::nullopt;

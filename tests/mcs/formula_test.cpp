@@ -458,6 +458,57 @@ TEST(MultiplicativeNoise, IsRefusedWithAReasonWhereItIsNotSupported) {
             std::string::npos);
 }
 
+Problem parametric(const std::string& factor, const std::string& system,
+                   const std::string& walls = "none = true", const std::string& law = "gaussian") {
+  return of_case("[system]\n" + system + "\n[wall]\n" + walls + "\n[impulse]\nrate = 1\nlaw = " +
+                 law + "\nintensity = 0.5\nfactor = " + factor + '\n');
+}
+const std::string kLinear = "damping = 0.5\nstiffness = 1";
+
+// For y'' + c y' + k y and b = 1 + e y: E[y^2] = I / (2 c k - I e^2), E[v^2] = k E[y^2] for any law.
+TEST(ParametricImpulses, HaveTheExactMomentsOfALinearOscillator) {
+  const double exact = 0.5 / (1 - 0.5 * 0.16);
+  for (const char* law : {"gaussian", "exponential", "two_point"}) {
+    SCOPED_TRACE(law);
+    // A polynomial force and the same force as a formula have different flights.
+    for (const std::string& system : {kLinear, std::string("force = 0.5*v + y + 0*abs(y)")}) {
+      const Result result = simulated(parametric("1 - 0.4*y", system, "none = true", law), 1e5);
+      const auto& m = result.solution.moments;
+      const auto& e = result.solution.standard_errors->moments;
+      expect_near(m.y2, exact, e.y2, "E[y^2]");
+      expect_near(m.v2, exact, e.v2, "E[v^2]");
+      expect_balance(result);
+    }
+  }
+}
+
+// The weights of the streams assume the expected work of the impulses.
+TEST(ParametricImpulses, HaveTheExactBalancesAtWalls) {
+  const Result result =
+      simulated(parametric("0.6 + tanh(y)", "force = 0.2*v*abs(v) + sinh(y)",
+                           "right = 0.4\nright_restitution = 0.9 - 0.2*min(1,v)", "exponential"),
+                1e5);
+  expect_balance(result);
+  EXPECT_LT(std::abs(result.summary.excess_power), 4 * result.summary.excess_power_error);
+}
+
+TEST(ParametricImpulses, ResumeFromACheckpointOfTheSameFactorOnly) {
+  const Options options{.time = 1e4, .accuracy = 1, .streams = 20};
+  const Problem one = parametric("1 + 0.4*y", kLinear), other = parametric("1 - 0.4*y", kLinear);
+  const SimulationPlan plan = make_simulation_plan(one, options);
+  EXPECT_NE(simulation_fingerprint(one, plan, nullptr),
+            simulation_fingerprint(other, plan, nullptr));
+}
+
+TEST(ParametricImpulses, AreRefusedWithAReasonWhereTheyAreNotSupported) {
+  const Problem problem = parametric("1 + 0.4*y", kLinear);
+  EXPECT_EQ(unsupported_reason(problem, {}), "");
+  EXPECT_NE(
+      unsupported_reason(problem, {.equation = DensityEquation::white}).find("impulse.factor"),
+      std::string::npos);
+  EXPECT_NE(unsupported_reason(problem, {.tails = true}).find("impulse.factor"), std::string::npos);
+}
+
 const std::string kViscoelastic = "left = 0\nleft_restitution = 1 - 0.3*min(1,abs(v))^0.2";
 
 Problem with_wall(const std::string& force, const std::string& walls) {

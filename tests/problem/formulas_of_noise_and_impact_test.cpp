@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "problem/case_file.hpp"
 #include "problem/energy_averaging.hpp"
 #include "problem/problem_features.hpp"
+#include "problem/undamped_orbits.hpp"
 #include "refusal.hpp"
 
 namespace fpkcheck::problem {
@@ -110,6 +112,65 @@ TEST(NoiseFactor, IsValidated) {
   expect_refusal(
       kLinearSpring + "restitution = 0.9\n" + kUnitImpulses + "[noise]\nfactor = 1 + y^2\n",
       "noise.intensity is 0");
+}
+
+const std::string kParametric =
+    "[impulse]\nrate = 1\nlaw = exponential\nintensity = 0.2\nfactor = ";
+
+TEST(ImpulseFactor, IsAFormulaOfTheDisplacement) {
+  const Problem p = case_of_formulas(kLinearSpring + "[wall]\nnone = true\n" + kParametric +
+                                     "1 + a*y\n[parameters]\na = 0.5\n");
+  EXPECT_NEAR(square_impulse_factor(p, 2), 4, 1e-15);
+  EXPECT_NE(polynomial_required_reason(p).find("impulse.factor"), std::string::npos);
+  const Problem again = problem_from_sections("again", sections(p));
+  EXPECT_NEAR(square_impulse_factor(again, -1), 0.25, 1e-15);
+  const Problem without = case_of_formulas(kLinearSpring + "[wall]\nnone = true\n" + kUnitImpulses);
+  EXPECT_EQ(square_impulse_factor(without, 2), 1);
+}
+
+// b Y at the physical displacement, with the mirrored amplitude -Y.
+TEST(ImpulseFactor, IsTransformedToWallCoordinates) {
+  const Problem p =
+      case_of_formulas(kLinearSpring + "[wall]\nright = 0.5\nright_restitution = 0.9\n" +
+                       kParametric + "1 + 0.5*abs(y-0.2)\n");
+  const WallFrame frame = wall_frame(p.system);
+  const Problem seen = to_wall_coordinates(frame, p);
+  ASSERT_NEAR(frame.physical_y(0.7), -0.2, 1e-15);
+  EXPECT_NEAR(square_impulse_factor(seen, 0.7), 1.2 * 1.2, 1e-14);
+  EXPECT_LT(seen.impulses.law().moment(3) * p.impulses.law().moment(3), 0);
+  ASSERT_EQ(kinks_in_y(seen, 0, 1).size(), 1U);
+  EXPECT_NEAR(kinks_in_y(seen, 0, 1)[0], 0.3, 1e-9);
+}
+
+// For b = 1 + e y and k = 1 the closed integrals at the energy h are 2 pi c h for the loss and
+// lambda E[Y^2]/2 (2 pi h + e^2 pi h^2) for the diffusion.
+TEST(ImpulseFactor, EntersEnergyAveraging) {
+  const Problem p =
+      case_of_formulas(kLinearSpring + "[wall]\nnone = true\n" + kParametric + "1 + 0.3*y\n");
+  const UndampedOrbits orbits(p);
+  for (const double h : {0.2, 1.5}) {
+    const auto orbit = orbits.orbit_integrals(orbits.half_cycles(h).front(), h);
+    EXPECT_NEAR(orbit.loss, 0.1 * 2 * std::numbers::pi * h, 1e-9);
+    EXPECT_NEAR(orbit.diffusion, 0.1 * std::numbers::pi * (2 * h + 0.09 * h * h), 1e-9);
+  }
+}
+
+// The power input is lambda E[Y^2] E[b^2] / 2.
+TEST(ImpulseFactor, EntersTheBalanceOfPower) {
+  const Problem p =
+      case_of_formulas(kLinearSpring + "[wall]\nnone = true\n" + kParametric + "1 + 0.3*y\n");
+  EXPECT_NEAR(
+      power_balance(
+          p, {.mean_velocity = 0, .mean_square_velocity = 2, .mean_square_impulse_factor = 1.5})
+          .input,
+      0.15, 1e-15);
+}
+
+TEST(ImpulseFactor, IsValidated) {
+  const std::string start = kLinearSpring + "[wall]\nnone = true\n" + kParametric;
+  expect_refusal(start + "1 + v\n", "impulse.factor column 5");
+  expect_refusal(start + "1 + y\nmean = 0.1\n", "impulse.mean = 0.1");
+  expect_refusal(start + "1/y\n", "impulse.factor is not finite at y = 0");
 }
 
 TEST(RestitutionFormula, IsAFunctionOfTheImpactSpeed) {

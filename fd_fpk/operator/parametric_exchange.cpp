@@ -1,0 +1,79 @@
+#include "fd_fpk/operator/parametric_exchange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "fd_fpk/axis/jump_matrix.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// Values of the factor, in units of their distance: the integers from -kBelow to kAbove, relative
+// to the largest integer below the factor.
+constexpr int kBelow = 2, kAbove = 3;
+
+// Returns the Lagrange polynomial at t of the integer `node` among the six integers around t.
+double lagrange_polynomial(double t, int node) {
+  const int base = static_cast<int>(std::floor(t));
+  if (node < base - kBelow || node > base + kAbove) return 0;
+  double value = 1;
+  for (int other = base - kBelow; other <= base + kAbove; ++other) {
+    if (other != node) value *= (t - other) / (node - other);
+  }
+  return value;
+}
+
+// Returns the matrix of jumps by b Y, which are jumps by Y on the axis divided by b.
+Eigen::MatrixXd scaled_jump_matrix(const Axis& axis, const problem::ImpulseLaw& law, double b) {
+  std::vector<double> faces = axis.faces();
+  for (double& face : faces) face /= std::abs(b);
+  return jump_matrix(Axis(std::move(faces)), b < 0 ? law.with_negated_amplitudes() : law);
+}
+
+// Returns the least and the largest value of the factor on an axis, at points of its cells.
+std::pair<double, double> range_of_factor(const problem::StateFunction& factor, const Axis& x1) {
+  constexpr int kPoints = 8;
+  double least = factor(x1.faces().front(), 0), largest = least;
+  for (int i = 0; i < x1.cell_count(); ++i) {
+    for (int k = 1; k <= kPoints; ++k) {
+      const double b = factor(x1.face_position(i) + x1.cell_width(i) * k / kPoints, 0);
+      least = std::min(least, b);
+      largest = std::max(largest, b);
+    }
+  }
+  return {least, largest};
+}
+
+}  // namespace
+
+std::vector<ExchangeTerm> parametric_exchange(const ParametricImpulses& impulses, const Grid& grid,
+                                              int weight_points) {
+  const problem::ImpulseLaw& law = impulses.train.law();
+  const double distance = grid.x2.cell_widths().maxCoeff() / std::sqrt(law.moment(2));
+  const auto [least, largest] = range_of_factor(impulses.factor, grid.x1);
+  // One more value on either side, because the points above need not include the extreme values
+  int first = static_cast<int>(std::floor(least / distance)) - kBelow - 1;
+  int last = static_cast<int>(std::floor(largest / distance)) + kAbove + 1;
+  // Jumps by b Y and by -b Y have equal matrices if the law is symmetric.
+  const bool is_symmetric = law.is_symmetric();
+  if (is_symmetric) {
+    last = std::max(last, -first);
+    first = 1;
+  }
+  std::vector<ExchangeTerm> terms;
+  for (int node = first; node <= last; ++node) {
+    if (node == 0) continue;  // impulses that the factor 0 multiplies change nothing
+    AxisOperator of_x1 = weighted_average_operator(grid.x1, weight_points, [&](double x1) {
+      const double t = impulses.factor(x1, 0) / distance;
+      return lagrange_polynomial(t, node) + (is_symmetric ? lagrange_polynomial(t, -node) : 0);
+    });
+    if (of_x1.nonZeros() == 0) continue;
+    terms.push_back({std::move(of_x1), impulses.train.arrival_rate() *
+                                           scaled_jump_matrix(grid.x2, law, node * distance)});
+  }
+  return terms;
+}
+
+}  // namespace fpkcheck::fd_fpk
