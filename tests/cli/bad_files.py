@@ -62,7 +62,7 @@ def checkpoints(fpkcheck):
     # Format after two lines: the number of rounds; for each stream eleven words of the branch (y, y',
     # the time until the next impulse, its amplitude, the time until the next sample, the remaining
     # time, three times of noise and rest, two levels and the thresholds of the splitting), two numbers
-    # of random numbers, fourteen sums of powers, eighteen other sums, and lists with their lengths.
+    # of random numbers, fourteen sums of powers, nineteen other sums, and lists with their lengths.
     numbers = text.index(b"\n", text.index(b"\n") + 1) + 1
 
     def put(name, text):
@@ -82,7 +82,7 @@ def checkpoints(fpkcheck):
     number("infinite", 3, "d", float("inf"))
     number("nan", 2, "d", float("nan"))
     number("counts", 14, "d", float("inf"))
-    number("lists", 14 + 14 + 18, "Q", 2**63)
+    number("lists", 14 + 14 + 19, "Q", 2**63)
     put("cut", text[:numbers + 400])
     put("tail", text + b"more")
 
