@@ -195,6 +195,7 @@ void evaluate_written_forces(const Oscillator& oscillator, int count, const doub
                              const double* v, double* force) {
   const problem::System& system = *oscillator.system;
   system.evaluate_forces(static_cast<std::size_t>(count), y, v, force);
+  if (!oscillator.left.exists && !oscillator.right.exists) return;
   int finite = 0;
   for (int k = 0; k < count; ++k) finite += static_cast<int>(std::isfinite(force[k]));
   if (finite == count) return;

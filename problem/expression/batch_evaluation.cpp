@@ -8,9 +8,6 @@
 namespace fpkcheck::problem {
 namespace {
 
-using Real = simd::VectorTypes<Expression::kBatch>::Real;
-using Mask = decltype(Real{} < Real{});
-
 consteval const Function* function_named(std::string_view name) {
   for (const Function& function : kFunctions) {
     if (function.name == name) return &function;
@@ -22,18 +19,23 @@ constexpr const Function *kAbs = function_named("abs"), *kMax = function_named("
                          *kExp = function_named("exp"), *kTanh = function_named("tanh"),
                          *kSinh = function_named("sinh"), *kCosh = function_named("cosh");
 
-FPKCHECK_INLINE Real absolute(const Real& x) { return x < 0.0 ? -x : x; }
+template <class Real>
+FPKCHECK_INLINE Real absolute(const Real& x) {
+  return x < 0.0 ? -x : x;
+}
 
 // Largest argument of simd::exponential().
 constexpr double kLargestExponent = 700;
 // Below this argument the series of sinh and tanh replace differences of exponentials.
 constexpr double kSmall = 0.06;
 
+template <class Real>
 FPKCHECK_INLINE Real clamped_exponential(const Real& x) {
   const Real limit = simd::broadcast<Real>(kLargestExponent);
   return simd::exponential(simd::lanewise_max(simd::lanewise_min(x, limit), -limit));
 }
 
+template <class Real>
 FPKCHECK_INLINE Real tanh_of(const Real& x) {
   const Real e = clamped_exponential(-2.0 * absolute(x));
   const Real magnitude = (1.0 - e) / (1.0 + e);
@@ -43,6 +45,7 @@ FPKCHECK_INLINE Real tanh_of(const Real& x) {
   return absolute(x) < kSmall ? series : x < 0.0 ? -magnitude : magnitude;
 }
 
+template <class Real>
 FPKCHECK_INLINE Real sinh_of(const Real& x) {
   const Real e = clamped_exponential(x);
   const Real x2 = x * x;
@@ -50,11 +53,13 @@ FPKCHECK_INLINE Real sinh_of(const Real& x) {
   return absolute(x) < kSmall ? series : 0.5 * (e - 1.0 / e);
 }
 
+template <class Real>
 FPKCHECK_INLINE Real cosh_of(const Real& x) {
   const Real e = clamped_exponential(x);
   return 0.5 * (e + 1.0 / e);
 }
 
+template <class Real>
 FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const Real& b) {
   if (&f == kAbs) {
     a = absolute(a);
@@ -66,7 +71,7 @@ FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const R
     a = simd::square_root(a);
   } else {
     const Real x = a;
-    Mask computed{};
+    decltype(x < x) computed{};
     if (&f == kTanh || &f == kExp || &f == kSinh || &f == kCosh) {
       computed = absolute(x) < kLargestExponent;
       a = &f == kTanh   ? tanh_of(x)
@@ -74,6 +79,7 @@ FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const R
           : &f == kSinh ? sinh_of(x)
                         : cosh_of(x);
     }
+    if (!simd::any_lane_set(~computed)) return;
     for (std::size_t k = 0; k < count; ++k) {
       if (computed[k] == 0) a[k] = f.value(x[k], b[k]);
     }
@@ -82,6 +88,7 @@ FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const R
 
 // Values and derivatives with respect to v of a batch of points, as numerics::DualNumber. The members
 // have no initial values, so that an evaluation does not set its whole stack to zero.
+template <class Real>
 struct DualBatch {
   Real value, derivative;
 
@@ -105,19 +112,23 @@ struct DualBatch {
 
 template <class Number>
 FPKCHECK_INLINE Number constant_of(double value) {
-  if constexpr (std::is_same_v<Number, Real>) {
-    return simd::broadcast<Real>(value);
-  } else {
+  if constexpr (requires(Number number) { number.derivative; }) {
+    using Real = decltype(Number::value);
     return {simd::broadcast<Real>(value), Real{}};
+  } else {
+    return simd::broadcast<Number>(value);
   }
 }
 
 // Returns slope * derivative, and 0 where the derivative is 0, for an infinite slope too.
+template <class Real>
 FPKCHECK_INLINE Real chain_rule(const Real& slope, const Real& derivative) {
   return derivative == 0.0 ? Real{} : slope * derivative;
 }
 
-FPKCHECK_INLINE void call(const Function& f, std::size_t count, DualBatch& a, const DualBatch& b) {
+template <class Real>
+FPKCHECK_INLINE void call(const Function& f, std::size_t count, DualBatch<Real>& a,
+                          const DualBatch<Real>& b) {
   const Real x = a.value, one = simd::broadcast<Real>(1);
   call(f, count, a.value, b.value);
   if (&f == kAbs) {
@@ -151,18 +162,23 @@ FPKCHECK_INLINE Number integer_power_of(const Number& base, int exponent) {
 }
 
 // Returns base^(n/2).
+template <class Real>
 FPKCHECK_INLINE Real half_integer_power_of(const Real& base, int n) {
   return integer_power_of(simd::square_root(base), n);
 }
-FPKCHECK_INLINE DualBatch half_integer_power_of(const DualBatch& base, int n) {
+template <class Real>
+FPKCHECK_INLINE DualBatch<Real> half_integer_power_of(const DualBatch<Real>& base, int n) {
   return {half_integer_power_of(base.value, n),
           chain_rule(0.5 * n * half_integer_power_of(base.value, n - 2), base.derivative)};
 }
 
+template <class Real>
 FPKCHECK_INLINE void raise_to_power(Real& base, const Real& exponent, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) base[k] = real_power(base[k], exponent[k]);
 }
-FPKCHECK_INLINE void raise_to_power(DualBatch& base, const DualBatch& exponent, std::size_t count) {
+template <class Real>
+FPKCHECK_INLINE void raise_to_power(DualBatch<Real>& base, const DualBatch<Real>& exponent,
+                                    std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     const numerics::DualNumber power =
         real_power(numerics::DualNumber{base.value[k], base.derivative[k]},
@@ -175,11 +191,22 @@ FPKCHECK_INLINE void raise_to_power(DualBatch& base, const DualBatch& exponent, 
 // Constant exponents above this limit are computed by the library.
 constexpr double kLargestHalfInteger = 8;
 
+// Number of points below which half a batch is evaluated, for which one register suffices.
+constexpr std::size_t kHalf = Expression::kBatch / 2;
+
+template <class Real>
 FPKCHECK_INLINE Real load(std::size_t count, const double* numbers) {
-  if (count == Expression::kBatch) return simd::load<Real>(numbers);
+  constexpr std::size_t kWidth = simd::kWidth<Real>;
+  if (count == kWidth) return simd::load<Real>(numbers);
   Real batch{};
-  for (std::size_t k = 0; k < Expression::kBatch; ++k) batch[k] = numbers[k < count ? k : 0];
+  for (std::size_t k = 0; k < kWidth; ++k) batch[k] = numbers[k < count ? k : 0];
   return batch;
+}
+
+template <class Real>
+FPKCHECK_INLINE void store(std::size_t count, const Real& batch, double* numbers) {
+  if (count == simd::kWidth<Real>) return simd::store(batch, numbers);
+  for (std::size_t k = 0; k < count; ++k) numbers[k] = batch[k];
 }
 
 }  // namespace
@@ -187,64 +214,66 @@ FPKCHECK_INLINE Real load(std::size_t count, const double* numbers) {
 template <class Number>
 FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number& v,
                                                   std::size_t count) const {
-  std::array<Number, kMaxDepth + 1> stack;
-  stack[0] = y;  // A formula has at least one node, which GCC 12 does not see.
-  std::size_t top = 0;
-  for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    const Node& node = nodes_[k];
+  // The value on top of the stack is a variable, so that operations need not wait for stores.
+  Number top = y;
+  std::array<Number, kMaxDepth + 1> below;
+  std::size_t depth = 0;
+  const auto push = [&](const Number& number) __attribute__((always_inline)) {
+    below[depth++] = top;
+    top = number;
+  };
+  for (const Node& node : nodes_) {
     switch (node.operation) {
       case Operation::constant:
-        stack[top++] = constant_of<Number>(node.constant);
+        push(constant_of<Number>(node.constant));
         break;
       case Operation::y:
-        stack[top++] = y;
+        push(y);
         break;
       case Operation::v:
-        stack[top++] = v;
+        push(v);
         break;
       case Operation::add:
-        --top;
-        stack[top - 1] = stack[top - 1] + stack[top];
+        top = below[--depth] + top;
         break;
       case Operation::subtract:
-        --top;
-        stack[top - 1] = stack[top - 1] - stack[top];
+        top = below[--depth] - top;
         break;
       case Operation::multiply:
-        --top;
-        stack[top - 1] = stack[top - 1] * stack[top];
+        top = below[--depth] * top;
         break;
       case Operation::divide:
-        --top;
-        stack[top - 1] = stack[top - 1] / stack[top];
+        top = below[--depth] / top;
         break;
       case Operation::negate:
-        stack[top - 1] = -stack[top - 1];
+        top = -top;
         break;
       case Operation::power: {
         if (node.has_integer_exponent) {
-          stack[top - 1] = integer_power_of(stack[top - 1], static_cast<int>(node.constant));
+          top = integer_power_of(top, static_cast<int>(node.constant));
           break;
         }
-        --top;
-        const Node& exponent = nodes_[k - 1];
-        const double doubled = 2 * exponent.constant;
-        if (exponent.operation == Operation::constant && doubled == std::trunc(doubled) &&
-            std::abs(exponent.constant) < kLargestHalfInteger) {
-          stack[top - 1] = half_integer_power_of(stack[top - 1], static_cast<int>(doubled));
-          break;
+        const Number exponent = top;
+        top = below[--depth];
+        const Node& last = *(&node - 1);
+        const double doubled = 2 * last.constant;
+        if (last.operation == Operation::constant && doubled == std::trunc(doubled) &&
+            std::abs(last.constant) < kLargestHalfInteger) {
+          top = half_integer_power_of(top, static_cast<int>(doubled));
+        } else {
+          raise_to_power(top, exponent, count);
         }
-        raise_to_power(stack[top - 1], stack[top], count);
         break;
       }
-      case Operation::call:
-        if (node.function->arguments == 2) --top;
-        call(*node.function, count, stack[top - 1],
-             stack[node.function->arguments == 2 ? top : top - 1]);
+      case Operation::call: {
+        const Number last = top;
+        if (node.function->arguments == 2) top = below[--depth];
+        call(*node.function, count, top, last);
         break;
+      }
     }
   }
-  return stack[0];
+  return top;
 }
 
 // One version for each instruction set, all with the same bits; the loader selects one. With Clang 14
@@ -257,20 +286,24 @@ FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number&
 
 FPKCHECK_VERSIONS void Expression::evaluate_batch(std::size_t count, const double* y,
                                                   const double* v, double* values) const {
-  const Real result = evaluate_lanes<Real>(load(count, y), load(count, v), count);
-  for (std::size_t k = 0; k < count; ++k) values[k] = result[k];
+  using Whole = simd::VectorTypes<kBatch>::Real;
+  using Half = simd::VectorTypes<kHalf>::Real;
+  if (count > kHalf) {
+    store(count, evaluate_lanes(load<Whole>(count, y), load<Whole>(count, v), count), values);
+  } else {
+    store(count, evaluate_lanes(load<Half>(count, y), load<Half>(count, v), count), values);
+  }
 }
 
 FPKCHECK_VERSIONS void Expression::evaluate_batch_with_slopes_in_v(std::size_t count,
                                                                    const double* y, const double* v,
                                                                    double* values,
                                                                    double* slopes) const {
-  const auto [value, derivative] = evaluate_lanes<DualBatch>(
-      {load(count, y), Real{}}, {load(count, v), simd::broadcast<Real>(1)}, count);
-  for (std::size_t k = 0; k < count; ++k) {
-    values[k] = value[k];
-    slopes[k] = derivative[k];
-  }
+  using Real = simd::VectorTypes<kBatch>::Real;
+  const auto [value, derivative] = evaluate_lanes<DualBatch<Real>>(
+      {load<Real>(count, y), Real{}}, {load<Real>(count, v), simd::broadcast<Real>(1)}, count);
+  store(count, value, values);
+  store(count, derivative, slopes);
 }
 
 }  // namespace fpkcheck::problem
