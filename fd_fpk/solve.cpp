@@ -105,9 +105,11 @@ class Solver {
     if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline);
     if (has_automatic_grid(options)) {
       return refine_until_deadline(on_one_grid, options, deadline,
-                                   {.until_ok = must_satisfy_balances(problem_)});
+                                   {.until_ok = must_satisfy_balances(problem_)},
+                                   scales_and_box.box);
     }
-    if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options);
+    if (options.error_estimate)
+      return solve_with_error_estimate(on_one_grid, options, scales_and_box.box);
     return on_one_grid(options);
   }
 

@@ -6,9 +6,10 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <future>
+#include <tuple>
 #include <utility>
 
-#include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 #include "transform/richardson.hpp"
 
@@ -73,10 +74,14 @@ Options with_direct_solver(Options options) {
   return options;
 }
 
-Options with_box_of(Options options, const Summary& summary) {
-  options.x1_max = summary.x1_max;
-  options.x2_max = summary.x2_max;
+Options with_box_ends(Options options, double x1_max, double x2_max) {
+  options.x1_max = x1_max;
+  options.x2_max = x2_max;
   return options;
+}
+
+Options with_box_of(const Options& options, const Summary& summary) {
+  return with_box_ends(options, summary.x1_max, summary.x2_max);
 }
 
 // Returns the options with the box and the refinement that the solution used after automatic
@@ -215,6 +220,83 @@ bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, con
   return kTimeFraction * levels * expected_seconds(last) <= deadline.limit_seconds();
 }
 
+// The first three grids of an error estimate.
+struct ThreeGrids {
+  Result fine;                   // with an error estimate, if all three grids have densities
+  std::optional<Result> middle;  // if the fine grid has a density
+  double fine_seconds = 0;
+};
+
+Options coarser_grid(const Options& options, double factor) {
+  return with_direct_solver(with_refined_cells(options, 1 / factor));
+}
+
+bool have_same_box(const Result& first, const Result& second) {
+  constexpr double kRounding = 1e-12;
+  if (!first.solution.density || !second.solution.density) return false;
+  const auto have_same_ends = [](const std::vector<double>& a, const std::vector<double>& b) {
+    const double difference =
+        std::max(std::abs(a.front() - b.front()), std::abs(a.back() - b.back()));
+    return difference <= kRounding * (a.back() - a.front());
+  };
+  const auto &of_first = grid_density_of(first.solution),
+             &of_second = grid_density_of(second.solution);
+  return have_same_ends(of_first.y_edges, of_second.y_edges) &&
+         have_same_ends(of_first.v_edges, of_second.v_edges);
+}
+
+// Solves on the grid of the options and on two coarser grids with the same box and cells wider by
+// kRefinementRatio and its square. A second thread solves on the coarser grids meanwhile, if their
+// box is known. If the solution on the fine grid has moved the box or refined the cells, other coarser
+// grids follow.
+ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& options,
+                                const std::optional<Box>& known_box) {
+  constexpr double kMiddle = kRefinementRatio, kCoarse = kRefinementRatio * kRefinementRatio;
+  std::future<std::pair<Result, Result>> ahead;
+  if (known_box) {
+    ahead = std::async(std::launch::async, [&] {
+      const Options in_box = with_box_ends(options, known_box->x1_max, known_box->x2_max);
+      Result middle = solve(coarser_grid(in_box, kMiddle));
+      return std::pair(std::move(middle), solve(coarser_grid(in_box, kCoarse)));
+    });
+  }
+  ThreeGrids grids;
+  Result& fine = grids.fine;
+  const Stopwatch stopwatch;
+  fine = solve(options);
+  grids.fine_seconds = stopwatch.seconds();
+  if (!fine.solution.density) return grids;
+  const Options used = with_used_grid(options, fine.summary),
+                coarsest = coarser_grid(used, kCoarse);
+  Result middle, coarse;
+  Moments box_truncation;
+  const auto have_used_grid = [&] {
+    return fine.summary.refinement == options.refinement && have_same_box(middle, fine) &&
+           have_same_box(coarse, fine) &&
+           middle.summary.origin_refinement == fine.summary.origin_refinement &&
+           coarse.summary.origin_refinement == fine.summary.origin_refinement;
+  };
+  if (known_box) std::tie(middle, coarse) = ahead.get();
+  if (!known_box || !have_used_grid()) {
+    // The coarser grids are always solved, since no solution may lack an error estimate.
+    auto of_coarse = std::async(std::launch::async, [&] {
+      coarse = solve(coarsest);
+      box_truncation = box_truncation_error(solve, coarsest, coarse);
+    });
+    middle = solve(coarser_grid(used, kMiddle));
+    of_coarse.get();
+  }
+  const bool same = have_same_cells(coarse.summary, middle.summary) ||
+                    have_same_cells(middle.summary, fine.summary);
+  if (middle.solution.density && coarse.solution.density && !same) {
+    add_estimate(fine, middle.solution,
+                 estimate_with_box_truncation(options, coarse, middle, fine, box_truncation));
+  }
+  check_error_estimate(options, fine);
+  grids.middle = std::move(middle);
+  return grids;
+}
+
 }  // namespace
 
 bool is_preferable_result(const Result& first, const Result& second) {
@@ -243,40 +325,22 @@ ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const R
           .has_richardson_limit = transform::has_richardson_limit(known.orders.l1, order)};
 }
 
-Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options) {
-  Result fine = solve(options);
-  if (!fine.solution.density) return fine;
-  const Options used = with_used_grid(options, fine.summary);
-  // The coarser grids are always solved, since no solution may lack an error estimate.
-  const Result middle = solve(with_direct_solver(with_refined_cells(used, 1 / kRefinementRatio)));
-  const Options coarsest =
-      with_direct_solver(with_refined_cells(used, 1 / (kRefinementRatio * kRefinementRatio)));
-  const Result coarse = solve(coarsest);
-  const bool same = have_same_cells(coarse.summary, middle.summary) ||
-                    have_same_cells(middle.summary, fine.summary);
-  if (middle.solution.density && coarse.solution.density && !same) {
-    add_estimate(fine, middle.solution,
-                 estimate_with_box_truncation(options, coarse, middle, fine,
-                                              box_truncation_error(solve, coarsest, coarse)));
-  }
-  check_error_estimate(options, fine);
-  return fine;
+Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
+                                 const std::optional<Box>& known_box) {
+  return solve_on_three_grids(solve, options, known_box).fine;
 }
 
 Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
-                             const Deadline& deadline, const RefinementGoal& goal) {
+                             const Deadline& deadline, const RefinementGoal& goal,
+                             const std::optional<Box>& known_box) {
   double slower = kTimeRatio;
-  const Stopwatch stopwatch;
-  Result best = solve_with_error_estimate(solve, options);
+  ThreeGrids grids = solve_on_three_grids(solve, options, known_box);
+  Result best = std::move(grids.fine);
   if (!best.summary.error) return best;
-  // The three grids together take about 1 + 1/2.5 + 1/6 times as long as the finest grid. The
-  // solution in the larger box takes twice as long as the coarsest grid.
-  double seconds = stopwatch.seconds() / (best.summary.enlarged_box ? 1.9 : 1.6);
+  double seconds = grids.fine_seconds;
   Options level = with_direct_solver(with_used_grid(options, best.summary));
   // The results `middle` and `coarse` belong to the two coarser grids of the last three grids.
-  const Options before = with_refined_cells(level, 1 / kRefinementRatio);
-  Result middle = best;
-  std::optional<Result> coarse;
+  Result middle = best, coarse = std::move(*grids.middle);
   // Finer cells do not correct a box that is too small, the cause of the status `failed`.
   while (best.solution.status != Status::failed &&
          (largest_l1_error(*best.summary.error) > goal.accuracy ||
@@ -293,10 +357,8 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
     slower = std::max(kTimeRatio, of_level.seconds() / seconds);
     seconds = of_level.seconds();
     if (!fine.solution.density) break;
-    if (!coarse) coarse = solve(before);
-    if (!coarse->solution.density) break;
     add_estimate(fine, middle.solution,
-                 estimate_with_box_truncation(options, *coarse, middle, fine,
+                 estimate_with_box_truncation(options, coarse, middle, fine,
                                               best.summary.error->box_truncation));
     check_error_estimate(options, fine);
     coarse = std::exchange(middle, fine);

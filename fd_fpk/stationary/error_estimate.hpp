@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
+#include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stopwatch.hpp"
@@ -17,14 +19,18 @@ namespace fpkcheck::fd_fpk {
 ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
                              int order);
 
-/// Function that solves one problem with the given options on a single grid.
+/// Function that solves one problem with the given options on a single grid. Two threads may call it
+/// at the same time.
 using SolveOnOneGrid = std::function<Result(const Options&)>;
 
 /// Returns the solution on the grid of the options, with an error estimate from direct solutions on
 /// two coarser grids. The cells of the two coarser grids are wider by the factors q and q^2, with q
 /// = transform::kRefinementRatio. The solution includes extrapolated moments if
 /// transform::has_richardson_limit accepts the observed order of convergence.
-Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
+/// @param known_box box that `solve` uses unless it must move the ends; the coarser grids need not
+/// wait for the finest grid
+Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
+                                 const std::optional<Box>& known_box = {});
 
 /// Accuracy and status at which refine_until_deadline() stops refining the grid.
 struct RefinementGoal {
@@ -37,7 +43,8 @@ struct RefinementGoal {
 /// exceeds the accuracy of the goal. A finer grid is tried only if the expected time is at most a
 /// fraction of the time limit, or if the status is not yet `ok`.
 Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
-                             const Deadline& deadline, const RefinementGoal& goal);
+                             const Deadline& deadline, const RefinementGoal& goal,
+                             const std::optional<Box>& known_box = {});
 
 /// Returns whether the first result is preferable to the second result. The first differing
 /// criterion decides, in this order: status `ok`, existence of an error estimate, existence of a

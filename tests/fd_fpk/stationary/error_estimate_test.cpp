@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
+#include <mutex>
 
 #include "base/input_error.hpp"
 #include "distances.hpp"
@@ -163,8 +166,12 @@ TEST(ErrorEstimate, AToleranceWidensTheBoxForTheSecondMoments) {
 // A solver whose error decreases with the given order on uniform grids and with order 5 on graded
 // grids. It fails on cells narrower than half of the automatic width.
 SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& requests) {
+  const auto mutex = std::make_shared<std::mutex>();
   return [=, &requests](const Options& options) {
-    requests.push_back(options);
+    {
+      const std::lock_guard lock(*mutex);
+      requests.push_back(options);
+    }
     Result result;
     result.summary.origin_refinement = options.origin_refinement.value_or(1);
     if (options.refinement > 2.1) {
@@ -242,14 +249,52 @@ TEST(ErrorEstimate, AnEstimateAboveTheRequestedAccuracyIsInaccurate) {
   }
 }
 
+// Coarser grids that are solved beside the finest grid are used only if they have its box and the
+// widths of its cells times q and q^2.
+TEST(ErrorEstimate, DoesNotDependOnWhetherTheBoxIsKnown) {
+  for (const bool moves_box : {false, true}) {
+    for (const bool refines : {false, true}) {
+      std::atomic<int> solutions = 0;
+      const auto solve_one = [&](const Options& options) {
+        ++solutions;
+        Result result;
+        const bool is_finest = options.refine_unresolved;
+        const double refinement = options.refinement * (is_finest && refines ? 1.5 : 1);
+        const double box = options.x1_max.value_or(is_finest && moves_box ? 5 : 4);
+        result.solution = wave(1e-3 * box * std::pow(refinement, -4));
+        for (double& edge : std::get<transform::GridDensity>(*result.solution.density).y_edges) {
+          edge *= box / 4;
+        }
+        result.solution.status = Status::ok;
+        result.summary.refinement = refinement;
+        result.summary.x1_max = box;
+        result.summary.x2_max = 1;
+        return result;
+      };
+      const Options options{.stepper = StationarySolver::direct, .error_estimate = true};
+      const Result expected = solve_with_error_estimate(solve_one, options);
+      EXPECT_EQ(solutions, 3);
+      const Result result =
+          solve_with_error_estimate(solve_one, options, Box{.x1_max = 4, .x2_max = 1});
+      EXPECT_EQ(solutions, moves_box || refines ? 8 : 6);
+      EXPECT_EQ(result.summary.error->y_l1, expected.summary.error->y_l1);
+      EXPECT_EQ(result.summary.error->moments.y2, expected.summary.error->moments.y2);
+    }
+  }
+}
+
 // The choice of the grid depends on the number of cells, not on measured times: the solutions of
 // this test take no time.
 TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
   constexpr double kSeconds = 10;
   const auto levels_from = [&](int cells, TransportScheme transport) {
+    std::mutex mutex;
     std::vector<double> refinements;
     const auto solve_one = [&](const Options& options) {
-      refinements.push_back(options.refinement);
+      {
+        const std::lock_guard lock(mutex);
+        refinements.push_back(options.refinement);
+      }
       Result result;
       result.summary.refinement = options.refinement;
       result.summary.transport = transport;
