@@ -6,10 +6,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <future>
-#include <tuple>
 #include <utility>
 
+#include "base/process/parallel_for.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 #include "transform/richardson.hpp"
 
@@ -246,45 +245,49 @@ bool have_same_box(const Result& first, const Result& second) {
 }
 
 // Solves on the grid of the options and on two coarser grids with the same box and cells wider by
-// kRefinementRatio and its square. A second thread solves on the coarser grids meanwhile, if their
-// box is known. If the solution on the fine grid has moved the box or refined the cells, other coarser
-// grids follow.
+// kRefinementRatio and its square, in parallel if the box is known. If the solution on the fine grid
+// has moved the ends of the box or refined the cells, the two solutions on coarser grids are repeated.
 ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& options,
                                 const std::optional<Box>& known_box) {
   constexpr double kMiddle = kRefinementRatio, kCoarse = kRefinementRatio * kRefinementRatio;
-  std::future<std::pair<Result, Result>> ahead;
-  if (known_box) {
-    ahead = std::async(std::launch::async, [&] {
-      const Options in_box = with_box_ends(options, known_box->x1_max, known_box->x2_max);
-      Result middle = solve(coarser_grid(in_box, kMiddle));
-      return std::pair(std::move(middle), solve(coarser_grid(in_box, kCoarse)));
-    });
-  }
+  constexpr int kOneThreadPerProcessor = 0;
   ThreeGrids grids;
-  Result& fine = grids.fine;
-  const Stopwatch stopwatch;
-  fine = solve(options);
-  grids.fine_seconds = stopwatch.seconds();
-  if (!fine.solution.density) return grids;
-  const Options used = with_used_grid(options, fine.summary),
-                coarsest = coarser_grid(used, kCoarse);
-  Result middle, coarse;
+  Result &fine = grids.fine, middle, coarse;
   Moments box_truncation;
-  const auto have_used_grid = [&] {
+  const auto solve_on_fine_grid = [&] {
+    const Stopwatch stopwatch;
+    fine = solve(options);
+    grids.fine_seconds = stopwatch.seconds();
+  };
+  if (known_box) {
+    const Options in_box = with_box_ends(options, known_box->x1_max, known_box->x2_max);
+    base::parallel_for(3, kOneThreadPerProcessor, [&](std::size_t level) {
+      if (level == 0) solve_on_fine_grid();
+      if (level == 1) middle = solve(coarser_grid(in_box, kMiddle));
+      if (level == 2) coarse = solve(coarser_grid(in_box, kCoarse));
+    });
+  } else {
+    solve_on_fine_grid();
+  }
+  if (!fine.solution.density) return grids;
+  const auto are_coarser_grids_valid = [&] {
     return fine.summary.refinement == options.refinement && have_same_box(middle, fine) &&
            have_same_box(coarse, fine) &&
            middle.summary.origin_refinement == fine.summary.origin_refinement &&
            coarse.summary.origin_refinement == fine.summary.origin_refinement;
   };
-  if (known_box) std::tie(middle, coarse) = ahead.get();
-  if (!known_box || !have_used_grid()) {
+  if (!known_box || !are_coarser_grids_valid()) {
     // The coarser grids are always solved, since no solution may lack an error estimate.
-    auto of_coarse = std::async(std::launch::async, [&] {
-      coarse = solve(coarsest);
-      box_truncation = box_truncation_error(solve, coarsest, coarse);
+    const Options used = with_used_grid(options, fine.summary),
+                  coarsest = coarser_grid(used, kCoarse);
+    base::parallel_for(2, kOneThreadPerProcessor, [&](std::size_t level) {
+      if (level == 0) {
+        middle = solve(coarser_grid(used, kMiddle));
+      } else {
+        coarse = solve(coarsest);
+        box_truncation = box_truncation_error(solve, coarsest, coarse);
+      }
     });
-    middle = solve(coarser_grid(used, kMiddle));
-    of_coarse.get();
   }
   const bool same = have_same_cells(coarse.summary, middle.summary) ||
                     have_same_cells(middle.summary, fine.summary);
