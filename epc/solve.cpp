@@ -85,7 +85,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   }
   if (problem::has_equivalent_linearisation(problem)) return "";
   if (problem.impulse_factor) {
-    return "the closures exist for impulses without the factor impulse.factor; use fd or mcs";
+    return "the closures do not support impulse.factor; use fd or mcs";
   }
   if (std::string why = force_jump_reason(problem, options); !why.empty()) return why;
   const problem::ProblemFeatures features = problem::features(problem);

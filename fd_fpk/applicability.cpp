@@ -38,8 +38,7 @@ std::string unresolved_jump_reason(const problem::Problem& problem, bool has_dif
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
   if (problem.impulse_factor && options.equation != DensityEquation::kf &&
       options.equation != DensityEquation::white) {
-    return "the truncated series exist for impulses without the factor impulse.factor; use kf or "
-           "white";
+    return "km4 and km4-pade do not support impulse.factor; use kf or white";
   }
   const auto features = problem::features(problem);
   const bool noise = has_diffusion(features, options);
@@ -136,8 +135,7 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem) 
     return "characteristics need constant restitution coefficients; use transport upwind";
   }
   if (problem.impulse_factor) {
-    return "characteristics: the impulses are multiplied by the factor impulse.factor; use transport "
-           "upwind";
+    return "characteristics do not support impulse.factor; use transport upwind";
   }
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses) {

@@ -35,7 +35,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
     }
   }
   if (problem.impulse_factor && options.equation == DensityEquation::white) {
-    return "impulse.factor excludes white noise in place of the impulses; use kf, or fd";
+    return "mcs does not support white noise in place of impulses with impulse.factor; use kf, or fd";
   }
   const bool has_noise = problem.noise.is_present() || options.equation == DensityEquation::white;
   if (!problem.system.has_constant_restitution() && !has_noise && has_endless_bounces(problem)) {
@@ -59,7 +59,7 @@ std::string unsupported_splitting_reason(const problem::Problem& problem, const 
     return "tail splitting needs a polynomial potential, and the force is a formula";
   }
   if (problem.impulse_factor) {
-    return "tail splitting needs impulses of equal law everywhere, and impulse.factor varies them";
+    return "tail splitting needs impulses that do not depend on y, and impulse.factor multiplies them";
   }
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses || options.equation == DensityEquation::white) {

@@ -41,11 +41,12 @@ PowerBalance power_balance(const Problem& problem, const PowerBalanceTerms& term
 /// Returns the input minus the dissipation in the stationary balance of power, divided by the
 /// input. The balance of power is
 ///
-///     D E[G] + lambda E[Y^2] E[b^2]/2 + lambda E[Y] E[v] = E[v f] + int (1-r^2) |v|^3/2 p(a,v) dv + ..,
+///     D E[G] + lambda E[Y^2] E[b^2]/2 + lambda E[Y] E[v]
+///         = E[v f] + int (1-r^2) |v|^3/2 p(a,v) dv + ..,
 ///
-/// with the force f of the equation in Ito's sense. The residual is zero for the exact stationary density of each of the equations `white`, `km4` and
-/// `kf`. The energy is quadratic in v, and therefore only the moments E[Y] and E[Y^2] enter the
-/// balance.
+/// with the force f of the equation in Ito's sense. The residual is zero for the exact stationary
+/// density of each of the equations `white`, `km4` and `kf`. The energy is quadratic in v, and
+/// therefore only the moments E[Y] and E[Y^2] enter the balance.
 double energy_residual(const Problem& problem, const PowerBalanceTerms& terms);
 
 /// The virial balance and the momentum balance follow from Dynkin's formula for f = y v and f = v

@@ -24,31 +24,35 @@ constexpr double kImpulseBoxDeviations = 6.5;
 // falls below 1e-12 of the peak.
 constexpr double kPadeReach = 28;
 
-Excitation impulse_excitation(const problem::ImpulseTrain& impulses, const Options& options,
-                              const Axis& axis, double regularisation_length) {
-  if (!impulses.is_present()) return {};  // without impulses all equations coincide
-  switch (options.equation) {
-    case DensityEquation::white:
-      return white_noise_excitation(impulses);
-    case DensityEquation::km4:
-      return kramers_moyal_excitation(impulses, axis, regularisation_length);
-    case DensityEquation::km4_pade:
-      return kramers_moyal_pade_excitation(impulses, axis,
-                                           centred_stencil_size(transport_order(options)));
-    case DensityEquation::kf:
-      return jump_excitation(impulses, axis);
-  }
-  return {};
-}
-
-// Returns the jumps by b Y of parametric impulses, without the drift and the diffusion of the
-// preconditioner.
+// Returns the jumps by b Y of parametric impulses, whose matrices parametric_exchange() computes.
+// Their diffusion, for the preconditioner, is that of the factor 1.
 Excitation parametric_jump_excitation(const problem::Problem& problem) {
   const problem::ImpulseTrain& impulses = problem.impulses;
   return {.exchange = {},
           .exchange_diffusion = impulses.rate_times_moment(2) / 2,
           .exchange_rate = impulses.arrival_rate(),
           .parametric = ParametricImpulses{impulses, *problem.impulse_factor}};
+}
+
+// Returns the terms of the impulses, except the diffusion of white noise in place of parametric
+// impulses (variable_diffusion()).
+Excitation impulse_excitation(const problem::Problem& problem, const Options& options,
+                              const Axis& axis, double regularisation_length) {
+  const problem::ImpulseTrain& impulses = problem.impulses;
+  if (!impulses.is_present()) return {};  // without impulses all equations coincide
+  switch (options.equation) {
+    case DensityEquation::white:
+      return problem.impulse_factor ? Excitation{} : white_noise_excitation(impulses);
+    case DensityEquation::km4:
+      return kramers_moyal_excitation(impulses, axis, regularisation_length);
+    case DensityEquation::km4_pade:
+      return kramers_moyal_pade_excitation(impulses, axis,
+                                           centred_stencil_size(transport_order(options)));
+    case DensityEquation::kf:
+      return problem.impulse_factor ? parametric_jump_excitation(problem)
+                                    : jump_excitation(impulses, axis);
+  }
+  return {};
 }
 
 // Returns the diffusion coefficient of all terms with a factor of noise or impulses. White noise in
@@ -71,12 +75,9 @@ VariableDiffusion variable_diffusion(const problem::Problem& problem, bool with_
 // White noise adds (D G p)'' to every equation.
 Excitation excitation(const problem::Problem& problem, const Options& options, const Axis& axis,
                       double regularisation_length) {
-  const bool is_white = options.equation == DensityEquation::white;
-  const bool has_impulse_diffusion = problem.impulse_factor && is_white;
-  Excitation terms = !problem.impulse_factor ? impulse_excitation(problem.impulses, options, axis,
-                                                                  regularisation_length)
-                     : is_white              ? Excitation{}
-                                             : parametric_jump_excitation(problem);
+  const bool has_impulse_diffusion =
+      problem.impulse_factor && options.equation == DensityEquation::white;
+  Excitation terms = impulse_excitation(problem, options, axis, regularisation_length);
   if (problem.noise_factor || has_impulse_diffusion) {
     terms.variable_diffusion = variable_diffusion(problem, has_impulse_diffusion);
   } else {

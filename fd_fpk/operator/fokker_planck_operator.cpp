@@ -303,6 +303,29 @@ SparseColumnMatrix upwind_correction_matrix(
   return kronecker_product(columns, divergence_operator(x2)) * flux;
 }
 
+// Adds E P A^T to the rate, where each column of P contains the averages at one x1. Most rows of A are
+// empty: the factor b of their cells is far from the value b_m of this term.
+void add_parametric_jumps(const AxisOperator& of_x1, const Eigen::MatrixXd& of_x2,
+                          const Eigen::Map<const Eigen::MatrixXd>& averages,
+                          Eigen::Map<Eigen::MatrixXd>& rate) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < of_x1.rows(); ++i) {
+    if (of_x1.innerVector(i).nonZeros() > 0) rows.push_back(i);
+  }
+  Eigen::MatrixXd averaged =
+      Eigen::MatrixXd::Zero(of_x2.rows(), static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    auto column = averaged.col(static_cast<Eigen::Index>(k));
+    for (AxisOperator::InnerIterator e(of_x1, rows[k]); e; ++e) {
+      column += e.value() * averages.col(e.col());
+    }
+  }
+  const Eigen::MatrixXd jumped = of_x2 * averaged;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rate.col(rows[k]) += jumped.col(static_cast<Eigen::Index>(k));
+  }
+}
+
 }  // namespace
 
 SparseColumnMatrix scale_and_shift(double factor, const SparseColumnMatrix& a, double shift) {
@@ -357,7 +380,7 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
   if (excitation.parametric) {
     exchange = parametric_exchange(*excitation.parametric, grid, weight_points);
   } else if (excitation.exchange.size() > 0) {
-    exchange.push_back({identity_matrix(grid.nx()), excitation.exchange});
+    exchange.push_back({std::nullopt, excitation.exchange});
   }
   return {std::move(local), std::move(exchange), grid.cell_areas()};
 }
@@ -365,24 +388,13 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
 Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages) const {
   Eigen::VectorXd rate = local * averages;
   for (const auto& [of_x1, of_x2] : exchange) {
-    const Eigen::Index nv = of_x2.rows(), nx = of_x1.rows();
+    const Eigen::Index nv = of_x2.rows(), nx = averages.size() / nv;
     const Eigen::Map<const Eigen::MatrixXd> from(averages.data(), nv, nx);
     Eigen::Map<Eigen::MatrixXd> to(rate.data(), nv, nx);
-    // Most rows of A are empty for parametric impulses.
-    std::vector<Eigen::Index> columns;
-    for (Eigen::Index i = 0; i < nx; ++i) {
-      if (of_x1.innerVector(i).nonZeros() > 0) columns.push_back(i);
-    }
-    Eigen::MatrixXd averaged = Eigen::MatrixXd::Zero(nv, static_cast<Eigen::Index>(columns.size()));
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      auto column = averaged.col(static_cast<Eigen::Index>(k));
-      for (AxisOperator::InnerIterator e(of_x1, columns[k]); e; ++e) {
-        column += e.value() * from.col(e.col());
-      }
-    }
-    const Eigen::MatrixXd jumped = of_x2 * averaged;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      to.col(columns[k]) += jumped.col(static_cast<Eigen::Index>(k));
+    if (of_x1) {
+      add_parametric_jumps(*of_x1, of_x2, from, to);
+    } else {
+      to.noalias() += of_x2 * from;
     }
   }
   return rate;
@@ -394,7 +406,9 @@ SparseColumnMatrix FokkerPlanckOperator::assembled_matrix() const {
   constexpr double kRounding = 1e-14;
   SparseColumnMatrix matrix = local;
   for (const auto& [of_x1, of_x2] : exchange) {
-    matrix += kronecker_product(of_x1, of_x2.sparseView(of_x2.cwiseAbs().maxCoeff(), kRounding));
+    matrix += kronecker_product(
+        of_x1 ? *of_x1 : identity_matrix(static_cast<int>(areas.size() / of_x2.rows())),
+        of_x2.sparseView(of_x2.cwiseAbs().maxCoeff(), kRounding));
   }
   return matrix;
 }
@@ -402,9 +416,15 @@ SparseColumnMatrix FokkerPlanckOperator::assembled_matrix() const {
 double FokkerPlanckOperator::max_mass_loss_rate() const {
   Eigen::RowVectorXd rate = areas.transpose() * local;
   for (const auto& [of_x1, of_x2] : exchange) {
-    const Eigen::Index nv = of_x2.rows(), nx = of_x1.rows();
-    Eigen::Map<Eigen::MatrixXd>(rate.data(), nv, nx) +=
-        of_x2.transpose() * Eigen::Map<const Eigen::MatrixXd>(areas.data(), nv, nx) * of_x1;
+    const Eigen::Index nv = of_x2.rows(), nx = areas.size() / nv;
+    const Eigen::MatrixXd lost =
+        of_x2.transpose() * Eigen::Map<const Eigen::MatrixXd>(areas.data(), nv, nx);
+    Eigen::Map<Eigen::MatrixXd> to(rate.data(), nv, nx);
+    if (of_x1) {
+      to += lost * *of_x1;
+    } else {
+      to += lost;
+    }
   }
   return rate.transpose().cwiseQuotient(areas).cwiseAbs().maxCoeff();
 }

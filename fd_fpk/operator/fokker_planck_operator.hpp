@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "fd_fpk/axis/excitation.hpp"
@@ -19,7 +20,7 @@ using SparseColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int
 
 /// Term A (x) E of velocity jumps, with A acting on x1, shape (nx, nx), and E on x2, shape (nv, nv).
 struct ExchangeTerm {
-  AxisOperator of_x1;
+  std::optional<AxisOperator> of_x1;  ///< A; absent for the identity
   Eigen::MatrixXd of_x2;
 };
 

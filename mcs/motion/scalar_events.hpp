@@ -28,8 +28,7 @@ inline void count_turning_point(const MotionParameters& motion, Stream& stream, 
 inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   const double before = b.v;
-  const double factor =
-      motion.oscillator.impulse_factor == nullptr ? 1 : impulse_factor(motion.oscillator, b.y);
+  const double factor = impulse_factor(motion.oscillator, b.y);
   b.v += factor * b.amplitude;
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);

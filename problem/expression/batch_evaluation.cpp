@@ -191,7 +191,7 @@ FPKCHECK_INLINE void raise_to_power(DualBatch<Real>& base, const DualBatch<Real>
 // Constant exponents above this limit are computed by the library.
 constexpr double kLargestHalfInteger = 8;
 
-// Number of points below which half a batch is evaluated, for which one register suffices.
+// Up to this number of points half a batch is evaluated: it fits into one register of AVX2.
 constexpr std::size_t kHalf = Expression::kBatch / 2;
 
 template <class Real>
@@ -255,10 +255,10 @@ FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number&
         }
         const Number exponent = top;
         top = below[--depth];
-        const Node& last = *(&node - 1);
-        const double doubled = 2 * last.constant;
-        if (last.operation == Operation::constant && doubled == std::trunc(doubled) &&
-            std::abs(last.constant) < kLargestHalfInteger) {
+        const Node& before = *(&node - 1);  // the last node of the exponent
+        const double doubled = 2 * before.constant;
+        if (before.operation == Operation::constant && doubled == std::trunc(doubled) &&
+            std::abs(before.constant) < kLargestHalfInteger) {
           top = half_integer_power_of(top, static_cast<int>(doubled));
         } else {
           raise_to_power(top, exponent, count);
