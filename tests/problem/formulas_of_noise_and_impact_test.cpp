@@ -134,12 +134,12 @@ TEST(ImpulseFactor, IsTransformedToWallCoordinates) {
       case_of_formulas(kLinearSpring + "[wall]\nright = 0.5\nright_restitution = 0.9\n" +
                        kParametric + "1 + 0.5*abs(y-0.2)\n");
   const WallFrame frame = wall_frame(p.system);
-  const Problem seen = to_wall_coordinates(frame, p);
+  const Problem transformed = to_wall_coordinates(frame, p);
   ASSERT_NEAR(frame.physical_y(0.7), -0.2, 1e-15);
-  EXPECT_NEAR(square_impulse_factor(seen, 0.7), 1.2 * 1.2, 1e-14);
-  EXPECT_LT(seen.impulses.law().moment(3) * p.impulses.law().moment(3), 0);
-  ASSERT_EQ(kinks_in_y(seen, 0, 1).size(), 1U);
-  EXPECT_NEAR(kinks_in_y(seen, 0, 1)[0], 0.3, 1e-9);
+  EXPECT_NEAR(square_impulse_factor(transformed, 0.7), 1.2 * 1.2, 1e-14);
+  EXPECT_LT(transformed.impulses.law().moment(3) * p.impulses.law().moment(3), 0);
+  ASSERT_EQ(kinks_in_y(transformed, 0, 1).size(), 1U);
+  EXPECT_NEAR(kinks_in_y(transformed, 0, 1)[0], 0.3, 1e-9);
 }
 
 // For b = 1 + e y and k = 1 the closed integrals at the energy h are 2 pi c h for the loss and
