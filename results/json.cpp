@@ -235,11 +235,13 @@ Json parse_json(std::istream& in, const std::string& file_name) {
   try {
     return Json::parse(in, accept_event);
   } catch (const Json::parse_error& error) {
-    throw InputError(
-        fmt::format("{} is not JSON: error at byte {}; run again", file_name, error.byte));
+    throw InputError(fmt::format(
+        "{} is not JSON: error at byte {}; give a file that fpkcheck wrote, or run again",
+        file_name, error.byte));
   } catch (const Json::exception& error) {  // a number is out of the range of double
     throw InputError(
-        fmt::format("{} is not JSON: {}; run again", file_name, json_error_message(error)));
+        fmt::format("{} is not JSON: {}; give a file that fpkcheck wrote, or run again", file_name,
+                    json_error_message(error)));
   }
 }
 
