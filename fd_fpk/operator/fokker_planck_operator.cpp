@@ -293,14 +293,15 @@ SparseColumnMatrix upwind_correction_matrix(
     flux = block_diagonal(jumps);
   }
   const int faces = grid.nv() + 1;
-  for (Eigen::Index column = 0; column < flux.cols(); ++column) {
-    for (SparseColumnMatrix::InnerIterator e(flux, column); e; ++e) {
-      const double x1_at = x1.cell_centre(static_cast<int>(e.row()) / faces);
-      const double x2_at = x2.face_position(static_cast<int>(e.row()) % faces);
-      e.valueRef() *= -0.5 * std::abs(system.force(x1_at, x2_at));
+  Eigen::VectorXd factors(flux.rows());
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int face = 0; face < faces; ++face) {
+      factors[i * faces + face] =
+          -0.5 * std::abs(system.force(x1.cell_centre(i), x2.face_position(face)));
     }
   }
-  return kronecker_product(columns, divergence_operator(x2)) * flux;
+  return kronecker_product(columns, divergence_operator(x2)) *
+         SparseColumnMatrix(factors.asDiagonal() * flux);
 }
 
 // Adds E P A^T to the rate, where each column of P contains the averages at one x1. Most rows of A are
