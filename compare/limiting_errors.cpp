@@ -12,8 +12,9 @@ namespace {
 
 using transform::Solution;
 
-// Returns the L1 error of the reference of a budget: the 99 % quantile of the sampling error of a
-// simulation, the discretisation error of a Richardson limit, or 0 if the error is unknown.
+// Returns the L1 error of the reference solution in a row of the error budget: the 99 % quantile of
+// the sampling error of a simulation, the discretisation error of a Richardson limit, or 0 if the
+// error is unknown.
 double reference_error(const ErrorBudgetRow& row) {
   const ErrorBudgetPart& last = row.parts.back();
   return last.quantile_99.value_or(last.uncertainty.value_or(0));

@@ -26,7 +26,7 @@ struct LimitingErrorGroup {
 struct LimitingErrors {
   /// Groups of closures; empty without an error budget.
   std::vector<LimitingErrorGroup> groups = {};
-  /// Whether the finite-volume solution and the simulation disagree (has_agreement).
+  /// Whether the finite-volume solution and the simulation disagree: has_agreement() is false.
   bool has_reference_disagreement = false;
 
   bool operator==(const LimitingErrors&) const = default;

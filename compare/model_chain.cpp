@@ -27,7 +27,8 @@ const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const
   return nullptr;
 }
 
-/// Collects the approximations of omitted models for the next model of the chain.
+/// Builds the chain of models. The approximations of a model without solution are added to those of
+/// the next model.
 class ModelChainBuilder {
  public:
   ModelChainBuilder(const ComparisonAxes& axes, std::span<const Solution> solutions,

@@ -42,7 +42,8 @@ struct Options {
   /// Impact condition of the equation, `map` or `delta`
   ImpactCondition impact = ImpactCondition::map;
   StationarySolver stepper = StationarySolver::cvode;
-  /// Automatic transport: along characteristics for rare impulses or strong losses; see solve()
+  /// Scheme for the transport. If absent, solve() chooses: transport along characteristics for rare
+  /// impulses or strong losses by damping and impacts, else upwind-biased finite volumes.
   std::optional<TransportScheme> transport{};
   /// Order of the transport terms, 2 .. 8. Schemes of odd order are upwind-biased and cause no
   /// oscillations in the tails. Schemes of even order are centred and cause grid-scale ripples of

@@ -19,7 +19,7 @@ struct DensitySnapshot {
   /// Power input minus dissipation (problem::power_balance); equal to dE/dt for the exact equation
   double power = 0;
   /// Difference between `power` and the dE/dt of the discrete equation dp/dt = L p, relative to D +
-  /// lambda E[Y^2]/2. The discretisation error alone causes the difference of the two rates.
+  /// lambda E[Y^2]/2. Without discretisation error the difference is 0.
   double power_residual = 0;
   double impact_rate = 0;  ///< flux of probability into the walls, int |v| p dv
   double mass = 0;

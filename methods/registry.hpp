@@ -60,7 +60,8 @@ class SolverRegistry {
   std::vector<Solver> solvers_;
 };
 
-/// Returns whether solutions with the identity `first` are less trusted than those with `second`.
+/// Returns whether a solution by the method and options `first` is less suitable as a reference than
+/// one by `second`.
 bool is_less_trusted(const transform::SolutionIdentity& first,
                      const transform::SolutionIdentity& second);
 

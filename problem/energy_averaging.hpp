@@ -20,8 +20,8 @@ namespace fpkcheck::problem {
 ///
 /// where G = g^2 belongs to the factor g of the noise, and f to the equation in Ito's sense.
 ///
-/// The method applies to single and multiple wells and to limit cycles. The density exp(-Phi(h)) is
-/// exact for white noise and r = 1 if f/v and G depend on the energy alone.
+/// The method applies to single and multiple wells and to limit cycles. The density exp(-Phi(h)) of
+/// the energy h is exact for white noise and r = 1 if f/v and G depend on the energy alone.
 class EnergyAveraging {
  public:
   /// @pre the potential is confining: UndampedOrbits::is_confining()
@@ -69,8 +69,9 @@ class EnergyAveraging {
   double step_ = 0;
 };
 
-/// A diffusion process on the nodes of a tree. Each node exchanges probability with its parent
-/// node, which has a larger index.
+/// The diffusion of the energy, discretised: the nodes are energies on the families of orbits, which
+/// form a tree with several wells. Each node exchanges probability with its parent node, which has a
+/// larger index.
 struct DiffusionTree {
   std::vector<double> mass;         ///< stationary probabilities of the nodes, with the sum 1
   std::vector<double> conductance;  ///< conductance between each node and its parent node

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr const char* kPageFile = "report.html";
 
 // Returns the run saved in the directory, or nothing if the directory has no readable summary.
-// Without a summary the pictures in the directory may belong to another program, and are therefore
+// Pictures in a directory without summary.json may belong to another program, and are therefore
 // kept.
 std::optional<results::Run> earlier_run(const fs::path& directory) {
   std::error_code ignored;

@@ -106,8 +106,8 @@ std::vector<double> velocity_breaks(const ImpactBasis& basis) {
 
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
                                            double largest_length) {
-  // Cuts closer than `negligible` to a break are omitted, since the overhang of the pieces covers
-  // such cuts.
+  // A cut closer than `negligible` to a knot of the spline would leave a piece of no length. The
+  // bounds account for pieces whose polynomial is used slightly beyond its end (overhang_error).
   const double negligible = 4e-16 * basis.speeds().end();
   std::vector<VelocityPiece> pieces;
   const auto add_span = [&](VelocitySide side, int span) {

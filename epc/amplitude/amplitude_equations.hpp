@@ -126,7 +126,7 @@ LeadingForm leading_form_in_amplitude(const Polynomial& q, const StandardDeviati
 ///
 ///     L*phi = rho' phi_rho + t' phi_t + lambda ( E[phi(y, v + Y)] - phi ).
 ///
-/// At the atom, an impact follows each impulse towards the wall. In polar::Coordinates phi has a
+/// If the mass rests at the wall, an impact follows each impulse towards the wall at once. In polar::Coordinates phi has a
 /// jump at the origin, but all terms of the equations are bounded there. Under white noise the
 /// Galerkin equations do not exist, since d^2 theta/dv^2 is not integrable. If rho^2/2 is the
 /// energy, the root satisfies the balance of power exactly, since the basis contains rho^2/2.

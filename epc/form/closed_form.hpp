@@ -11,7 +11,7 @@
 
 namespace fpkcheck::epc {
 
-/// Coordinates of the polynomial Q_n in the exponent of a density.
+/// The two variables of the polynomial Q_n in the exponent of a density.
 enum class ExponentCoordinates {
   /// Coordinates z and z' of Zhuravlev's plane: p(y, v) = C (exp Q(y, v) + exp Q(-y, -v))
   plane,

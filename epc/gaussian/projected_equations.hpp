@@ -16,8 +16,8 @@ namespace fpkcheck::epc::gaussian {
 ///     R_s(a) = (1/N_s) int int F(x1, x2; a) x1^p x2^q f1(x1) f2(x2) dx1 dx2 = 0.
 ///
 /// Every integral is exact up to rounding, by Gauss rules under the Gaussian weights: each part of
-/// F is a polynomial times a factor 1, sgn(x1) or |x2| delta(x1). For `kf` the remainder of the
-/// jump integral is not a polynomial (JumpIntegralRemainder). Terms by formulas have their own
+/// F is a polynomial times a factor 1, sgn(x1) or |x2| delta(x1). For `kf` the jump
+/// integral minus its Kramers-Moyal terms is not a polynomial (JumpIntegralRemainder). Terms by formulas have their own
 /// quadrature (ProjectedFormulas).
 class ProjectedEquations {
  public:

@@ -36,7 +36,7 @@ enum class SearchStage {
 };
 
 struct QuadratureRefinementCriterion {
-  /// Method to determine the change of the exponent Q_n by additional quadrature points.
+  /// Method to determine how much the exponent Q_n changes if quadrature points are added.
   enum class ChangeMeasure {
     solved,    ///< solve the equations again with additional points, and use the new root
     estimated  ///< estimate the change by one Newton step with additional points, and keep the root

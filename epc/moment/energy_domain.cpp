@@ -110,7 +110,7 @@ double EnergyDomain::turning_point_behind_wall(double wall, double far) const {
 
 EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
   // The half-width v_half_width() also has a singularity at the turning point that the motion would
-  // have behind a wall. The substitution y = a + b sin(phi) removes this singularity, too.
+  // have behind a wall. The substitution y = a + b sin(phi) removes the singularities at both ends.
   const double low = part.at_left ? turning_point_behind_wall(part.left, part.right) : part.left;
   const double high = part.at_right ? turning_point_behind_wall(part.right, part.left) : part.right;
   const double centre = (low + high) / 2, half_length = (high - low) / 2;

@@ -22,7 +22,8 @@ std::vector<numerics::QuadraturePoint> gauss_points(double a, double b, double l
       a, b, std::max(1, static_cast<int>(std::ceil((b - a) / longest))));
 }
 
-// Column f of `change` contains the weights of C_0 .. C_cells in the change of C at face f.
+// C_0, C_1, .., C_cells are the values of the cumulative distribution C at the faces. Column f of
+// `change` contains their weights in the rate of change of C_f.
 Eigen::MatrixXd generator_matrix(const Axis& axis,
                                  const CumulativeDistributionInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {

@@ -9,7 +9,8 @@ namespace fpkcheck::fd_fpk {
 
 /// Result of the stability check of the discretised excitation.
 struct WellPosednessCheck {
-  /// Fastest growing wave; zero for equations that are well-posed with any cell width
+  /// Growth rate and wave number of the fastest growing wave; both are 0 for equations that are
+  /// well-posed with any cell width
   FastestGrowingWave growth{0, 0};
   /// Reason why the scheme is ill-posed, and what to do; empty for a well-posed scheme
   std::string ill_posed_reason;

@@ -88,8 +88,8 @@ double end_of_support_in_y(const Axis& axis, const Eigen::VectorXd& masses, doub
 }
 
 // Returns a box, determined on wide cells, that contains all but a negligible part of the mass.
-// After the deadline the mass kMaxMassAtEnd at the ends is acceptable. A box with more mass at the
-// ends than kMaxMassAtEnd would be rejected.
+// After the deadline the box is widened no further if the mass in the cells at its ends is at most
+// kMaxMassAtEnd. With more mass there the solution would be rejected.
 Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
                         const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;

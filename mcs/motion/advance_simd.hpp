@@ -91,7 +91,7 @@ struct LaneState {
     if constexpr (Motion::kHasKicks) visit(self.until_kick, &Branch::until_kick);
     if constexpr (Motion::kHasRest) visit(self.time_to_rest, &Branch::time_to_rest);
   }
-  FPKCHECK_INLINE void load_branches() {
+  FPKCHECK_INLINE void load_states() {
     for_each_branch_member(
         *this, [&](Real & lanes, double Branch::*member) __attribute__((always_inline)) {
           Array<double> numbers;
@@ -102,7 +102,7 @@ struct LaneState {
     for (int i = 0; i < W; ++i) weights.at[i] = branch_weight(motion, *streams[i]);
     weight = simd::load<Real>(weights.at);
   }
-  FPKCHECK_INLINE void store_branches() const {
+  FPKCHECK_INLINE void store_states() const {
     for_each_branch_member(
         *this, [&](const Real& lanes, double Branch::*member) __attribute__((always_inline)) {
           for (int i = 0; i < W; ++i) streams[i]->branch.*member = simd::lane_value(lanes, i);
@@ -176,15 +176,15 @@ struct LaneState {
       impact = impact & (speed > 0.0);
     }
     if (!simd::any_lane_set(impact)) return;
-    const Real counted_weight = simd::select_or_zero(impact, weight);
-    if (motion.records) impacts = impacts + counted_weight;
+    const Real event_weight = simd::select_or_zero(impact, weight);
+    if (motion.records) impacts = impacts + event_weight;
     Real after{};
     if (Motion::kHasAnyWalls && wall.formula != nullptr) {
-      after = velocity_after_impact(wall, speed, impact, counted_weight, momentum_sum, energy_sum);
+      after = velocity_after_impact(wall, speed, impact, event_weight, momentum_sum, energy_sum);
     } else {
       if (motion.records) {
-        momentum_sum = momentum_sum + counted_weight * speed;
-        energy_sum = energy_sum + counted_weight * (speed * speed);
+        momentum_sum = momentum_sum + event_weight * speed;
+        energy_sum = energy_sum + event_weight * (speed * speed);
       }
       after = -wall.restitution * v;
       if constexpr (Motion::kHasRest) {
@@ -203,7 +203,7 @@ struct LaneState {
   /// after time_of_bounces() with the mass at rest: the bounces lose the remaining energy, and
   /// contact force and wall change the momentum by equal amounts.
   FPKCHECK_INLINE Real velocity_after_impact(const Wall& wall, const Real& speed,
-                                             const Mask& impact, const Real& counted_weight,
+                                             const Mask& impact, const Real& event_weight,
                                              Real& momentum_sum, Real& energy_sum) {
     const Real r = in_lanes(
         impact, [&](int i) __attribute__((always_inline)) {
@@ -226,8 +226,8 @@ struct LaneState {
       }
     }
     if (motion.records) {
-      momentum_sum = momentum_sum + counted_weight * momentum;
-      energy_sum = energy_sum + counted_weight * energy;
+      momentum_sum = momentum_sum + event_weight * momentum;
+      energy_sum = energy_sum + event_weight * energy;
     }
     return after;
   }
@@ -247,9 +247,9 @@ struct LaneState {
     time_to_rest = simd::select(stays, time, time_to_rest);
     after = simd::select(stays, Real{}, after);
     if (motion.records && r < 1) {
-      const Real counted_weight = simd::select_or_zero(stays, weight);
-      momentum_sum = momentum_sum + counted_weight * (speed * (r / (1 - r)));
-      energy_sum = energy_sum + counted_weight * (speed * speed * (r * r / (1 - r * r)));
+      const Real event_weight = simd::select_or_zero(stays, weight);
+      momentum_sum = momentum_sum + event_weight * (speed * (r / (1 - r)));
+      energy_sum = energy_sum + event_weight * (speed * speed * (r * r / (1 - r * r)));
     }
   }
 
@@ -271,9 +271,9 @@ struct LaneState {
       const Real time = simd::select_or_zero(due, until_sample);
       const PhaseState<Real> at = flight.state_at_time(time);
       if constexpr (Motion::kHasRest) {
-        count_sample(at, due, due & in_contact & (time_to_rest <= time));
+        add_sample(at, due, due & in_contact & (time_to_rest <= time));
       } else {
-        count_sample(at, due, due);
+        add_sample(at, due, due);
       }
       if constexpr (Motion::kDeposits) {
         if (motion.deposit) deposit_due_samples(at, flight.polynomial_acceleration(time), due);
@@ -301,55 +301,54 @@ struct LaneState {
   }
 
   // A lane without a due sample has the weight 0.
-  FPKCHECK_INLINE void count_sample(const PhaseState<Real>& at, const Mask& due,
-                                    [[maybe_unused]] const Mask& at_rest) {
-    const Real counted_weight = simd::select_or_zero(due, weight);
-    add_weighted_monomials(at, counted_weight, powers);
-    samples = samples + counted_weight;
+  FPKCHECK_INLINE void add_sample(const PhaseState<Real>& at, const Mask& due,
+                                  [[maybe_unused]] const Mask& at_rest) {
+    const Real sample_weight = simd::select_or_zero(due, weight);
+    add_weighted_monomials(at, sample_weight, powers);
+    samples = samples + sample_weight;
     if constexpr (Motion::kHasFormula) {
-      count_forces(at, counted_weight, due);
+      add_forces(at, sample_weight, due);
     }
-    if (oscillator.impulse_factor != nullptr) count_impulse_factors(at, counted_weight);
-    Real into_bins = counted_weight;
+    if (oscillator.impulse_factor != nullptr) add_impulse_factors(at, sample_weight);
+    Real into_bins = sample_weight;
     if constexpr (Motion::kHasRest) {
       const Real x = at.y, xx = x * x;
-      y5 = y5 + counted_weight * (xx * xx * x);
-      y6 = y6 + counted_weight * (xx * xx * xx);
+      y5 = y5 + sample_weight * (xx * xx * x);
+      y6 = y6 + sample_weight * (xx * xx * xx);
       if (!motion.kicks.is_present() && simd::any_lane_set(at_rest)) {
-        into_bins = simd::select(at_rest, Real{}, counted_weight);
-        count_resting_samples(x, simd::select_or_zero(at_rest, weight));
+        into_bins = simd::select(at_rest, Real{}, sample_weight);
+        add_resting_samples(x, simd::select_or_zero(at_rest, weight));
       }
     }
     add_to_histogram(*motion.y_bins, *motion.v_bins, clamp_between_walls(at.y), at.v, into_bins,
                      streams, cells);
   }
 
-  FPKCHECK_INLINE void count_forces(const PhaseState<Real>& at, const Real& counted_weight,
-                                    const Mask& due) {
+  FPKCHECK_INLINE void add_forces(const PhaseState<Real>& at, const Real& sample_weight,
+                                  const Mask& due) {
     const PackedStates<Real> states(at, due);
     typename PackedStates<Real>::Numbers values;
     evaluate_ito_forces(oscillator, states.count, states.y.at, states.v.at, values.at);
-    const Real weighted = counted_weight * states.unpack(values);
+    const Real weighted = sample_weight * states.unpack(values);
     force = force + weighted;
     force_y = force_y + weighted * at.y;
     force_v = force_v + weighted * at.v;
     if (motion.kicks.factor == nullptr) return;
     evaluate_noise_factor(motion.kicks, states.count, states.y.at, states.v.at, values.at);
     const Real g = states.unpack(values);
-    noise_factor = noise_factor + counted_weight * (g * g);
+    noise_factor = noise_factor + sample_weight * (g * g);
   }
 
-  FPKCHECK_INLINE void count_impulse_factors(const PhaseState<Real>& at,
-                                             const Real& counted_weight) {
+  FPKCHECK_INLINE void add_impulse_factors(const PhaseState<Real>& at, const Real& sample_weight) {
     Array<double> factors;
     for (int i = 0; i < W; ++i) {
       factors.at[i] = mcs::impulse_factor(oscillator, simd::lane_value(at.y, i));
     }
     const Real b = simd::load<Real>(factors.at);
-    impulse_factor = impulse_factor + counted_weight * (b * b);
+    impulse_factor = impulse_factor + sample_weight * (b * b);
   }
 
-  FPKCHECK_INLINE void count_resting_samples(const Real& x, const Real& resting) {
+  FPKCHECK_INLINE void add_resting_samples(const Real& x, const Real& resting) {
     if (!oscillator.right.exists) {
       rest_left = rest_left + resting;
       return;
@@ -466,14 +465,14 @@ struct LaneState {
     if (motion.splitting) {  // kicks and splitting exclude each other
       if (!simd::any_lane_set(impulse_now) && !simd::any_lane_set(active & (remaining <= 0.0)))
         return;
-      store_branches();
+      store_states();
       for (int i = 0; i < W; ++i) {
         Stream& stream = *streams[i];
         if (simd::lane_value(impulse_now, i) != 0) apply_impulse(motion, stream);
         while (stream.branch.remaining <= 0 && !stream.is_on_main_branch())
           resume_next_branch(stream);
       }
-      load_branches();
+      load_states();
       return;
     }
     Mask now = impulse_now;
@@ -539,7 +538,7 @@ struct LaneState {
     // A copy of the oscillator allows optimisation, since the compiler must assume that stores of
     // sums change the original.
     const Oscillator of_flights = oscillator;
-    load_branches();
+    load_states();
     for (;;) {
       const Mask active = remaining > 0.0;
       if (!simd::any_lane_set(active)) break;
@@ -585,7 +584,7 @@ struct LaneState {
       v = end.v;
       apply_lane_events(active);
     }
-    store_branches();
+    store_states();
     if (motion.records) store_sums();
   }
 };

@@ -11,8 +11,8 @@ namespace fpkcheck::mcs {
 namespace {
 
 // Impact speed, as a fraction of the velocity scale, below which the series of bounces is summed
-// with a constant force at the wall. The neglected change of the force changes E[y'^2] and the
-// duration of the bounces by the relative amount 1e-6, the square of kRestSpeedFraction.
+// with a constant force at the wall. Since the force varies during a bounce, E[y'^2] and the
+// duration of the bounces have relative errors of 1e-6, the square of kRestSpeedFraction.
 constexpr double kRestSpeedFraction = 1e-3;
 
 double largest_damping(const problem::System& system, const problem::MotionScales& scales) {

@@ -26,7 +26,7 @@ FPKCHECK_INLINE Real bin_position(const BinFinder& bins, const Real& x) {
 
 /// Adds the monomials y^p v^q of a state, with the exponents kPowers and a weight, to `powers`.
 template <class Real>
-FPKCHECK_INLINE void add_weighted_monomials(const PhaseState<Real>& at, const Real& counted_weight,
+FPKCHECK_INLINE void add_weighted_monomials(const PhaseState<Real>& at, const Real& sample_weight,
                                             Real (&powers)[kPowers.size()]) {
   const Real x = at.y, u = at.v;
   const Real xx = x * x, xu = x * u, uu = u * u;
@@ -34,7 +34,7 @@ FPKCHECK_INLINE void add_weighted_monomials(const PhaseState<Real>& at, const Re
                         x * uu, u * uu, xx * xx, xx * xu, xx * uu, xu * uu, uu * uu};
 #pragma GCC unroll 16
   for (std::size_t p = 0; p < kPowers.size(); ++p) {
-    powers[p] = powers[p] + counted_weight * terms[p];
+    powers[p] = powers[p] + sample_weight * terms[p];
   }
 }
 
@@ -43,7 +43,7 @@ FPKCHECK_INLINE void add_weighted_monomials(const PhaseState<Real>& at, const Re
 /// @param cells cells of the histogram of each stream
 template <int W, class Real>
 FPKCHECK_INLINE void add_to_histogram(const BinFinder& y_bins, const BinFinder& v_bins,
-                                      const Real& y, const Real& v, const Real& counted_weight,
+                                      const Real& y, const Real& v, const Real& sample_weight,
                                       Stream* const* streams, double* const (&cells)[W]) {
   if (y_bins.is_evenly_spaced() && v_bins.is_evenly_spaced()) {
     const auto row = simd::truncate_to_index(bin_position(y_bins, y));
@@ -57,14 +57,14 @@ FPKCHECK_INLINE void add_to_histogram(const BinFinder& y_bins, const BinFinder& 
     LaneArray<std::int32_t, W> cell_of;
     LaneArray<double, W> weights;
     __builtin_memcpy(&cell_of, &cell, sizeof cell);
-    simd::store(counted_weight, weights.at);
+    simd::store(sample_weight, weights.at);
 #pragma GCC unroll 8
     for (int i = 0; i < W; ++i) cells[i][cell_of.at[i]] += weights.at[i];
   } else {
     for (int i = 0; i < W; ++i) {
       streams[i]->record.histogram.add(y_bins(simd::lane_value(y, i)),
                                        v_bins(simd::lane_value(v, i)),
-                                       simd::lane_value(counted_weight, i));
+                                       simd::lane_value(sample_weight, i));
     }
   }
 }

@@ -17,11 +17,11 @@ inline double branch_weight(const MotionParameters& motion, const Stream& stream
 inline void count_turning_point(const MotionParameters& motion, Stream& stream, double before,
                                 double after) {
   if (!motion.records) return;
-  const double y = stream.branch.y, counted_weight = branch_weight(motion, stream);
-  if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += counted_weight;
+  const double y = stream.branch.y, event_weight = branch_weight(motion, stream);
+  if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += event_weight;
   const bool at_wall = motion.oscillator.left.exists && !(y > 0);
   if (before < 0 && after > 0 && !at_wall)
-    stream.record.troughs[(*motion.y_bins)(y)] += counted_weight;
+    stream.record.troughs[(*motion.y_bins)(y)] += event_weight;
 }
 
 /// Applies one impulse, paper (3), and draws the next impulse.
@@ -33,15 +33,15 @@ inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
-    const double counted_weight = branch_weight(motion, stream);
+    const double event_weight = branch_weight(motion, stream);
     ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
-    stream.record.work += counted_weight * ((factor * b.amplitude - motion.shift) * before +
-                                            b.amplitude * b.amplitude / 2);
+    stream.record.work += event_weight * ((factor * b.amplitude - motion.shift) * before +
+                                          b.amplitude * b.amplitude / 2);
     if (motion.deposit) {
       std::array<double, 3>& drawn = stream.record.deposit.impulses;
-      drawn[0] += counted_weight;
-      drawn[1] += counted_weight * b.amplitude;
-      drawn[2] += counted_weight * (b.amplitude * b.amplitude);
+      drawn[0] += event_weight;
+      drawn[1] += event_weight * b.amplitude;
+      drawn[2] += event_weight * (b.amplitude * b.amplitude);
     }
   }
   const Impulse next = stream.source.next_impulse();

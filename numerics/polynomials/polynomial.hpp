@@ -77,8 +77,8 @@ class Polynomial {
 /// monotone.
 std::vector<double> sign_change_points(const Polynomial& polynomial, double low, double high);
 
-/// Returns Cauchy's bound 1 + max |a_n / a_degree| of the modulus of all roots. For a constant
-/// polynomial the result is 0.
+/// Returns Cauchy's bound 1 + max |a_n / a_degree| of the modulus of all roots, or 0 for a
+/// constant polynomial.
 double root_modulus_bound(const Polynomial& polynomial);
 
 }  // namespace fpkcheck::numerics

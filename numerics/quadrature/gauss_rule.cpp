@@ -45,8 +45,9 @@ QuadratureRule golub_welsch_rule(const ThreeTermRecurrence& recurrence) {
 
 // With t = u^2 / 2 and a standard normal u, the expectation E[|u| g(u)] is the integral int_0^inf
 // [g(sqrt(2t)) + g(-sqrt(2t))] exp(-t) dt / sqrt(2 pi), whose bracket is a polynomial in t of half
-// the degree of g. For the expectation E[sgn(u) g(u)], g(u)/u replaces g(u) in the integral. Only
-// the odd part of g contributes, and the odd part divided by u is a polynomial in t.
+// the degree of g. The expectation E[sgn(u) g(u)] = E[|u| g(u)/u] is the same integral with g(u)/u
+// in place of g(u). Only the odd part of g contributes, and the odd part divided by u is a
+// polynomial in t.
 const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
 
 }  // namespace

@@ -27,14 +27,14 @@ constexpr std::size_t kMaxSolutions = 4, kMaxSolutionsInColumn = 2;
 // omitted.
 constexpr double kVisibleErrorFraction = 1e-3;
 
-struct MappedMoment {
+struct PlottedMoment {
   const char* name;
   const char* symbol;  ///< symbol in gnuplot's enhanced text
   const char* text;
   double Moments::*member;
 };
-constexpr MappedMoment kMoments[] = {{"y2", "E[{/:Italic y}²]", "E[y²]", &Moments::y2},
-                                     {"v2", "E[{/:Italic y}'²]", "E[y′²]", &Moments::v2}};
+constexpr PlottedMoment kMoments[] = {{"y2", "E[{/:Italic y}²]", "E[y²]", &Moments::y2},
+                                      {"v2", "E[{/:Italic y}'²]", "E[y′²]", &Moments::v2}};
 
 double largest_value(const ErrorSource& source) {
   double most = 0;
@@ -43,7 +43,7 @@ double largest_value(const ErrorSource& source) {
 }
 
 bool has_all_sources(const CaseResult& case_result, const std::string& id) {
-  return std::ranges::all_of(kMoments, [&](const MappedMoment& moment) {
+  return std::ranges::all_of(kMoments, [&](const PlottedMoment& moment) {
     return case_result.error_source(id, moment.name) != nullptr;
   });
 }
@@ -75,7 +75,7 @@ CellWindow visible_window(const CaseResult& case_result, const std::vector<std::
   CellWindow window{.y_end = 1, .v_begin = cells.nv(), .v_end = 0};
   if (cells.y_edges.front() != 0) window.y_begin = cells.ny() - 1;
   for (const auto& id : ids) {
-    for (const MappedMoment& moment : kMoments) {
+    for (const PlottedMoment& moment : kMoments) {
       const ErrorSource& source = *case_result.error_source(id, moment.name);
       const double least = kVisibleErrorFraction * largest_value(source);
       for (std::size_t i = 0; i < source.density.ny(); ++i) {
@@ -115,7 +115,7 @@ FigureAxis colour_axis(const std::string& quantity, double limit) {
 }
 
 FigurePanel source_panel(const CaseResult& case_result, const std::string& id,
-                         const MappedMoment& moment, const CellWindow& window) {
+                         const PlottedMoment& moment, const CellWindow& window) {
   constexpr int kMostTics = 4;  // largest number of tics that fit under a map on a screen
   const auto* own = case_result.moment_error_estimate(id);
   const double error = own == nullptr ? 0 : own->error.*moment.member;
@@ -162,7 +162,7 @@ Figure figure_of(const CaseResult& case_result, const std::vector<std::string>& 
                 .screen_width = columns * kColumnOnScreen,
                 .panel_height = 275};
   const bool has_error = std::ranges::any_of(ids, [&](const std::string& id) {
-    return std::ranges::any_of(kMoments, [&](const MappedMoment& moment) {
+    return std::ranges::any_of(kMoments, [&](const PlottedMoment& moment) {
       return largest_value(*case_result.error_source(id, moment.name)) > 0;
     });
   });

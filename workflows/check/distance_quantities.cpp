@@ -94,7 +94,8 @@ namespace {
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
 
-// Returns the parts of a budget row as text, since rows with different parts cannot be compared.
+// Returns the names of the parts of the error in a row of the error budget, as text. The text
+// identifies the row, since rows with different parts cannot be compared.
 std::string chain(const ErrorBudgetRow& row) {
   std::string text = row.reference + ":";
   for (const ErrorBudgetPart& part : row.parts) {

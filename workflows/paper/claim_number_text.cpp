@@ -1,4 +1,4 @@
-#include "workflows/paper/measured_number_text.hpp"
+#include "workflows/paper/claim_number_text.hpp"
 
 #include <fmt/format.h>
 

@@ -12,8 +12,8 @@
 #include "report/text/columns.hpp"
 #include "report/text/number_text.hpp"
 #include "report/text/wrap_text.hpp"
+#include "workflows/paper/claim_number_text.hpp"
 #include "workflows/paper/criteria.hpp"
-#include "workflows/paper/measured_number_text.hpp"
 
 namespace fpkcheck::paper {
 namespace {

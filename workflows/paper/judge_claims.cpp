@@ -6,9 +6,9 @@
 #include <cmath>
 #include <tuple>
 
+#include "workflows/paper/claim_number_text.hpp"
 #include "workflows/paper/criteria.hpp"
 #include "workflows/paper/distances.hpp"
-#include "workflows/paper/measured_number_text.hpp"
 
 namespace fpkcheck::paper {
 namespace {

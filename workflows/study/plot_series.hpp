@@ -8,8 +8,8 @@
 
 namespace fpkcheck::study {
 
-/// Makes a plot series from each group of neighbouring rows with equal name(row). The series has
-/// the points point(row) and the plot style of the middle row of the group.
+/// Makes a plot series from each group of neighbouring rows with equal name(row), with the points
+/// point(row). The series has the plot style of the solution in the middle row of its group.
 template <class Row, class Name, class Point>
 std::vector<report::FigureSeries> make_series(const std::vector<Row>& rows, Name name,
                                               Point point) {

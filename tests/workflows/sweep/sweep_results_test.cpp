@@ -51,7 +51,7 @@ TEST(SweepCsv, QuotesReasonsAndHasEmptyCellsForNaN) {
 }
 
 results::NetCdfReader reader_of(const SweepResults& results) {
-  return results::NetCdfReader(netcdf(results, "fpkcheck sweep"));
+  return results::NetCdfReader(netcdf_bytes(results, "fpkcheck sweep"));
 }
 
 TEST(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {

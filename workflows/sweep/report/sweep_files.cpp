@@ -41,7 +41,7 @@ void write_sweep_tables(const fs::path& directory, const SweepResults& results,
                         const std::string& command) {
   base::FileTransaction files;
   files.add(directory / "sweep.csv", csv(results));
-  files.add(directory / "sweep.nc", netcdf(results, command));
+  files.add(directory / "sweep.nc", netcdf_bytes(results, command));
   files.remove(directory / kPage);
   files.commit();
 }

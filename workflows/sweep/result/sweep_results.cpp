@@ -241,7 +241,7 @@ std::string csv(const SweepResults& results) {
   return text;
 }
 
-std::string netcdf(const SweepResults& results, const std::string& command) {
+std::string netcdf_bytes(const SweepResults& results, const std::string& command) {
   results::NetCdfWriter file;
   const auto program = results::current_program(command);
   file.write_attribute("Conventions", "CF-1.8");

@@ -61,7 +61,7 @@ std::string csv(const SweepResults& results);
 /// Returns the contents of sweep.nc, with the values of sweep.csv. For the design `product` the
 /// varied keys are the dimensions. For other designs the only dimension is `point`. Unsolved points
 /// have the value NaN and the status -1.
-std::string netcdf(const SweepResults& results, const std::string& command);
+std::string netcdf_bytes(const SweepResults& results, const std::string& command);
 
 /// Returns the output of --json: the plan, and the results of each point with the values of its
 /// varied keys.

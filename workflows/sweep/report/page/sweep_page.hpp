@@ -29,7 +29,8 @@ struct ReasonGroup {
   std::string reason;     ///< reason for the status of the result at the first point
 };
 
-/// Returns the groups of results with equal reasons, the most frequent reason first.
+/// Returns the groups of results that have equal reasons for their status, the most frequent reason
+/// first.
 std::vector<ReasonGroup> reason_groups(const SweepResults& results);
 
 /// Replaces numbers in a reason by dots, e.g. "residual ... after ... steps". Digits within words
