@@ -232,16 +232,16 @@ Json parse_json(std::istream& in, const std::string& file_name) {
     }
     return true;
   };
+  const auto not_json = [&](const std::string& cause) {
+    return InputError(fmt::format(
+        "{} is not JSON: {}; give a file that fpkcheck wrote, or run again", file_name, cause));
+  };
   try {
     return Json::parse(in, accept_event);
   } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format(
-        "{} is not JSON: error at byte {}; give a file that fpkcheck wrote, or run again",
-        file_name, error.byte));
+    throw not_json(fmt::format("error at byte {}", error.byte));
   } catch (const Json::exception& error) {  // a number is out of the range of double
-    throw InputError(
-        fmt::format("{} is not JSON: {}; give a file that fpkcheck wrote, or run again", file_name,
-                    json_error_message(error)));
+    throw not_json(json_error_message(error));
   }
 }
 

@@ -293,19 +293,20 @@ SparseColumnMatrix upwind_correction_matrix(
     flux = block_diagonal(jumps);
   }
   const int faces = grid.nv() + 1;
-  Eigen::VectorXd factors(flux.rows());
+  Eigen::VectorXd half_speeds(flux.rows());  // |a|/2 on each face
   for (int i = 0; i < grid.nx(); ++i) {
     for (int face = 0; face < faces; ++face) {
-      factors[i * faces + face] =
-          -0.5 * std::abs(system.force(x1.cell_centre(i), x2.face_position(face)));
+      half_speeds[i * faces + face] =
+          0.5 * std::abs(system.force(x1.cell_centre(i), x2.face_position(face)));
     }
   }
   return kronecker_product(columns, divergence_operator(x2)) *
-         SparseColumnMatrix(factors.asDiagonal() * flux);
+         SparseColumnMatrix((-half_speeds).asDiagonal() * flux);
 }
 
-// Adds E P A^T to the rate, where each column of P contains the averages at one x1. Most rows of A are
-// empty: the factor b of their cells is far from the value b_m of this term.
+// Adds E P A^T to the rate, with E = of_x2 and A = of_x1, where each column of P contains the
+// averages at one x1. Most rows of A are empty: the factor b of their cells is far from the value
+// b_m of this term.
 void add_parametric_jumps(const AxisOperator& of_x1, const Eigen::MatrixXd& of_x2,
                           const Eigen::Map<const Eigen::MatrixXd>& averages,
                           Eigen::Map<Eigen::MatrixXd>& rate) {

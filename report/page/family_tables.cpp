@@ -25,11 +25,11 @@ bool is_repeated_option(const Metric& observation, const Solution& solution) {
          solution.options.end();
 }
 
-// Returns the group in the name of a metric: "support" for "support.edge_density". The group is
-// empty for a name without a dot.
-std::string_view group_of(const std::string& name) {
-  const auto dot = name.find('.');
-  return std::string_view(name).substr(0, dot == std::string::npos ? 0 : dot);
+// Returns the group in the path of a metric: "support" for "support.edge_density", and an empty
+// text for the path "disc_sensitivity", which has no dot.
+std::string_view group_of(const std::string& path) {
+  const auto dot = path.find('.');
+  return std::string_view(path).substr(0, dot == std::string::npos ? 0 : dot);
 }
 
 // Returns the paths of metrics that have a value and repeat no option, in the order of the
