@@ -27,8 +27,8 @@ const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const
   return nullptr;
 }
 
-/// Builds the chain of models. The approximations of a model without solution are added to those of
-/// the next model.
+/// Builds the chain of models. The next model of the chain includes the approximations of a model
+/// that has no solution.
 class ModelChainBuilder {
  public:
   ModelChainBuilder(const ComparisonAxes& axes, std::span<const Solution> solutions,

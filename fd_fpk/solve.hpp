@@ -16,11 +16,12 @@ namespace fpkcheck::fd_fpk {
 std::vector<std::pair<std::string, std::string>> library_versions();
 
 /// Computes the stationary density p of the (generalised) Fokker-Planck-Kolmogorov equation, paper
-/// (15), on the half z >= 0 of the (z, z') plane, since p(-z, -z') = p(z, z'). The transport is
-/// discretised by finite volumes of high order, or along characteristics for rare impulses or strong
-/// losses. If the options fix neither transport nor grid, refine_until_deadline() chooses finer
-/// grids. Several threads solve on the three grids of an error estimate. If the first discretisation
-/// of the transport does not give the status `ok`, the solver also tries the second discretisation.
+/// (15). Beside a wall the domain is the half z >= 0 of the (z, z') plane, since p(-z, -z') =
+/// p(z, z'). The transport is discretised by finite volumes of high order, or along characteristics
+/// for rare impulses or strong losses. If the options fix neither transport nor grid,
+/// refine_until_deadline() chooses finer grids. Several threads solve on the three grids of an
+/// error estimate. If the first discretisation of the transport does not give the status `ok`, the
+/// solver also tries the second discretisation.
 ///
 /// The status is `ill_posed`, without a density, if the discrete excitation is unstable (the
 /// literal km4 on a fine grid). The status is `inadmissible` if the density is negative or the

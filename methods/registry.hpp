@@ -60,8 +60,8 @@ class SolverRegistry {
   std::vector<Solver> solvers_;
 };
 
-/// Returns whether a solution by the method and options `first` is less suitable as a reference than
-/// one by `second`.
+/// Returns whether a solution by the method and options `first` is less suitable as a reference
+/// than one by `second`.
 bool is_less_trusted(const transform::SolutionIdentity& first,
                      const transform::SolutionIdentity& second);
 

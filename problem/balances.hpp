@@ -64,9 +64,10 @@ double energy_residual(const Problem& problem, const PowerBalanceTerms& terms);
 /// The functions y v and v are linear in v, so that E[Y] is the only moment of Y in the virial and
 /// momentum balances. These balances therefore hold for the equations `kf`, `km4`, `km4_pade` and
 /// `white`. They also hold for the impact conditions `map` and `delta`: y v = 0 at the wall, and
-/// under both conditions the flux off the wall has the momentum r int w f dw, where f(w) is the flux
-/// of impacts with the speed w. The condition `delta` replaces f by f + (1-r) d(w f)/dw; integration
-/// by parts gives the same momentum. Only the balance of power, quadratic in v, distinguishes `map` from `delta`.
+/// under both conditions the flux off the wall has the momentum r int w f dw, where f(w) is the
+/// flux of impacts with the speed w. The condition `delta` replaces f by f + (1-r) d(w f)/dw;
+/// integration by parts gives the same momentum. Only the balance of power, quadratic in v,
+/// distinguishes `map` from `delta`.
 
 /// The two sides of a balance equation, which are equal for the exact stationary density.
 struct BalanceEquation {

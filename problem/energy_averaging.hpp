@@ -69,9 +69,9 @@ class EnergyAveraging {
   double step_ = 0;
 };
 
-/// The diffusion of the energy, discretised: the nodes are energies on the families of orbits, which
-/// form a tree with several wells. Each node exchanges probability with its parent node, which has a
-/// larger index.
+/// The diffusion of the energy, discretised: the nodes are energies on the families of orbits,
+/// which form a tree with several wells. Each node exchanges probability with its parent node,
+/// which has a larger index.
 struct DiffusionTree {
   std::vector<double> mass;         ///< stationary probabilities of the nodes, with the sum 1
   std::vector<double> conductance;  ///< conductance between each node and its parent node

@@ -10,8 +10,8 @@
 namespace fpkcheck::problem {
 
 /// Least restitution coefficient of a formula r(u) at impact speeds above those that
-/// require_valid_restitution() checks. The value is arbitrary, but positive, so that the mass leaves
-/// the wall.
+/// require_valid_restitution() checks. The value is arbitrary, but positive, so that the mass
+/// leaves the wall.
 inline constexpr double kSmallestRestitution = 1e-6;
 
 /// A rigid wall, at which an impact multiplies the velocity y' by -r.

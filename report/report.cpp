@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr const char* kPageFile = "report.html";
 
 // Returns the run saved in the directory, or nothing if the directory has no readable summary.
-// Pictures in a directory without summary.json may belong to another program, and are therefore
+// The pictures in a directory without a summary may belong to another program. Such pictures are
 // kept.
 std::optional<results::Run> earlier_run(const fs::path& directory) {
   std::error_code ignored;

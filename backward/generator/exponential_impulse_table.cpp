@@ -113,8 +113,8 @@ ImpulseMeanTable make_tail_table(const numerics::Interval& shift, double s,
   for (const bool forward : {true, false}) {
     const double weight = forward ? weights.below : weights.above;
     if (weight == 0) continue;
-    // Integrals of all basis functions over the half-line beyond the end of the axis, where every
-    // basis function is constant.
+    // Values of L at the lower end of the axis, or of R at the upper end, for all basis functions.
+    // Beyond the ends every basis function is constant.
     std::vector<numerics::Interval> end_values(basis.size(), numerics::Interval(0));
     end_values[forward ? 0 : basis.size() - 1] = weight;
     for (int step = 0; step < count; ++step) {

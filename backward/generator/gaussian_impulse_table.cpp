@@ -100,8 +100,8 @@ ImpulseMeanTable impulse_mean_table_of_law(const problem::GaussianLaw& law,
   ImpulseMeanTable table = zero_impulse_mean_table(basis, pieces, kOrder);
   const auto integrals = power_integrals(basis.speeds().degree());
 
-  // The velocities before and after an impulse may lie beyond the ends of the basis, where the first
-  // or the last basis function is 1.
+  // The integral over the velocity after an impulse extends beyond the ends of the basis, where the
+  // first or the last basis function is 1.
   std::vector<VelocityPiece> source_pieces(pieces);
   const double source_range = kSourceRange * s + std::abs(law.mean) + s, step = 0.6 * s;
   double widest = 0;

@@ -106,8 +106,8 @@ std::vector<double> velocity_breaks(const ImpactBasis& basis) {
 
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
                                            double largest_length) {
-  // A cut closer than `negligible` to a knot of the spline would leave a piece of no length. The
-  // bounds account for pieces whose polynomial is used slightly beyond its end (overhang_error).
+  // A cut closer than `negligible` to a knot is omitted: VelocityPiece::overhang covers the
+  // distance between the cut and the knot.
   const double negligible = 4e-16 * basis.speeds().end();
   std::vector<VelocityPiece> pieces;
   const auto add_span = [&](VelocitySide side, int span) {

@@ -126,10 +126,11 @@ LeadingForm leading_form_in_amplitude(const Polynomial& q, const StandardDeviati
 ///
 ///     L*phi = rho' phi_rho + t' phi_t + lambda ( E[phi(y, v + Y)] - phi ).
 ///
-/// If the mass rests at the wall, an impact follows each impulse towards the wall at once. In polar::Coordinates phi has a
-/// jump at the origin, but all terms of the equations are bounded there. Under white noise the
-/// Galerkin equations do not exist, since d^2 theta/dv^2 is not integrable. If rho^2/2 is the
-/// energy, the root satisfies the balance of power exactly, since the basis contains rho^2/2.
+/// If the mass rests at the wall, each impulse towards the wall causes an immediate impact. In
+/// polar::Coordinates phi has a jump at the origin, but all terms of the equations are bounded
+/// there. Under white noise the Galerkin equations do not exist, since d^2 theta/dv^2 is not
+/// integrable. If rho^2/2 is the energy, the root satisfies the balance of power exactly, since the
+/// basis contains rho^2/2.
 /// @param points quadrature points up to the amplitude rho_max
 /// @param wall_points number of quadrature points on the wall
 template <class Coordinates>

@@ -93,8 +93,8 @@ double ClosureFormulation::end_of_decay(const Polynomial& q, double temperature)
 }
 
 // The weights of the fit are proportional to a power of the density. A power below 1 gives more
-// weight to points in the tail. With the power 1 the fit would return the polynomial Q_n of
-// the initial guess.
+// weight to points in the tail. With the power 1 the fit would return the polynomial Q_n of the
+// initial guess.
 VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double support,
                                          const QuadraturePoints& points, const VectorXd& exponent,
                                          const VectorXd&) const {

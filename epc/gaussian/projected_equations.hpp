@@ -17,8 +17,8 @@ namespace fpkcheck::epc::gaussian {
 ///
 /// Every integral is exact up to rounding, by Gauss rules under the Gaussian weights: each part of
 /// F is a polynomial times a factor 1, sgn(x1) or |x2| delta(x1). For `kf` the jump
-/// integral minus its Kramers-Moyal terms is not a polynomial (JumpIntegralRemainder). Terms by formulas have their own
-/// quadrature (ProjectedFormulas).
+/// integral minus its Kramers-Moyal terms is not a polynomial (JumpIntegralRemainder). Terms by
+/// formulas have their own quadrature (ProjectedFormulas).
 class ProjectedEquations {
  public:
   /// Constructs the equations without the remainder of the jump integral (f.jump_fraction = 0).

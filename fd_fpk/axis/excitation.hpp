@@ -137,8 +137,9 @@ double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
                                       double min_length);
 
 /// Returns the default regularisation length of the impulse law, increased if stability on the
-/// cells of the axis requires a longer length. For schemes of order 3 and higher, the returned length
-/// is at most 1.5 times the default length on cells up to ten times as wide as the default length.
+/// cells of the axis requires a longer length. For schemes of order 3 and higher, the returned
+/// length is at most 1.5 times the default length on cells up to ten times as wide as the default
+/// length.
 double default_regularisation_length(const problem::ImpulseTrain& impulses, const Axis& axis,
                                      int stencil_size);
 

@@ -23,7 +23,8 @@ std::vector<numerics::QuadraturePoint> gauss_points(double a, double b, double l
 }
 
 // C_0, C_1, .., C_cells are the values of the cumulative distribution C at the faces. Column f of
-// `change` contains their weights in the rate of change of C_f.
+// `change` contains the weights of these values in E[C(x_f - Y)] - C_f, the mean change of C by an
+// impulse at the face x_f.
 Eigen::MatrixXd generator_matrix(const Axis& axis,
                                  const CumulativeDistributionInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {

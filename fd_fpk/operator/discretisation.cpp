@@ -24,9 +24,9 @@ constexpr double kImpulseBoxDeviations = 6.5;
 // falls below 1e-12 of the peak.
 constexpr double kPadeReach = 28;
 
-// Returns the excitation by parametric impulses, which change the velocity by b(y) Y. The excitation
-// has no matrix of jumps, since parametric_exchange() computes the matrices. The preconditioner uses
-// the diffusion for b = 1.
+// Returns the excitation by parametric impulses, which change the velocity by b(y) Y. The
+// excitation has no matrix of jumps, since parametric_exchange() computes the matrices. The
+// preconditioner uses the diffusion for b = 1.
 Excitation parametric_jump_excitation(const problem::Problem& problem) {
   const problem::ImpulseTrain& impulses = problem.impulses;
   return {.exchange = {},

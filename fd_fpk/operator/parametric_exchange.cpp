@@ -53,8 +53,8 @@ std::vector<ExchangeTerm> parametric_exchange(const ParametricImpulses& impulses
   const problem::ImpulseLaw& law = impulses.train.law();
   const double distance = grid.x2.cell_widths().maxCoeff() / std::sqrt(law.moment(2));
   const auto [least, largest] = range_of_factor(impulses.factor, grid.x1);
-  // The range has one more value on either side, because range_of_factor() samples the factor and may
-  // miss its extreme values.
+  // The range has one more value on either side, because range_of_factor() samples the factor and
+  // may miss its extreme values.
   int first = static_cast<int>(std::floor(least / distance)) - kBelow - 1;
   int last = static_cast<int>(std::floor(largest / distance)) + kAbove + 1;
   // Jumps by b Y and by -b Y have equal matrices if the law is symmetric.

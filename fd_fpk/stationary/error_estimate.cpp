@@ -245,8 +245,9 @@ bool have_same_box(const Result& first, const Result& second) {
 }
 
 // Solves on the grid of the options and on two coarser grids with the same box and cells wider by
-// kRefinementRatio and its square, in parallel if the box is known. If the solution on the fine grid
-// has moved the ends of the box or refined the cells, the two solutions on coarser grids are repeated.
+// kRefinementRatio and its square, in parallel if the box is known. If the solution on the fine
+// grid has moved the ends of the box or refined the cells, the two solutions on coarser grids are
+// repeated.
 ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& options,
                                 const std::optional<Box>& known_box) {
   constexpr double kMiddle = kRefinementRatio, kCoarse = kRefinementRatio * kRefinementRatio;

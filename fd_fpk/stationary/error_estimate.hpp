@@ -19,8 +19,8 @@ namespace fpkcheck::fd_fpk {
 ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
                              int order);
 
-/// Function that solves one problem with the given options on a single grid. Several threads may call
-/// it at the same time.
+/// Function that solves one problem with the given options on a single grid. Several threads may
+/// call it at the same time.
 using SolveOnOneGrid = std::function<Result(const Options&)>;
 
 /// Returns the solution on the grid of the options, with an error estimate from direct solutions on

@@ -64,10 +64,10 @@ class SplinePolynomials {
   const int* first_spline_indices() const { return first_.data(); }
   /// Offset in coefficients() at which the polynomials of each knot span begin
   const int* coefficient_offsets() const { return place_.data(); }
-  /// Table of the polynomial coefficients of the splines in a span, shape (11, kWidth). With t = (x -
-  /// begin of the span)/length, the first six rows are the coefficients of t^5, .., 1 for the values
-  /// of the splines; the last five rows are the coefficients of t^4, .., 1 for the derivatives of the
-  /// splines in x. Spans with equal coefficients share one table.
+  /// Table of the polynomial coefficients of the splines in a span, shape (11, kWidth). The first
+  /// six rows are the coefficients of t^5, .., 1 for the values of the splines, with
+  /// t = (x - begin of the span)/length. The last five rows are the coefficients of t^4, .., 1 for
+  /// the derivatives of the splines in x. Spans with equal coefficients share one table.
   const double* coefficients() const { return coefficients_.data(); }
 
  private:

@@ -30,8 +30,8 @@ struct Excitation {
   double power;
   /// Expected work per unit time for any motion, where the work is the sum of (b Y - shift) v +
   /// Y^2/2 over all impulses, with the factor b(y) of parametric impulses (b = 1 without a factor).
-  /// The shift is 0 for Poisson impulses, since the mean of v at Poisson impulses is 0. The shift is
-  /// E[Y] for evenly spaced kicks, since the mean of v at evenly spaced kicks is not 0.
+  /// The shift is 0 for Poisson impulses, since the mean of v at Poisson impulses is 0. The shift
+  /// is E[Y] for evenly spaced kicks, since the mean of v at evenly spaced kicks is not 0.
   double shift, work;
   /// Quantile function of the law with mean 0 and width 1, for laws with DrawnFromQuantileFunction;
   /// null for other laws

@@ -38,9 +38,9 @@ constexpr double kControlledShare = 1.0 / 8;
 constexpr double kDefaultEvents = 4e7;
 constexpr double kMostRunEvents = 2e9;  // limit for any run: about one minute of computing
 // Limit of the number of impulses and flights of the main branches with splitting, simulated in
-// half a minute (`fpkcheck_random --tails --family --count 40`). The branches that splitting
-// starts are up to 17 times as numerous as main branches, have more flights per unit time, and leave
-// half of the SIMD lanes idle.
+// half a minute (`fpkcheck_random --tails --family --count 40`). The branches that
+// splitting starts are up to 17 times as numerous as main branches, have more flights per unit
+// time, and leave half of the SIMD lanes idle.
 constexpr double kMostTrunkEvents = 2.5e6;
 
 // longest default time with Options::samples or Options::target_error, as a multiple of the

@@ -64,15 +64,15 @@ struct StreamStatistics {
   /// Histogram of the energies right after impulses, in ImportanceSplitting::energy_bins(); empty
   /// without splitting
   std::vector<double> energies{};
-  /// Weights of the samples and impacts, spread over the nodes of the grid Options::deposit; empty
-  /// without this grid
+  /// Sums for the control variates, on the splines of Options::deposit; empty without control
+  /// variates
   DepositedSums deposit{};
 
   StreamStatistics(const BinFinder& y, const BinFinder& v)
       : histogram(y, v), peaks(y.bin_count() + 2), troughs(y.bin_count() + 2) {}
 };
 
-/// Calls `visit` with each sum over the samples of a stream, in the order of checkpoint files.
+/// Calls `visit` with each sum of the statistics of a stream, in the order of checkpoint files.
 template <class Record, class Visit>
 void for_each_statistic(Record& record, Visit visit) {
   visit(record.powers);

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-/// Texts of the L1 distances and tail ratios with which the claims of the paper are judged; the text
-/// of an absent number is empty.
+/// Texts of the L1 distances and tail ratios with which the claims of the paper are judged; the
+/// text of an absent number is empty.
 namespace fpkcheck::paper {
 
 std::string l1_text(const std::optional<double>& l1);
