@@ -9,6 +9,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/process/parallel_for.hpp"
+
 namespace fpkcheck::fd_fpk {
 namespace {
 
@@ -17,8 +19,9 @@ constexpr int kChords = 10;
 // Duration of a characteristic, in mean times between impulses; a longer flight is negligible.
 constexpr double kMaxDecayTimes = 40;
 constexpr long kMostSteps = 20000;
-// The same duration along a limit cycle: 2e-9 of the mass remain in the cell of the last state.
-constexpr double kMaxCycleDecayTimes = 20;
+// The same duration along a limit cycle: exp(-12), 6e-6 of the mass, remain in the cell of the last
+// state, far below the discretisation error around a limit cycle.
+constexpr double kMaxCycleDecayTimes = 12;
 // Lower limit of the flux of area, which decays to zero for overdamped motion.
 constexpr double kLeastFlux = 1e-200;
 
@@ -53,7 +56,7 @@ struct Characteristics::Position {
   PhaseState state;
   int i, j;
   double flux;
-  std::size_t first;  // index of the first cell visit of the characteristic
+  std::size_t first;  // index of the first cell visit of the characteristic in TracedVisits
 };
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid,
@@ -84,7 +87,7 @@ Characteristics::Characteristics(const problem::System& system, const Grid& grid
 std::string Characteristics::failure_reason() const {
   if (out_of_time_)
     return "characteristics: max_seconds expired during their construction; increase max-seconds";
-  if (!must_stop_tracing()) return "";
+  if (visits_.size() <= kMaxVisits) return "";
   return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMaxVisits);
 }
 
@@ -95,8 +98,9 @@ void Characteristics::trace_from_box_sides(int characteristics_per_cell) {
   const double length = grid_.x1_max() - grid_.x1_min();
   const double y_min = grid_.x1_min() + kInside * length;
   const double y_max = grid_.x1_max() - kInside * length, v_max = (1 - kInside) * grid_.x2_max();
+  std::vector<Start> starts;
   const auto lay = [&](const PhaseState& from, double flux) {
-    if (flux > 0) from_outside_.push_back(trace_characteristic(from, flux));
+    if (flux > 0) starts.push_back({from, flux});
   };
   const auto at_each = [&](const Axis& axis, int first, int last, const auto& start) {
     for (int i = first; i < last; ++i) {
@@ -119,6 +123,7 @@ void Characteristics::trace_from_box_sides(int characteristics_per_cell) {
       lay({y_min, v}, v * width);
     });
   }
+  from_outside_ = trace_characteristics(starts);
 }
 
 // At a wall with a rest point no characteristic starts in the innermost cell. Motion from the
@@ -130,16 +135,19 @@ void Characteristics::trace_from_wall(WallSide side, int characteristics_per_cel
   const bool rests =
       std::ranges::any_of(rest_, [&](const RestPoint& place) { return place.y == y; });
   WallCharacteristics& wall_characteristics = this->wall_characteristics(side);
+  std::vector<Start> starts;
   for (int j = grid_.nv() - 1; j >= (rests ? middle + 1 : middle); --j) {
     const double width = grid_.x2.cell_width(j) / characteristics_per_cell;
     for (int k = characteristics_per_cell - 1; k >= 0; --k) {
       const double speed = grid_.x2.face_position(j) + (k + 0.5) * width;
       wall_characteristics.speeds.push_back(speed);
       wall_characteristics.below.push_back(speed - width / 2);
-      wall_characteristics.tracks.push_back(static_cast<int>(from_walls_.size()));
-      from_walls_.push_back(trace_characteristic({y, inward_sign(side) * speed}, speed * width));
+      wall_characteristics.tracks.push_back(static_cast<int>(from_walls_.size() + starts.size()));
+      starts.push_back({{y, inward_sign(side) * speed}, speed * width});
     }
   }
+  const std::vector<Characteristic> traced = trace_characteristics(starts);
+  from_walls_.insert(from_walls_.end(), traced.begin(), traced.end());
 }
 
 void Characteristics::sort_wall_characteristics() {
@@ -237,13 +245,45 @@ std::optional<int> Characteristics::equilibrium_containing(const PhaseState& at)
   return std::nullopt;
 }
 
-Characteristic Characteristics::trace_characteristic(const PhaseState& from, double flux) {
+// Traces characteristics in several threads. The order of the characteristics and their visits is
+// the order of the starts.
+std::vector<Characteristic> Characteristics::trace_characteristics(
+    const std::vector<Start>& starts) {
+  constexpr std::size_t kStartsPerCall = 64;
+  constexpr int kOneThreadPerProcessor = 0;
+  const std::size_t calls = (starts.size() + kStartsPerCall - 1) / kStartsPerCall;
+  std::vector<Characteristic> tracks(starts.size());
+  std::vector<TracedVisits> traced(calls);
+  base::parallel_for(calls, kOneThreadPerProcessor, [&](std::size_t call) {
+    const std::size_t last = std::min(starts.size(), (call + 1) * kStartsPerCall);
+    for (std::size_t n = call * kStartsPerCall; n < last; ++n) {
+      tracks[n] = trace_characteristic(starts[n], traced[call]);
+    }
+  });
+  for (std::size_t call = 0; call < calls; ++call) {
+    const std::size_t last = std::min(starts.size(), (call + 1) * kStartsPerCall);
+    for (std::size_t n = call * kStartsPerCall; n < last; ++n) {
+      tracks[n].first += visits_.size();
+      tracks[n].last += visits_.size();
+    }
+    auto& [visits, durations, out_of_time] = traced[call];
+    visits_.insert(visits_.end(), visits.begin(), visits.end());
+    durations_.insert(durations_.end(), durations.begin(), durations.end());
+    out_of_time_ = out_of_time_ || out_of_time;
+    traced[call] = {};
+  }
+  return tracks;
+}
+
+Characteristic Characteristics::trace_characteristic(const Start& start,
+                                                     TracedVisits& traced) const {
+  const PhaseState& from = start.state;
   Position at{.state = from,
               .i = cell_of(grid_.x1, from.y),
               .j = cell_of(grid_.x2, from.v),
-              .flux = flux,
-              .first = visits_.size()};
-  if (deadline_.has_passed()) out_of_time_ = true;
+              .flux = start.flux,
+              .first = traced.visits.size()};
+  if (deadline_.has_passed()) traced.out_of_time = true;
   // Smallest ratio of the current energy and an earlier energy, one of which may be larger, at which
   // the accessible interval of the earlier state is reused
   constexpr double kReuseRatio = 0.7;
@@ -252,7 +292,7 @@ Characteristic Characteristics::trace_characteristic(const PhaseState& from, dou
   double energy = track.energy - accessible_interval.least_potential, time = 0;
   for (long step = 0;; ++step) {
     if ((track.characteristic_end.rest = equilibrium_containing(at.state))) break;
-    if (must_stop_tracing() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
+    if (must_stop_tracing(traced) || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
     // Along a limit cycle no rest point ends the characteristic.
     if (rest_.empty() && rate_ * time > kMaxCycleDecayTimes) break;
     const double left = flow_.energy(at.state) - accessible_interval.least_potential;
@@ -271,16 +311,16 @@ Characteristic Characteristics::trace_characteristic(const PhaseState& from, dou
     }
     const HermiteCubic path(flow_, at.state, end, span);
     for (int chord = 1; chord < kChords; ++chord) {
-      record_cell_visits(at, path(static_cast<double>(chord) / kChords), span / kChords);
+      record_cell_visits(at, path(static_cast<double>(chord) / kChords), span / kChords, traced);
     }
-    record_cell_visits(at, end, span / kChords);
+    record_cell_visits(at, end, span / kChords, traced);
     time += span;
     if (hit) {
       set_end_at_wall(*hit, std::abs(end.v), track.characteristic_end);
       break;
     }
   }
-  track.last = visits_.size();
+  track.last = traced.visits.size();
   return track;
 }
 
@@ -302,7 +342,9 @@ void Characteristics::set_end_at_wall(WallSide side, double speed,
 }
 
 // Records the cell visits of a straight chord of the path.
-void Characteristics::record_cell_visits(Position& at, const PhaseState& to, double time) {
+void Characteristics::record_cell_visits(Position& at, const PhaseState& to, double time,
+                                         TracedVisits& traced) const {
+  auto& [visits, durations, out_of_time] = traced;
   const PhaseState from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
   // The flow contracts areas over the chord by the factor exp(-x), on average by (1 - exp(-x)) / x
@@ -329,17 +371,17 @@ void Characteristics::record_cell_visits(Position& at, const PhaseState& to, dou
       const double middle = (done + next) / 2;
       const double y = from.y + middle * dy - grid_.x1.cell_centre(at.i);
       const double v = from.v + middle * dv - grid_.x2.cell_centre(at.j);
-      if (visits_.size() > at.first && visits_.back().cell == cell) {
-        CellVisit& visit = visits_.back();
+      if (visits.size() > at.first && visits.back().cell == cell) {
+        CellVisit& visit = visits.back();
         const double part = area / (visit.share + area);
         visit.y += part * (y - visit.y);
         visit.v += part * (v - visit.v);
         visit.share += area;
-        durations_.back() += duration;
+        durations.back() += duration;
       } else {
-        visits_.push_back(
+        visits.push_back(
             {.cell = cell, .ended = 0, .mean_end_probability = 0, .share = area, .y = y, .v = v});
-        durations_.push_back(duration);
+        durations.push_back(duration);
       }
     }
     done = next;

@@ -96,6 +96,15 @@ class Characteristics {
 
  private:
   struct Position;  // current state of the tracing of a characteristic
+  struct Start {
+    PhaseState state;
+    double flux;  // flux of area through the strip
+  };
+  struct TracedVisits {
+    std::vector<CellVisit> visits;
+    std::vector<double> durations;
+    bool out_of_time = false;
+  };
   // Characteristics that start at one wall, by decreasing start speed. The array `below` contains
   // the lowest speed of the strip of each characteristic, at which the next strip begins.
   struct WallCharacteristics {
@@ -114,10 +123,17 @@ class Characteristics {
   void sort_wall_characteristics();
   void trace_from_uncovered_cells();
   void trace_through_uncrossed_cells();
-  Characteristic trace_characteristic(const PhaseState& from, double flux);
-  bool must_stop_tracing() const { return out_of_time_ || visits_.size() > kMaxVisits; }
+  std::vector<Characteristic> trace_characteristics(const std::vector<Start>& starts);
+  Characteristic trace_characteristic(const PhaseState& from, double flux) {
+    return trace_characteristics({{from, flux}}).front();
+  }
+  Characteristic trace_characteristic(const Start& start, TracedVisits& traced) const;
+  bool must_stop_tracing(const TracedVisits& traced) const {
+    return out_of_time_ || traced.out_of_time || visits_.size() + traced.visits.size() > kMaxVisits;
+  }
   std::optional<int> equilibrium_containing(const PhaseState& at) const;
-  void record_cell_visits(Position& at, const PhaseState& to, double time);
+  void record_cell_visits(Position& at, const PhaseState& to, double time,
+                          TracedVisits& traced) const;
   void set_end_at_wall(WallSide side, double speed, CharacteristicEnd& characteristic_end) const;
   void normalise_visit_areas();
   void find_continuations_at_walls(std::vector<Characteristic>& tracks) const;

@@ -1,10 +1,14 @@
 #include "fd_fpk/characteristics/transport_operator.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "base/process/parallel_for.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -103,98 +107,162 @@ struct CellMass {
   double ended = 0;
 };
 
-}  // namespace
+// Sums of p = T q over characteristics. The sums over disjoint sets of characteristics add up.
+class TransportSums {
+ public:
+  TransportSums(const Characteristics& characteristics, const Eigen::VectorXd& masses,
+                const CellSlopes& slopes)
+      : characteristics_(characteristics),
+        at_rest_(characteristics.rest_points().size(), 0.0),
+        entering_(characteristics.characteristics_from_walls().size(), 0.0) {
+    const auto contacts =
+        static_cast<Eigen::Index>(characteristics.contact_rest_point_indices().size());
+    const Eigen::Index count = masses.size() - contacts;
+    cells_.reserve(static_cast<std::size_t>(count));
+    for (Eigen::Index n = 0; n < count; ++n) {
+      cells_.push_back({.mass = masses(n), .slope_y = slopes.y(n), .slope_v = slopes.v(n)});
+    }
+  }
 
-Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
-                                              const CellSlopes& slopes,
-                                              WallImpacts* impacts) const {
-  const auto& visits = characteristics_.visits();
-  const auto& from_walls = characteristics_.characteristics_from_walls();
-  const auto& rest = characteristics_.rest_points();
-  const auto& contacts = characteristics_.contact_rest_point_indices();
-  const auto atoms = static_cast<Eigen::Index>(contacts.size());
-  const Eigen::Index count = masses.size() - atoms;
-  std::vector<CellMass> cells;
-  cells.reserve(static_cast<std::size_t>(count));
-  for (Eigen::Index n = 0; n < count; ++n) {
-    cells.push_back({.mass = masses(n), .slope_y = slopes.y(n), .slope_v = slopes.v(n)});
+  // Adds the masses in the cells of rest points, which remain at rest.
+  void add_masses_at_rest() {
+    const auto& rest = characteristics_.rest_points();
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      for (const auto& [cell, share] : rest[k].cells) at_rest_[k] += cells_[cell].mass;
+    }
   }
-  std::vector<double> at_rest(rest.size(), 0.0), entering(from_walls.size(), 0.0);
-  for (std::size_t k = 0; k < rest.size(); ++k) {
-    for (const auto& [cell, share] : rest[k].cells) at_rest[k] += masses(cell);
+
+  // Distributes a mass that was at rest in contact until an impulse.
+  void add_departure(int point, const ContactImpulseDistribution& departures, double mass) {
+    for (std::size_t n = 0; n < entering_.size(); ++n) entering_[n] += departures.shares[n] * mass;
+    at_rest_[point] += departures.rest_fraction * mass;
+    add_impacts(*characteristics_.rest_points()[point].contact, 0, departures.momentum * mass,
+                departures.energy * mass);
   }
-  const auto hit = [&](WallSide side, double number, double momentum, double energy) {
-    if (!impacts) return;
-    ImpactSums& sums = impacts->sums_at(side);
+
+  // Adds the masses that start along characteristics from the boundary.
+  void add_characteristics_from_boundary(std::size_t first, std::size_t last) {
+    const auto& from_boundary = characteristics_.characteristics_from_boundary();
+    for (std::size_t n = first; n < last; ++n) {
+      distribute_at_end(from_boundary[n], mass_at_track_end(from_boundary[n], 0, kIncludeSources));
+    }
+  }
+
+  // Adds the masses that start along characteristics from walls, and all masses that enter these
+  // characteristics after impacts.
+  void add_characteristics_from_walls(double total_mass) {
+    leave_walls(kIncludeSources);
+    // With two walls, mass may continue on a characteristic that the pass has already processed.
+    constexpr int kMostRounds = 1000;
+    constexpr double kNothing = 1e-15;
+    for (int round = 0; round < kMostRounds; ++round) {
+      double left = 0;
+      for (const double mass : entering_) left += std::abs(mass);
+      if (left <= kNothing * total_mass) break;
+      leave_walls(kExcludeSources);
+    }
+  }
+
+  void add(const TransportSums& other) {
+    for (std::size_t n = 0; n < cells_.size(); ++n) cells_[n].ended += other.cells_[n].ended;
+    for (std::size_t k = 0; k < at_rest_.size(); ++k) at_rest_[k] += other.at_rest_[k];
+    for (std::size_t n = 0; n < entering_.size(); ++n) entering_[n] += other.entering_[n];
+    for (const WallSide side : {WallSide::left, WallSide::right}) {
+      const ImpactSums& sums = other.impacts_.sums_at(side);
+      add_impacts(side, sums.number, sums.momentum, sums.energy);
+    }
+  }
+
+  // Returns the masses of p in the cells and at rest in contact.
+  Eigen::VectorXd masses() const {
+    const auto& rest = characteristics_.rest_points();
+    const auto& contacts = characteristics_.contact_rest_point_indices();
+    const auto count = static_cast<Eigen::Index>(cells_.size());
+    Eigen::VectorXd ended(count + static_cast<Eigen::Index>(contacts.size()));
+    for (Eigen::Index n = 0; n < count; ++n) ended(n) = cells_[static_cast<std::size_t>(n)].ended;
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      if (rest[k].contact) continue;
+      for (const auto& [cell, share] : rest[k].cells) ended(cell) += share * at_rest_[k];
+    }
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      ended(count + static_cast<Eigen::Index>(k)) = at_rest_[contacts[k]];
+    }
+    return ended;
+  }
+
+  const WallImpacts& impacts() const { return impacts_; }
+
+ private:
+  static constexpr std::true_type kIncludeSources{};
+  // tag of later passes, which do not add the masses that start in the cells again
+  static constexpr std::false_type kExcludeSources{};
+
+  void add_impacts(WallSide side, double number, double momentum, double energy) {
+    ImpactSums& sums = impacts_.sums_at(side);
     sums.number += number;
     sums.momentum += momentum;
     sums.energy += energy;
-  };
-  for (Eigen::Index k = 0; k < atoms; ++k) {
-    const ContactImpulseDistribution& departures =
-        contact_impulse_distributions_[static_cast<std::size_t>(k)];
-    const int point = contacts[static_cast<std::size_t>(k)];
-    const double mass = masses(count + k);
-    for (std::size_t n = 0; n < entering.size(); ++n) entering[n] += departures.shares[n] * mass;
-    at_rest[point] += departures.rest_fraction * mass;
-    hit(*rest[point].contact, 0, departures.momentum * mass, departures.energy * mass);
   }
 
-  const auto source = [&](const CellVisit& visit) {
-    const CellMass& cell = cells[visit.cell];
+  double source(const CellVisit& visit) const {
+    const CellMass& cell = cells_[visit.cell];
     return visit.share * (cell.mass + cell.slope_y * visit.y + cell.slope_v * visit.v);
-  };
-  constexpr std::true_type kIncludeSources;
-  // tag of later passes, which do not add the masses that start in the cells again
-  constexpr std::false_type kExcludeSources;
-  const auto mass_at_track_end = [&](const Characteristic& track, double mass, auto with_sources) {
+  }
+
+  template <bool with_sources>
+  double mass_at_track_end(const Characteristic& track, double mass,
+                           std::bool_constant<with_sources>) {
+    const auto& visits = characteristics_.visits();
     for (std::size_t n = track.first; n < track.last; ++n) {
       const CellVisit& visit = visits[n];
       const double begins = with_sources ? source(visit) : 0;
       // The two updates are independent: the recurrence of `mass` needs only the previous `mass`.
-      cells[visit.cell].ended += visit.ended * mass + visit.mean_end_probability * begins;
+      cells_[visit.cell].ended += visit.ended * mass + visit.mean_end_probability * begins;
       mass = (1.0 - visit.ended) * mass + (1.0 - visit.mean_end_probability) * begins;
     }
     return mass;
-  };
-  const auto come_to_rest = [&](const CharacteristicEnd& characteristic_end, double mass) {
+  }
+
+  void come_to_rest(const CharacteristicEnd& characteristic_end, double mass) {
     const int point = *characteristic_end.rest;
     if (!characteristic_end.cascade) {
-      at_rest[point] += mass;
+      at_rest_[point] += mass;
       return;
     }
     // Mass that receives an impulse during the cascade of impacts is distributed on both sides of v
     // = 0.
     const ImpactCascade& cascade = *characteristic_end.cascade;
-    at_rest[point] += cascade.rest_probability * mass;
-    for (const auto& [cell, share] : rest[point].cells) {
-      cells[cell].ended += (1 - cascade.rest_probability) * share * mass;
+    at_rest_[point] += cascade.rest_probability * mass;
+    for (const auto& [cell, share] : characteristics_.rest_points()[point].cells) {
+      cells_[cell].ended += (1 - cascade.rest_probability) * share * mass;
     }
-    hit(*characteristic_end.wall, mass, (characteristic_end.speed + cascade.momentum) * mass,
-        (characteristic_end.speed * characteristic_end.speed + cascade.energy) * mass);
-  };
-  const auto distribute_at_end = [&](const Characteristic& track, double mass) {
+    add_impacts(*characteristic_end.wall, mass,
+                (characteristic_end.speed + cascade.momentum) * mass,
+                (characteristic_end.speed * characteristic_end.speed + cascade.energy) * mass);
+  }
+
+  void distribute_at_end(const Characteristic& track, double mass) {
     const CharacteristicEnd& characteristic_end = track.characteristic_end;
     if (characteristic_end.rest) {
       come_to_rest(characteristic_end, mass);
     } else if (characteristic_end.wall) {
-      entering[characteristic_end.faster] += characteristic_end.faster_fraction * mass;
-      entering[characteristic_end.slower] += (1 - characteristic_end.faster_fraction) * mass;
-      hit(*characteristic_end.wall, mass, characteristic_end.speed * mass,
-          characteristic_end.speed * characteristic_end.speed * mass);
+      entering_[characteristic_end.faster] += characteristic_end.faster_fraction * mass;
+      entering_[characteristic_end.slower] += (1 - characteristic_end.faster_fraction) * mass;
+      add_impacts(*characteristic_end.wall, mass, characteristic_end.speed * mass,
+                  characteristic_end.speed * characteristic_end.speed * mass);
     } else if (track.last > track.first) {
-      cells[visits[track.last - 1].cell].ended += mass;
+      cells_[characteristics_.visits()[track.last - 1].cell].ended += mass;
     }
-  };
-
-  for (const Characteristic& track : characteristics_.characteristics_from_boundary()) {
-    distribute_at_end(track, mass_at_track_end(track, 0, kIncludeSources));
   }
-  const auto leave_walls = [&](auto with_sources) {
+
+  template <bool with_sources>
+  void leave_walls(std::bool_constant<with_sources> sources) {
+    const auto& from_walls = characteristics_.characteristics_from_walls();
+    const auto& visits = characteristics_.visits();
     for (std::size_t n = 0; n < from_walls.size(); ++n) {
       const Characteristic& track = from_walls[n];
       const CharacteristicEnd& characteristic_end = track.characteristic_end;
-      double mass = std::exchange(entering[n], 0.0);
+      double mass = std::exchange(entering_[n], 0.0);
       if (!with_sources && mass == 0) continue;
       // If mass returns to a characteristic after an impact, the masses of all returns form a
       // geometric series.
@@ -215,32 +283,58 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
         }
         mass = (mass + again * left) / (1 - again + again * lost);
       }
-      const double left = mass_at_track_end(track, mass, with_sources);
+      const double left = mass_at_track_end(track, mass, sources);
       distribute_at_end(track, left);
       // The variable `left` already includes the mass of all returns to the characteristic.
-      entering[n] -= again * left;
+      entering_[n] -= again * left;
     }
-  };
-  leave_walls(kIncludeSources);
-  // With two walls, mass may continue on a characteristic that the pass has already processed.
-  constexpr int kMostRounds = 1000;
-  constexpr double kNothing = 1e-15;
-  for (int round = 0; round < kMostRounds; ++round) {
-    double left = 0;
-    for (const double mass : entering) left += std::abs(mass);
-    if (left <= kNothing * masses.cwiseAbs().sum()) break;
-    leave_walls(kExcludeSources);
   }
-  Eigen::VectorXd ended(masses.size());
-  for (Eigen::Index n = 0; n < count; ++n) ended(n) = cells[static_cast<std::size_t>(n)].ended;
-  for (std::size_t k = 0; k < rest.size(); ++k) {
-    if (rest[k].contact) continue;
-    for (const auto& [cell, share] : rest[k].cells) ended(cell) += share * at_rest[k];
+
+  const Characteristics& characteristics_;
+  std::vector<CellMass> cells_;
+  std::vector<double> at_rest_, entering_;
+  WallImpacts impacts_;
+};
+
+}  // namespace
+
+TransportOperator::TransportOperator(const Characteristics& characteristics,
+                                     const problem::ImpulseLaw& law)
+    : characteristics_(characteristics),
+      contact_impulse_distributions_(characteristics.contact_impulse_distributions(law)) {
+  const auto& from_boundary = characteristics.characteristics_from_boundary();
+  std::vector<std::size_t> visit_counts{0};
+  for (const Characteristic& track : from_boundary) {
+    visit_counts.push_back(visit_counts.back() + track.last - track.first);
   }
-  for (Eigen::Index k = 0; k < atoms; ++k) {
-    ended(count + k) = at_rest[contacts[static_cast<std::size_t>(k)]];
+  for (std::size_t part = 0; part <= kParts; ++part) {
+    const auto at = std::ranges::lower_bound(visit_counts, part * visit_counts.back() / kParts);
+    part_ends_[part] = static_cast<std::size_t>(at - visit_counts.begin());
   }
-  return ended;
+  part_ends_[kParts] = from_boundary.size();
+}
+
+Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
+                                              const CellSlopes& slopes,
+                                              WallImpacts* impacts) const {
+  constexpr int kOneThreadPerProcessor = 0;
+  std::array<std::optional<TransportSums>, kParts> parts;
+  base::parallel_for(kParts, kOneThreadPerProcessor, [&](std::size_t part) {
+    parts[part].emplace(characteristics_, masses, slopes);
+    parts[part]->add_characteristics_from_boundary(part_ends_[part], part_ends_[part + 1]);
+  });
+  TransportSums& sums = *parts[0];
+  for (std::size_t part = 1; part < kParts; ++part) sums.add(*parts[part]);
+  sums.add_masses_at_rest();
+  const auto& contacts = characteristics_.contact_rest_point_indices();
+  const Eigen::Index count = masses.size() - static_cast<Eigen::Index>(contacts.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    sums.add_departure(contacts[k], contact_impulse_distributions_[k],
+                       masses(count + static_cast<Eigen::Index>(k)));
+  }
+  sums.add_characteristics_from_walls(masses.cwiseAbs().sum());
+  if (impacts) *impacts = sums.impacts();
+  return sums.masses();
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
+#include <vector>
 
 #include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/characteristics/characteristics.hpp"
@@ -56,6 +58,7 @@ struct ImpactSums {
 struct WallImpacts {
   ImpactSums left, right;
   ImpactSums& sums_at(WallSide side) { return side == WallSide::left ? left : right; }
+  const ImpactSums& sums_at(WallSide side) const { return side == WallSide::left ? left : right; }
 };
 
 /// Transport operator p = T q, which maps the density q after an impulse to the density p between
@@ -74,9 +77,7 @@ struct WallImpacts {
 class TransportOperator {
  public:
   /// @param characteristics,law must outlive the operator
-  TransportOperator(const Characteristics& characteristics, const problem::ImpulseLaw& law)
-      : characteristics_(characteristics),
-        contact_impulse_distributions_(characteristics.contact_impulse_distributions(law)) {}
+  TransportOperator(const Characteristics& characteristics, const problem::ImpulseLaw& law);
 
   /// @param masses masses of the density q
   /// @param slopes slopes of the density q
@@ -86,6 +87,11 @@ class TransportOperator {
  private:
   const Characteristics& characteristics_;
   std::vector<ContactImpulseDistribution> contact_impulse_distributions_;
+  // The characteristics from the boundary are divided into parts with similar numbers of visits,
+  // one for each thread. The number of parts does not depend on the number of processors, so that
+  // the sums are reproducible.
+  static constexpr std::size_t kParts = 2;
+  std::array<std::size_t, kParts + 1> part_ends_{};
 };
 
 }  // namespace fpkcheck::fd_fpk
