@@ -4,7 +4,6 @@
 #include <umfpack.h>
 
 #include <cmath>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,7 @@ namespace fpkcheck::benchmarks {
 namespace {
 
 using namespace fd_fpk;
-using Integer = std::int64_t;
+using Integer = int;
 
 /// I - M/10, with M similar to the matrix that the preconditioner factorises, and of the same
 /// sparsity pattern.
@@ -39,9 +38,9 @@ struct CompressedColumns {
   Integer* rows;
   double* values;
   explicit CompressedColumns(SparseColumnMatrix& a)
-      : n(a.cols()),
-        columns(reinterpret_cast<Integer*>(a.outerIndexPtr())),
-        rows(reinterpret_cast<Integer*>(a.innerIndexPtr())),
+      : n(static_cast<Integer>(a.cols())),
+        columns(a.outerIndexPtr()),
+        rows(a.innerIndexPtr()),
         values(a.valuePtr()) {}
 };
 
@@ -51,86 +50,86 @@ std::vector<Integer> nested_dissection_ordering(SparseColumnMatrix& matrix, Orde
   SparseColumnMatrix symmetric = SparseColumnMatrix(matrix.transpose()) + matrix;
   const CompressedColumns arrays(symmetric);
   cholmod_common common;
-  cholmod_l_start(&common);
+  cholmod_start(&common);
   cholmod_sparse graph{};
   graph.nrow = graph.ncol = arrays.n;
   graph.nzmax = symmetric.nonZeros();
   graph.p = arrays.columns;
   graph.i = arrays.rows;
   graph.stype = 1;
-  graph.itype = CHOLMOD_LONG;
+  graph.itype = CHOLMOD_INT;
   graph.xtype = CHOLMOD_PATTERN;
   graph.sorted = graph.packed = 1;
   std::vector<Integer> found(arrays.n), parents(arrays.n), members(arrays.n);
   if (order == Ordering::metis) {
-    cholmod_l_metis(&graph, nullptr, 0, 1, found.data(), &common);
+    cholmod_metis(&graph, nullptr, 0, 1, found.data(), &common);
   } else {
-    cholmod_l_nested_dissection(&graph, nullptr, 0, found.data(), parents.data(), members.data(),
-                                &common);
+    cholmod_nested_dissection(&graph, nullptr, 0, found.data(), parents.data(), members.data(),
+                              &common);
   }
-  cholmod_l_finish(&common);
+  cholmod_finish(&common);
   return found;
 }
 
 class Klu {
  public:
   Klu(SparseColumnMatrix& matrix, Ordering order) : a_(matrix) {
-    klu_l_defaults(&common_);
+    klu_defaults(&common_);
     if (order == Ordering::amd || order == Ordering::colamd) {
       common_.ordering = order == Ordering::amd ? 0 : 1;
-      symbolic_ = klu_l_analyze(a_.n, a_.columns, a_.rows, &common_);
+      symbolic_ = klu_analyze(a_.n, a_.columns, a_.rows, &common_);
     } else {
       common_.btf = 0;
       auto found = nested_dissection_ordering(matrix, order);
       symbolic_ =
-          klu_l_analyze_given(a_.n, a_.columns, a_.rows, found.data(), found.data(), &common_);
+          klu_analyze_given(a_.n, a_.columns, a_.rows, found.data(), found.data(), &common_);
     }
   }
   ~Klu() {
-    klu_l_free_numeric(&numeric_, &common_);
-    klu_l_free_symbolic(&symbolic_, &common_);
+    klu_free_numeric(&numeric_, &common_);
+    klu_free_symbolic(&symbolic_, &common_);
   }
   Klu(const Klu&) = delete;
   Klu& operator=(const Klu&) = delete;
   void factor() {
-    klu_l_free_numeric(&numeric_, &common_);
-    numeric_ = klu_l_factor(a_.columns, a_.rows, a_.values, symbolic_, &common_);
+    klu_free_numeric(&numeric_, &common_);
+    numeric_ = klu_factor(a_.columns, a_.rows, a_.values, symbolic_, &common_);
   }
-  void refactor() { klu_l_refactor(a_.columns, a_.rows, a_.values, symbolic_, numeric_, &common_); }
-  void solve(Eigen::VectorXd& b) { klu_l_solve(symbolic_, numeric_, a_.n, 1, b.data(), &common_); }
+  void refactor() { klu_refactor(a_.columns, a_.rows, a_.values, symbolic_, numeric_, &common_); }
+  void solve(Eigen::VectorXd& b) { klu_solve(symbolic_, numeric_, a_.n, 1, b.data(), &common_); }
   double entries() const { return static_cast<double>(numeric_->lnz + numeric_->unz); }
 
  private:
   CompressedColumns a_;
-  klu_l_common common_{};
-  klu_l_symbolic* symbolic_ = nullptr;
-  klu_l_numeric* numeric_ = nullptr;
+  klu_common common_{};
+  klu_symbolic* symbolic_ = nullptr;
+  klu_numeric* numeric_ = nullptr;
 };
 
 class Umfpack {
  public:
   Umfpack(SparseColumnMatrix& matrix, Ordering order) : a_(matrix) {
-    umfpack_dl_defaults(control_);
+    umfpack_di_defaults(control_);
     control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
     control_[UMFPACK_ORDERING] =
         order == Ordering::amd ? UMFPACK_ORDERING_AMD : UMFPACK_ORDERING_METIS;
     control_[UMFPACK_IRSTEP] = 0;
-    umfpack_dl_symbolic(a_.n, a_.n, a_.columns, a_.rows, a_.values, &symbolic_, control_, info_);
+    umfpack_di_symbolic(a_.n, a_.n, a_.columns, a_.rows, a_.values, &symbolic_, control_, info_);
   }
   ~Umfpack() {
-    umfpack_dl_free_numeric(&numeric_);
-    umfpack_dl_free_symbolic(&symbolic_);
+    umfpack_di_free_numeric(&numeric_);
+    umfpack_di_free_symbolic(&symbolic_);
   }
   Umfpack(const Umfpack&) = delete;
   Umfpack& operator=(const Umfpack&) = delete;
   void factor() {
-    if (numeric_ != nullptr) umfpack_dl_free_numeric(&numeric_);
-    umfpack_dl_numeric(a_.columns, a_.rows, a_.values, symbolic_, &numeric_, control_, info_);
+    if (numeric_ != nullptr) umfpack_di_free_numeric(&numeric_);
+    umfpack_di_numeric(a_.columns, a_.rows, a_.values, symbolic_, &numeric_, control_, info_);
     entries_ = info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ];
   }
   void solve(Eigen::VectorXd& b) {
     Eigen::VectorXd x(b.size());
-    umfpack_dl_solve(UMFPACK_A, a_.columns, a_.rows, a_.values, x.data(), b.data(), numeric_,
+    umfpack_di_solve(UMFPACK_A, a_.columns, a_.rows, a_.values, x.data(), b.data(), numeric_,
                      control_, info_);
     b = x;
   }

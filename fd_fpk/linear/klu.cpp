@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/container_hash/hash.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <list>
 #include <mutex>
 #include <stdexcept>
@@ -19,7 +20,7 @@ namespace {
 // depend on the timing of the threads.
 std::mutex dissection_mutex;
 
-std::vector<std::int64_t> nested_dissection(const SparseColumnMatrix& matrix) {
+std::vector<int> nested_dissection(const SparseColumnMatrix& matrix) {
   const SparseColumnMatrix symmetric = SparseColumnMatrix(matrix.transpose()) + matrix;
   const auto n = static_cast<std::size_t>(matrix.cols());
   cholmod_sparse graph{};
@@ -29,20 +30,20 @@ std::vector<std::int64_t> nested_dissection(const SparseColumnMatrix& matrix) {
   graph.p = const_cast<SparseColumnMatrix::StorageIndex*>(symmetric.outerIndexPtr());
   graph.i = const_cast<SparseColumnMatrix::StorageIndex*>(symmetric.innerIndexPtr());
   graph.stype = 1;  // a symmetric matrix, of which CHOLMOD reads the upper triangle
-  graph.itype = CHOLMOD_LONG;
+  graph.itype = CHOLMOD_INT;
   graph.xtype = CHOLMOD_PATTERN;
   graph.sorted = graph.packed = 1;
   cholmod_common common;
-  cholmod_l_start(&common);
+  cholmod_start(&common);
   common.print = 0;
   // METIS aborts the program when memory is exhausted. CHOLMOD therefore first checks for twice the
   // memory that METIS needs.
   common.metis_memory = 2;
-  std::vector<std::int64_t> order(n), parents(n), components(n);
+  std::vector<int> order(n), parents(n), components(n);
   const std::lock_guard alone(dissection_mutex);
-  const std::int64_t found = cholmod_l_nested_dissection(
-      &graph, nullptr, 0, order.data(), parents.data(), components.data(), &common);
-  cholmod_l_finish(&common);
+  const std::int64_t found = cholmod_nested_dissection(&graph, nullptr, 0, order.data(),
+                                                       parents.data(), components.data(), &common);
+  cholmod_finish(&common);
   if (found < 0) order.clear();
   return order;
 }
@@ -64,14 +65,14 @@ struct SparsityPattern {
 /// Thread-safe cache of the most recently used orderings.
 class OrderingCache {
  public:
-  std::vector<std::int64_t> find(const SparsityPattern& pattern) {
+  std::vector<int> find(const SparsityPattern& pattern) {
     const std::lock_guard lock(mutex_);
     const auto found = std::ranges::find(orders_, pattern, &Entry::first);
     if (found == orders_.end()) return {};
     orders_.splice(orders_.begin(), orders_, found);
     return found->second;
   }
-  void put(const SparsityPattern& pattern, const std::vector<std::int64_t>& order) {
+  void put(const SparsityPattern& pattern, const std::vector<int>& order) {
     const std::lock_guard lock(mutex_);
     orders_.emplace_front(pattern, order);
     unknowns_ += order.size();
@@ -85,7 +86,7 @@ class OrderingCache {
   // limit of the cached orderings, 32 MB of memory
   static constexpr std::size_t kMostUnknowns = 4'000'000;
 
-  using Entry = std::pair<SparsityPattern, std::vector<std::int64_t>>;
+  using Entry = std::pair<SparsityPattern, std::vector<int>>;
   std::mutex mutex_;
   std::list<Entry> orders_;  // most recently used ordering first
   std::size_t unknowns_ = 0;
@@ -93,7 +94,7 @@ class OrderingCache {
 
 }  // namespace
 
-std::vector<std::int64_t> fill_reducing_ordering(const SparseColumnMatrix& matrix) {
+std::vector<int> fill_reducing_ordering(const SparseColumnMatrix& matrix) {
   static OrderingCache& cache =
       *new OrderingCache;  // the cache is never destroyed, since threads may use the cache at exit
   const SparsityPattern pattern(matrix);
@@ -122,17 +123,17 @@ struct MatrixArrays {
 }  // namespace
 
 struct KluFactorisation::Handles {
-  klu_l_common common{};
-  klu_l_symbolic* symbolic = nullptr;
-  klu_l_numeric* numeric = nullptr;
+  klu_common common{};
+  klu_symbolic* symbolic = nullptr;
+  klu_numeric* numeric = nullptr;
 
   Handles() {
-    klu_l_defaults(&common);
+    klu_defaults(&common);
     common.btf = 0;  // the operator is irreducible: every cell is reachable from every other cell
   }
   ~Handles() {
-    klu_l_free_numeric(&numeric, &common);
-    klu_l_free_symbolic(&symbolic, &common);
+    klu_free_numeric(&numeric, &common);
+    klu_free_symbolic(&symbolic, &common);
   }
   Handles(const Handles&) = delete;
   Handles& operator=(const Handles&) = delete;
@@ -147,15 +148,16 @@ bool KluFactorisation::factorise(const SparseColumnMatrix& matrix) {
   if (factorise_with_old_pivots(matrix)) return true;
   const MatrixArrays arrays(matrix);
   auto& [common, symbolic, numeric] = *handles_;
-  klu_l_free_numeric(&numeric, &common);
+  klu_free_numeric(&numeric, &common);
   if (symbolic == nullptr) {
+    const auto n = static_cast<int>(matrix.cols());
     auto found = fill_reducing_ordering(matrix);
-    symbolic = found.empty() ? klu_l_analyze(matrix.cols(), arrays.columns, arrays.rows, &common)
-                             : klu_l_analyze_given(matrix.cols(), arrays.columns, arrays.rows,
-                                                   found.data(), found.data(), &common);
+    symbolic = found.empty() ? klu_analyze(n, arrays.columns, arrays.rows, &common)
+                             : klu_analyze_given(n, arrays.columns, arrays.rows, found.data(),
+                                                 found.data(), &common);
   }
   if (symbolic != nullptr) {
-    numeric = klu_l_factor(arrays.columns, arrays.rows, arrays.values, symbolic, &common);
+    numeric = klu_factor(arrays.columns, arrays.rows, arrays.values, symbolic, &common);
   }
   return numeric != nullptr && common.status == KLU_OK;
 }
@@ -167,15 +169,16 @@ bool KluFactorisation::factorise_with_old_pivots(const SparseColumnMatrix& matri
   auto& [common, symbolic, numeric] = *handles_;
   if (numeric == nullptr) return false;
   const MatrixArrays arrays(matrix);
-  return klu_l_refactor(arrays.columns, arrays.rows, arrays.values, symbolic, numeric, &common) &&
+  return klu_refactor(arrays.columns, arrays.rows, arrays.values, symbolic, numeric, &common) &&
          common.status == KLU_OK &&
-         klu_l_rgrowth(arrays.columns, arrays.rows, arrays.values, symbolic, numeric, &common) &&
+         klu_rgrowth(arrays.columns, arrays.rows, arrays.values, symbolic, numeric, &common) &&
          common.rgrowth > kLeastReciprocalGrowth;
 }
 
 void KluFactorisation::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   auto& [common, symbolic, numeric] = *handles_;
-  if (numeric == nullptr || !klu_l_solve(symbolic, numeric, b.size(), 1, b.data(), &common)) {
+  if (numeric == nullptr ||
+      !klu_solve(symbolic, numeric, static_cast<int>(b.size()), 1, b.data(), &common)) {
     throw std::logic_error("KLU solve without a factorisation");
   }
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,7 +14,7 @@ namespace fpkcheck::fd_fpk {
 /// nonzero entries of the matrix A. Recent orderings are cached, since error estimates and sweeps
 /// repeat grid sizes. The function fill_reducing_ordering() is thread-safe.
 /// @return the ordering; empty on failure
-std::vector<std::int64_t> fill_reducing_ordering(const SparseColumnMatrix& matrix);
+std::vector<int> fill_reducing_ordering(const SparseColumnMatrix& matrix);
 
 /// Sparse LU factorisation by KLU with a nested-dissection ordering (CHOLMOD with METIS). All
 /// matrices that an object factors must have nonzero entries at the same positions, since the

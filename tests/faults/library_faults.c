@@ -50,33 +50,25 @@ static int fails(const char* name) {
     }                                                           \
     return ((type(*) parameters)REAL(name))arguments;           \
   }
-// Index types: long in SuiteSparse 5, int64_t in 7, which are equal on 64-bit Linux. Flags: long in
-// 5, int in 7.
-typedef int64_t Long;
-#if KLU_MAIN_VERSION >= 2
-typedef int Flag;
-#else
-typedef int64_t Flag;
-#endif
-KLU_FAULT(klu_l_symbolic*, klu_l_analyze, NULL, (Long n, Long* p, Long* i, klu_l_common* common),
+KLU_FAULT(klu_symbolic*, klu_analyze, NULL, (int n, int* p, int* i, klu_common* common),
           (n, p, i, common))
-KLU_FAULT(klu_l_symbolic*, klu_l_analyze_given, NULL,
-          (Long n, Long* p, Long* i, Long* rows, Long* columns, klu_l_common* common),
+KLU_FAULT(klu_symbolic*, klu_analyze_given, NULL,
+          (int n, int* p, int* i, int* rows, int* columns, klu_common* common),
           (n, p, i, rows, columns, common))
-KLU_FAULT(klu_l_numeric*, klu_l_factor, NULL,
-          (Long* p, Long* i, double* x, klu_l_symbolic* symbolic, klu_l_common* common),
+KLU_FAULT(klu_numeric*, klu_factor, NULL,
+          (int* p, int* i, double* x, klu_symbolic* symbolic, klu_common* common),
           (p, i, x, symbolic, common))
-KLU_FAULT(Flag, klu_l_refactor, 0,
-          (Long* p, Long* i, double* x, klu_l_symbolic* symbolic, klu_l_numeric* numeric,
-           klu_l_common* common),
+KLU_FAULT(int, klu_refactor, 0,
+          (int* p, int* i, double* x, klu_symbolic* symbolic, klu_numeric* numeric,
+           klu_common* common),
           (p, i, x, symbolic, numeric, common))
-KLU_FAULT(Flag, klu_l_solve, 0,
-          (klu_l_symbolic* symbolic, klu_l_numeric* numeric, Long n, Long columns, double* b,
-           klu_l_common* common),
+KLU_FAULT(int, klu_solve, 0,
+          (klu_symbolic* symbolic, klu_numeric* numeric, int n, int columns, double* b,
+           klu_common* common),
           (symbolic, numeric, n, columns, b, common))
-KLU_FAULT(Flag, klu_l_rgrowth, 0,
-          (Long* p, Long* i, double* x, klu_l_symbolic* symbolic, klu_l_numeric* numeric,
-           klu_l_common* common),
+KLU_FAULT(int, klu_rgrowth, 0,
+          (int* p, int* i, double* x, klu_symbolic* symbolic, klu_numeric* numeric,
+           klu_common* common),
           (p, i, x, symbolic, numeric, common))
 
 // Other functions, with at most six pointer or integer arguments.
@@ -85,8 +77,8 @@ KLU_FAULT(Flag, klu_l_rgrowth, 0,
     if (fails(#name)) return (type)failure;                                          \
     return ((type(*)(void*, void*, void*, void*, void*, void*))REAL(name))(a, b, c, d, e, f); \
   }
-FAULT(long, cholmod_l_start, 0)
-FAULT(long, cholmod_l_nested_dissection, -1)
+FAULT(int, cholmod_start, 0)
+FAULT(long, cholmod_nested_dissection, -1)
 FAULT(int, CVodeInit, -20)
 FAULT(int, CVodeSetLinearSolver, -20)
 FAULT(int, CVodeSetJacTimes, -30)

@@ -25,8 +25,8 @@ COMMANDS = {
     "controlled": ["mcs", "case1", "--controlled", "--time", "2e4"],
     "run": ["run", "case1", "--methods", "epc-moment-n4,fd-kf,mcs", "--time", "2e4"],
 }
-KLU = ["klu_l_analyze", "klu_l_analyze_given", "klu_l_factor", "klu_l_refactor", "klu_l_solve",
-       "klu_l_rgrowth", "cholmod_l_start", "cholmod_l_nested_dissection"]
+KLU = ["klu_analyze", "klu_analyze_given", "klu_factor", "klu_refactor", "klu_solve",
+       "klu_rgrowth", "cholmod_start", "cholmod_nested_dissection"]
 CVODE = ["CVodeCreate", "CVodeInit", "CVodeSetLinearSolver", "CVodeSetJacTimes",
          "CVodeSetPreconditioner", "CVode"]
 GMRES = ["SUNLinSol_SPGMR", "SUNLinSolInitialize", "SUNLinSolSetup", "SUNLinSolSolve"]

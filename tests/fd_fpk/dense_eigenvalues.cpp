@@ -6,8 +6,7 @@
 
 namespace fpkcheck::tests {
 
-std::vector<std::complex<double>> dense_eigenvalues(
-    const Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>& matrix) {
+std::vector<std::complex<double>> dense_eigenvalues(const Eigen::SparseMatrix<double>& matrix) {
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(matrix), false);
   std::vector<std::complex<double>> upper;
   for (const auto value : solver.eigenvalues()) {

@@ -13,8 +13,8 @@ namespace {
 // A five-point operator with advection on a square, large enough that its dissection uses many
 // random numbers.
 SparseColumnMatrix square(int n) {
-  std::vector<Eigen::Triplet<double, SparseColumnMatrix::StorageIndex>> entries;
-  const auto at = [n](int i, int j) { return SparseColumnMatrix::StorageIndex{i} * n + j; };
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto at = [n](int i, int j) { return i * n + j; };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       entries.emplace_back(at(i, j), at(i, j), 4.1);
@@ -65,7 +65,7 @@ TEST(Klu, GivesTheSameBitsInParallelAsAlone) {
 
 // The five-point operator on n x n cells, times a factor.
 SparseColumnMatrix five_points(int n, double factor = 1, bool with_corner = false) {
-  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
+  std::vector<Eigen::Triplet<double>> entries;
   const auto cell = [n](int i, int j) { return i * n + j; };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
@@ -86,7 +86,7 @@ TEST(Ordering, IsAPermutation) {
   auto order = fill_reducing_ordering(five_points(31));
   ASSERT_EQ(order.size(), 31 * 31);
   std::ranges::sort(order);
-  std::vector<std::int64_t> all(order.size());
+  std::vector<int> all(order.size());
   std::iota(all.begin(), all.end(), 0);
   EXPECT_EQ(order, all);
 }
@@ -97,7 +97,7 @@ TEST(Ordering, DependsOnThePatternAlone) {
   EXPECT_EQ(fill_reducing_ordering(five_points(30, 7)), order);
   EXPECT_NE(fill_reducing_ordering(five_points(30, 1, true)), order);
   EXPECT_NE(fill_reducing_ordering(five_points(29)).size(), order.size());
-  std::vector<std::vector<std::int64_t>> found(4);
+  std::vector<std::vector<int>> found(4);
   {
     std::vector<std::jthread> threads;
     for (auto& one : found)
