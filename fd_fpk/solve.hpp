@@ -20,8 +20,8 @@ std::vector<std::pair<std::string, std::string>> library_versions();
 /// p(z, z'). The transport is discretised by finite volumes of high order, or along characteristics
 /// for rare impulses or strong losses. If the options fix neither transport nor grid,
 /// refine_until_deadline() chooses finer grids. Several threads solve on the three grids of an
-/// error estimate. If the first discretisation of the transport does not give the status `ok`, the
-/// solver also tries the second discretisation.
+/// error estimate and trace characteristics. If the first discretisation of the transport does not
+/// give the status `ok`, the solver also tries the second discretisation.
 ///
 /// The status is `ill_posed`, without a density, if the discrete excitation is unstable (the
 /// literal km4 on a fine grid). The status is `inadmissible` if the density is negative or the
