@@ -254,10 +254,11 @@ std::vector<Characteristic> Characteristics::trace_characteristics(
   const std::size_t calls = (starts.size() + kStartsPerCall - 1) / kStartsPerCall;
   std::vector<Characteristic> tracks(starts.size());
   std::vector<TracedVisits> traced(calls);
+  std::atomic<std::size_t> visit_count = visits_.size();
   base::parallel_for(calls, kOneThreadPerProcessor, [&](std::size_t call) {
     const std::size_t last = std::min(starts.size(), (call + 1) * kStartsPerCall);
     for (std::size_t n = call * kStartsPerCall; n < last; ++n) {
-      tracks[n] = trace_characteristic(starts[n], traced[call]);
+      tracks[n] = trace_characteristic(starts[n], visit_count, traced[call]);
     }
   });
   for (std::size_t call = 0; call < calls; ++call) {
@@ -276,6 +277,7 @@ std::vector<Characteristic> Characteristics::trace_characteristics(
 }
 
 Characteristic Characteristics::trace_characteristic(const Start& start,
+                                                     std::atomic<std::size_t>& visit_count,
                                                      TracedVisits& traced) const {
   const PhaseState& from = start.state;
   Position at{.state = from,
@@ -284,6 +286,10 @@ Characteristic Characteristics::trace_characteristic(const Start& start,
               .flux = start.flux,
               .first = traced.visits.size()};
   if (deadline_.has_passed()) traced.out_of_time = true;
+  const auto own_visits = [&] { return traced.visits.size() - at.first; };
+  const auto must_stop_tracing = [&] {
+    return out_of_time_ || traced.out_of_time || visit_count + own_visits() > kMaxVisits;
+  };
   // Smallest ratio of the current energy and an earlier energy, one of which may be larger, at which
   // the accessible interval of the earlier state is reused
   constexpr double kReuseRatio = 0.7;
@@ -292,7 +298,7 @@ Characteristic Characteristics::trace_characteristic(const Start& start,
   double energy = track.energy - accessible_interval.least_potential, time = 0;
   for (long step = 0;; ++step) {
     if ((track.characteristic_end.rest = equilibrium_containing(at.state))) break;
-    if (must_stop_tracing(traced) || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
+    if (must_stop_tracing() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
     // Along a limit cycle no rest point ends the characteristic.
     if (rest_.empty() && rate_ * time > kMaxCycleDecayTimes) break;
     const double left = flow_.energy(at.state) - accessible_interval.least_potential;
@@ -321,6 +327,7 @@ Characteristic Characteristics::trace_characteristic(const Start& start,
     }
   }
   track.last = traced.visits.size();
+  visit_count += own_visits();
   return track;
 }
 

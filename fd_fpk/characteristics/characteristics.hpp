@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -127,10 +129,9 @@ class Characteristics {
   Characteristic trace_characteristic(const PhaseState& from, double flux) {
     return trace_characteristics({{from, flux}}).front();
   }
-  Characteristic trace_characteristic(const Start& start, TracedVisits& traced) const;
-  bool must_stop_tracing(const TracedVisits& traced) const {
-    return out_of_time_ || traced.out_of_time || visits_.size() + traced.visits.size() > kMaxVisits;
-  }
+  // `visit_count` counts the visits of all characteristics that have been traced in any thread.
+  Characteristic trace_characteristic(const Start& start, std::atomic<std::size_t>& visit_count,
+                                      TracedVisits& traced) const;
   std::optional<int> equilibrium_containing(const PhaseState& at) const;
   void record_cell_visits(Position& at, const PhaseState& to, double time,
                           TracedVisits& traced) const;
