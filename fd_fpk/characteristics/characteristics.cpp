@@ -19,9 +19,8 @@ constexpr int kChords = 10;
 // Duration of a characteristic, in mean times between impulses; a longer flight is negligible.
 constexpr double kMaxDecayTimes = 40;
 constexpr long kMostSteps = 20000;
-// The same duration along a limit cycle: exp(-12), 6e-6 of the mass, remain in the cell of the last
-// state, far below the discretisation error around a limit cycle.
-constexpr double kMaxCycleDecayTimes = 12;
+// The same duration along a limit cycle: 2e-9 of the mass remain in the cell of the last state.
+constexpr double kMaxCycleDecayTimes = 20;
 // Lower limit of the flux of area, which decays to zero for overdamped motion.
 constexpr double kLeastFlux = 1e-200;
 
