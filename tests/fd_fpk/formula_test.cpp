@@ -10,7 +10,9 @@
 #include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/solve.hpp"
+#include "fd_fpk/stationary/direct_solution.hpp"
 #include "general_oscillators.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 
@@ -198,6 +200,27 @@ TEST(Formula, KeepsTheBalanceOfPowerWithKinksWithinItsError) {
   EXPECT_LE(std::abs(solution.energy_residual),
             summary.error->moments.v2 / solution.moments.v2 * (1 + 1e-9));
   EXPECT_LT(std::abs(solution.energy_residual), 2e-5);
+}
+
+// The density at the lower end of y falls below the limit with the first move of this end, and rises
+// above the limit again when the other ends move. A finer grid that moved the end would cost a
+// second solution on each grid of the error estimate.
+TEST(Formula, HasABoxThatAFinerGridDoesNotWiden) {
+  const auto p = tests::with_impulses(system_of("0.1*v + y + 4*max(y - 0.5, 0)"),
+                                      tests::gaussian_impulses(1, 0.2));
+  const auto scales = problem::scales(p);
+  Options options;
+  options.order = kHighOrder;
+  options.refinement = 0.6;
+  options.wall_density *= box_edge_density_factor(p);
+  const Box box = stationary_box(p, scales, options, Deadline::unlimited());
+  const DirectSolution direct =
+      solve_directly(p, {.scales = scales, .box = box}, options, Deadline::unlimited());
+  ASSERT_TRUE(direct.averages) << direct.failure;
+  const Grid& grid = direct.discretisation.grid;
+  EXPECT_DOUBLE_EQ(grid.x1.faces().front(), box.x1_min);
+  EXPECT_DOUBLE_EQ(grid.x1.faces().back(), box.x1_max);
+  EXPECT_DOUBLE_EQ(grid.x2_max(), box.x2_max);
 }
 
 // The damping 0.02 v + 0.1 tanh(20 v) contracts areas near rest at the rate 2.02, above the impulse
