@@ -34,7 +34,7 @@ std::vector<int> nested_dissection(const SparseColumnMatrix& matrix) {
   graph.xtype = CHOLMOD_PATTERN;
   graph.sorted = graph.packed = 1;
   cholmod_common common;
-  cholmod_start(&common);
+  if (!cholmod_start(&common)) return {};
   common.print = 0;
   // METIS aborts the program when memory is exhausted. CHOLMOD therefore first checks for twice the
   // memory that METIS needs.
