@@ -8,10 +8,13 @@ namespace fpkcheck::base {
 /// Returns `requested`, or the number of available processors if `requested` is 0.
 int number_of_threads(int requested);
 
+/// Value of `thread_count` for one thread per available processor
+inline constexpr int kOneThreadPerProcessor = 0;
+
 /// Calls work(0) .. work(count - 1) on several threads, including the calling thread. After an
 /// exception, no further call starts, and the first exception is rethrown after all started calls
 /// have ended.
-/// @param thread_count number of threads; 0 for one per processor
+/// @param thread_count number of threads, or kOneThreadPerProcessor
 void parallel_for(std::size_t count, int thread_count,
                   const std::function<void(std::size_t)>& work);
 

@@ -55,7 +55,7 @@ struct Characteristics::Position {
   PhaseState state;
   int i, j;
   double flux;
-  std::size_t first;  // index of the first cell visit of the characteristic in TracedVisits
+  std::size_t first;  // index of the first cell visit of the characteristic in TracedPart::visits
 };
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid,
@@ -248,46 +248,43 @@ std::optional<int> Characteristics::equilibrium_containing(const PhaseState& at)
 // the order of the starts.
 std::vector<Characteristic> Characteristics::trace_characteristics(
     const std::vector<Start>& starts) {
-  constexpr std::size_t kStartsPerCall = 64;
-  constexpr int kOneThreadPerProcessor = 0;
-  const std::size_t calls = (starts.size() + kStartsPerCall - 1) / kStartsPerCall;
-  std::vector<Characteristic> tracks(starts.size());
-  std::vector<TracedVisits> traced(calls);
+  constexpr std::size_t kStartsPerPart = 64;  // many parts, since characteristics differ in length
+  std::vector<TracedPart> parts((starts.size() + kStartsPerPart - 1) / kStartsPerPart);
   std::atomic<std::size_t> visit_count = visits_.size();
-  base::parallel_for(calls, kOneThreadPerProcessor, [&](std::size_t call) {
-    const std::size_t last = std::min(starts.size(), (call + 1) * kStartsPerCall);
-    for (std::size_t n = call * kStartsPerCall; n < last; ++n) {
-      tracks[n] = trace_characteristic(starts[n], visit_count, traced[call]);
+  base::parallel_for(parts.size(), base::kOneThreadPerProcessor, [&](std::size_t k) {
+    const std::size_t last = std::min(starts.size(), (k + 1) * kStartsPerPart);
+    for (std::size_t n = k * kStartsPerPart; n < last; ++n) {
+      trace_characteristic(starts[n], visit_count, parts[k]);
     }
   });
-  for (std::size_t call = 0; call < calls; ++call) {
-    const std::size_t last = std::min(starts.size(), (call + 1) * kStartsPerCall);
-    for (std::size_t n = call * kStartsPerCall; n < last; ++n) {
-      tracks[n].first += visits_.size();
-      tracks[n].last += visits_.size();
+  std::vector<Characteristic> tracks;
+  for (TracedPart& part : parts) {
+    for (Characteristic& track : part.tracks) {
+      track.first += visits_.size();
+      track.last += visits_.size();
+      tracks.push_back(track);
     }
-    auto& [visits, durations, out_of_time] = traced[call];
-    visits_.insert(visits_.end(), visits.begin(), visits.end());
-    durations_.insert(durations_.end(), durations.begin(), durations.end());
-    out_of_time_ = out_of_time_ || out_of_time;
-    traced[call] = {};
+    visits_.insert(visits_.end(), part.visits.begin(), part.visits.end());
+    durations_.insert(durations_.end(), part.durations.begin(), part.durations.end());
+    out_of_time_ = out_of_time_ || part.out_of_time;
+    part = {};  // frees memory, which the visits would otherwise take twice
   }
   return tracks;
 }
 
-Characteristic Characteristics::trace_characteristic(const Start& start,
-                                                     std::atomic<std::size_t>& visit_count,
-                                                     TracedVisits& traced) const {
+void Characteristics::trace_characteristic(const Start& start,
+                                           std::atomic<std::size_t>& visit_count,
+                                           TracedPart& part) const {
   const PhaseState& from = start.state;
   Position at{.state = from,
               .i = cell_of(grid_.x1, from.y),
               .j = cell_of(grid_.x2, from.v),
               .flux = start.flux,
-              .first = traced.visits.size()};
-  if (deadline_.has_passed()) traced.out_of_time = true;
-  const auto own_visits = [&] { return traced.visits.size() - at.first; };
+              .first = part.visits.size()};
+  if (deadline_.has_passed()) part.out_of_time = true;
+  const auto own_visits = [&] { return part.visits.size() - at.first; };
   const auto must_stop_tracing = [&] {
-    return out_of_time_ || traced.out_of_time || visit_count + own_visits() > kMaxVisits;
+    return out_of_time_ || part.out_of_time || visit_count + own_visits() > kMaxVisits;
   };
   // Smallest ratio of the current energy and an earlier energy, one of which may be larger, at which
   // the accessible interval of the earlier state is reused
@@ -316,18 +313,18 @@ Characteristic Characteristics::trace_characteristic(const Start& start,
     }
     const HermiteCubic path(flow_, at.state, end, span);
     for (int chord = 1; chord < kChords; ++chord) {
-      record_cell_visits(at, path(static_cast<double>(chord) / kChords), span / kChords, traced);
+      record_cell_visits(at, path(static_cast<double>(chord) / kChords), span / kChords, part);
     }
-    record_cell_visits(at, end, span / kChords, traced);
+    record_cell_visits(at, end, span / kChords, part);
     time += span;
     if (hit) {
       set_end_at_wall(*hit, std::abs(end.v), track.characteristic_end);
       break;
     }
   }
-  track.last = traced.visits.size();
+  track.last = part.visits.size();
   visit_count += own_visits();
-  return track;
+  part.tracks.push_back(track);
 }
 
 // Motion that leaves a wall with a rest point within the innermost cells ends at the rest point.
@@ -349,8 +346,8 @@ void Characteristics::set_end_at_wall(WallSide side, double speed,
 
 // Records the cell visits of a straight chord of the path.
 void Characteristics::record_cell_visits(Position& at, const PhaseState& to, double time,
-                                         TracedVisits& traced) const {
-  auto& [visits, durations, out_of_time] = traced;
+                                         TracedPart& part) const {
+  std::vector<CellVisit>& visits = part.visits;
   const PhaseState from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
   // The flow contracts areas over the chord by the factor exp(-x), on average by (1 - exp(-x)) / x
@@ -379,15 +376,15 @@ void Characteristics::record_cell_visits(Position& at, const PhaseState& to, dou
       const double v = from.v + middle * dv - grid_.x2.cell_centre(at.j);
       if (visits.size() > at.first && visits.back().cell == cell) {
         CellVisit& visit = visits.back();
-        const double part = area / (visit.share + area);
-        visit.y += part * (y - visit.y);
-        visit.v += part * (v - visit.v);
+        const double fraction = area / (visit.share + area);
+        visit.y += fraction * (y - visit.y);
+        visit.v += fraction * (v - visit.v);
         visit.share += area;
-        durations.back() += duration;
+        part.durations.back() += duration;
       } else {
         visits.push_back(
             {.cell = cell, .ended = 0, .mean_end_probability = 0, .share = area, .y = y, .v = v});
-        durations.push_back(duration);
+        part.durations.push_back(duration);
       }
     }
     done = next;

@@ -102,9 +102,11 @@ class Characteristics {
     PhaseState state;
     double flux;  // flux of area through the strip
   };
-  struct TracedVisits {
+  // Characteristics that one call of parallel_for() traces; their indices count `visits`.
+  struct TracedPart {
+    std::vector<Characteristic> tracks;
     std::vector<CellVisit> visits;
-    std::vector<double> durations;
+    std::vector<double> durations;  // durations of the visits
     bool out_of_time = false;
   };
   // Characteristics that start at one wall, by decreasing start speed. The array `below` contains
@@ -129,12 +131,12 @@ class Characteristics {
   Characteristic trace_characteristic(const PhaseState& from, double flux) {
     return trace_characteristics({{from, flux}}).front();
   }
-  // `visit_count` counts the visits of all characteristics that have been traced in any thread.
-  Characteristic trace_characteristic(const Start& start, std::atomic<std::size_t>& visit_count,
-                                      TracedVisits& traced) const;
+  // Appends the characteristic and its visits to `part`. The argument `visit_count` is the number
+  // of visits of all characteristics that have been traced in any thread.
+  void trace_characteristic(const Start& start, std::atomic<std::size_t>& visit_count,
+                            TracedPart& part) const;
   std::optional<int> equilibrium_containing(const PhaseState& at) const;
-  void record_cell_visits(Position& at, const PhaseState& to, double time,
-                          TracedVisits& traced) const;
+  void record_cell_visits(Position& at, const PhaseState& to, double time, TracedPart& part) const;
   void set_end_at_wall(WallSide side, double speed, CharacteristicEnd& characteristic_end) const;
   void normalise_visit_areas();
   void find_continuations_at_walls(std::vector<Characteristic>& tracks) const;

@@ -107,7 +107,9 @@ struct CellMass {
   double ended = 0;
 };
 
-// Sums of p = T q over characteristics. The sums over disjoint sets of characteristics add up.
+// Sums of the masses of p = T q, and of the impacts, over a set of characteristics. The sums over
+// disjoint sets add up. Each object has its own cells, since threads add masses to the cells at the
+// same time.
 class TransportSums {
  public:
   TransportSums(const Characteristics& characteristics, const Eigen::VectorXd& masses,
@@ -132,8 +134,8 @@ class TransportSums {
     }
   }
 
-  // Distributes a mass that was at rest in contact until an impulse.
-  void add_departure(int point, const ContactImpulseDistribution& departures, double mass) {
+  // Adds a mass that was at rest in contact until an impulse.
+  void add_mass_from_contact(int point, const ContactImpulseDistribution& departures, double mass) {
     for (std::size_t n = 0; n < entering_.size(); ++n) entering_[n] += departures.shares[n] * mass;
     at_rest_[point] += departures.rest_fraction * mass;
     add_impacts(*characteristics_.rest_points()[point].contact, 0, departures.momentum * mass,
@@ -307,21 +309,20 @@ TransportOperator::TransportOperator(const Characteristics& characteristics,
   for (const Characteristic& track : from_boundary) {
     visit_counts.push_back(visit_counts.back() + track.last - track.first);
   }
-  for (std::size_t part = 0; part <= kParts; ++part) {
+  for (std::size_t part = 0; part < kParts; ++part) {
     const auto at = std::ranges::lower_bound(visit_counts, part * visit_counts.back() / kParts);
-    part_ends_[part] = static_cast<std::size_t>(at - visit_counts.begin());
+    part_bounds_[part] = static_cast<std::size_t>(at - visit_counts.begin());
   }
-  part_ends_[kParts] = from_boundary.size();
+  part_bounds_[kParts] = from_boundary.size();
 }
 
 Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
                                               const CellSlopes& slopes,
                                               WallImpacts* impacts) const {
-  constexpr int kOneThreadPerProcessor = 0;
   std::array<std::optional<TransportSums>, kParts> parts;
-  base::parallel_for(kParts, kOneThreadPerProcessor, [&](std::size_t part) {
+  base::parallel_for(kParts, base::kOneThreadPerProcessor, [&](std::size_t part) {
     parts[part].emplace(characteristics_, masses, slopes);
-    parts[part]->add_characteristics_from_boundary(part_ends_[part], part_ends_[part + 1]);
+    parts[part]->add_characteristics_from_boundary(part_bounds_[part], part_bounds_[part + 1]);
   });
   TransportSums& sums = *parts[0];
   for (std::size_t part = 1; part < kParts; ++part) sums.add(*parts[part]);
@@ -329,8 +330,8 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
   const auto& contacts = characteristics_.contact_rest_point_indices();
   const Eigen::Index count = masses.size() - static_cast<Eigen::Index>(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    sums.add_departure(contacts[k], contact_impulse_distributions_[k],
-                       masses(count + static_cast<Eigen::Index>(k)));
+    sums.add_mass_from_contact(contacts[k], contact_impulse_distributions_[k],
+                               masses(count + static_cast<Eigen::Index>(k)));
   }
   sums.add_characteristics_from_walls(masses.cwiseAbs().sum());
   if (impacts) *impacts = sums.impacts();

@@ -81,17 +81,19 @@ class TransportOperator {
 
   /// @param masses masses of the density q
   /// @param slopes slopes of the density q
+  /// @param impacts receives the sums over the impacts, if not null
   Eigen::VectorXd operator()(const Eigen::VectorXd& masses, const CellSlopes& slopes,
                              WallImpacts* impacts = nullptr) const;
 
  private:
   const Characteristics& characteristics_;
   std::vector<ContactImpulseDistribution> contact_impulse_distributions_;
-  // The characteristics from the boundary are divided into parts with similar numbers of visits,
-  // one for each thread. The number of parts does not depend on the number of processors, so that
-  // the sums are reproducible.
+  // The characteristics from the boundary form parts with similar numbers of visits, which the
+  // operator adds up in parallel. Part k contains the characteristics from part_bounds_[k] to
+  // part_bounds_[k + 1] - 1. The number of parts does not depend on the number of processors, so
+  // that the sums are reproducible.
   static constexpr std::size_t kParts = 2;
-  std::array<std::size_t, kParts + 1> part_ends_{};
+  std::array<std::size_t, kParts + 1> part_bounds_{};
 };
 
 }  // namespace fpkcheck::fd_fpk

@@ -81,7 +81,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
       if (widen_x1_low) box.x1_min -= by;
     }
     if (widen_x2) box.x2_max *= kWidening;
-    // The density at an end that does not move is no reference for the next decision on the end.
+    // For each end, `last` contains the density before the last move of this end.
     if (widen_x1) last.x1 = wall.x1;
     if (widen_x2) last.x2 = wall.x2;
     if (widen_x1_low) last.x1_low = wall.x1_low;

@@ -251,7 +251,6 @@ bool have_same_box(const Result& first, const Result& second) {
 ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& options,
                                 const std::optional<Box>& known_box) {
   constexpr double kMiddle = kRefinementRatio, kCoarse = kRefinementRatio * kRefinementRatio;
-  constexpr int kOneThreadPerProcessor = 0;
   ThreeGrids grids;
   Result &fine = grids.fine, middle, coarse;
   Moments box_truncation;
@@ -262,7 +261,7 @@ ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& opti
   };
   if (known_box) {
     const Options in_box = with_box_ends(options, known_box->x1_max, known_box->x2_max);
-    base::parallel_for(3, kOneThreadPerProcessor, [&](std::size_t level) {
+    base::parallel_for(3, base::kOneThreadPerProcessor, [&](std::size_t level) {
       if (level == 0) solve_on_fine_grid();
       if (level == 1) middle = solve(coarser_grid(in_box, kMiddle));
       if (level == 2) coarse = solve(coarser_grid(in_box, kCoarse));
@@ -281,7 +280,7 @@ ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& opti
     // The coarser grids are always solved, since no solution may lack an error estimate.
     const Options used = with_used_grid(options, fine.summary),
                   coarsest = coarser_grid(used, kCoarse);
-    base::parallel_for(2, kOneThreadPerProcessor, [&](std::size_t level) {
+    base::parallel_for(2, base::kOneThreadPerProcessor, [&](std::size_t level) {
       if (level == 0) {
         middle = solve(coarser_grid(used, kMiddle));
       } else {
