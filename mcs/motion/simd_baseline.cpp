@@ -8,7 +8,7 @@ ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbe
 }
 
 void advance_streams(const MotionParameters& motion, Stream* const* streams, int width) {
-  advance_with_width<1, 2, 8>(motion, streams, width);
+  advance_with_width<1, 2>(motion, streams, width);
 }
 
 }  // namespace fpkcheck::mcs::baseline

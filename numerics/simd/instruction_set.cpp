@@ -3,8 +3,7 @@
 namespace fpkcheck::simd {
 
 std::vector<SimdVariant> available_simd_variants() {
-  std::vector<SimdVariant> lanes{
-      {InstructionSet::baseline, 8}, {InstructionSet::baseline, 1}, {InstructionSet::baseline, 2}};
+  std::vector<SimdVariant> lanes{{InstructionSet::baseline, 1}, {InstructionSet::baseline, 2}};
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2")) lanes.push_back({InstructionSet::avx2, 4});
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
