@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "numerics/roots/bracketed_root.hpp"
 #include "problem/balances.hpp"
@@ -58,12 +59,32 @@ double UndampedOrbits::deepest_minimum() const {
 // with V < energy. The parameter `outwards` (+1 or -1) is the direction from the knot in which V
 // increases without bound.
 double UndampedOrbits::half_cycle_end(double knot, double outwards, double energy) const {
-  double step = std::max(std::abs(knot) * 1e-8, 1e-30);
-  while (potential_(knot + outwards * step) < energy) step *= 2;
   const auto above = [&](double distance) {
     return potential_(knot + outwards * distance) - energy;
   };
-  return knot + outwards * numerics::bracketed_root(above, 0, step, kRootBits);
+  // The distance of the turning point lies between two powers of two. Their exponents are found by
+  // doubled steps from the distance 1, then by bisection.
+  const int least = std::ilogb(std::max(std::abs(knot) * 1e-8, 1e-30));
+  const auto is_above = [&](int exponent) { return !(above(std::ldexp(1.0, exponent)) < 0); };
+  int inside = 0, outside = 0;
+  if (is_above(0)) {
+    for (int step = 1; inside > least && is_above(inside); step *= 2) {
+      outside = inside;
+      inside = std::max(inside - step, least);
+    }
+  } else {
+    for (int step = 1; !is_above(outside); step *= 2) {
+      inside = outside;
+      outside += step;
+    }
+  }
+  while (outside - inside > 1) {
+    const int middle = std::midpoint(inside, outside);
+    (is_above(middle) ? outside : inside) = middle;
+  }
+  const double nearest = inside > least ? std::ldexp(1.0, inside) : 0;
+  return knot +
+         outwards * numerics::bracketed_root(above, nearest, std::ldexp(1.0, outside), kRootBits);
 }
 
 std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
