@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/observables.hpp"
@@ -46,20 +47,38 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Mot
           .krylov_seconds = krylov_seconds};
 }
 
+enum class LengthScalesOfBox { given, of_density };
+
 // Solves in `box`, whose free ends move outwards until the density at the free ends is negligible.
-// After the deadline, an acceptable density at the ends suffices.
+// After the deadline, an acceptable density at the ends suffices. With LengthScalesOfBox::of_density
+// the function first sets the length scales of the box to those of the density, since standard
+// deviations overestimate the length scales of a density with several wells or a ring, and too wide
+// cells smooth the tails.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
                                         const problem::MotionScales& scales, const Options& options,
-                                        const Deadline& deadline, Box& box) {
+                                        const Deadline& deadline, Box& box,
+                                        LengthScalesOfBox lengths = LengthScalesOfBox::given) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
   // Approximate ratio of the computing times after and before the box is widened
   constexpr double kTimeRatio = 1.5;
+  constexpr int kMostUpdates = 3;
+  constexpr double kSame = 0.9;
+  int updates = 0;
   BoxEdgeDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
     const Stopwatch stopwatch;
     DirectSolution direct = solve_on_grid(problem, scales, options, box, deadline);
     if (!direct.averages || !direct.converged) return direct;
+    if (lengths == LengthScalesOfBox::of_density) {
+      const LengthScales before = std::exchange(
+          box.lengths, fisher_length_scales(problem.system, box, direct.discretisation.grid,
+                                            *direct.averages, scales));
+      if (box.lengths.x1 < kSame * before.x1 || box.lengths.x2 < kSame * before.x2) {
+        box.lengths = {std::min(box.lengths.x1, before.x1), std::min(box.lengths.x2, before.x2)};
+        if (updates++ < kMostUpdates) continue;
+      }
+    }
     const BoxEdgeDensity wall =
         relative_box_edge_density(scales, direct.discretisation.grid, *direct.averages);
     // A density that does not decrease when the end moves outwards is a discretisation error.
@@ -88,27 +107,6 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   }
 }
 
-// Standard deviations overestimate the length scales of a density with several wells or a ring. The
-// function therefore repeats the solution on grids based on the computed length scales, until the
-// length scales converge.
-void find_box_and_lengths(const problem::Problem& problem, const problem::MotionScales& scales,
-                          const Options& coarse, const Deadline& deadline, Box& box) {
-  constexpr int kMostTimes = 4;
-  constexpr double kSame = 0.9;
-  const Box first = box;
-  for (int time = 0; time < kMostTimes; ++time) {
-    const LengthScales before = box.lengths;
-    box = first;
-    box.lengths = before;
-    const DirectSolution found = solve_in_wide_enough_box(problem, scales, coarse, deadline, box);
-    if (!found.averages || !found.converged) return;
-    box.lengths = fisher_length_scales(problem.system, box, found.discretisation.grid,
-                                       *found.averages, scales);
-    if (box.lengths.x1 >= kSame * before.x1 && box.lengths.x2 >= kSame * before.x2) return;
-    box.lengths = {std::min(box.lengths.x1, before.x1), std::min(box.lengths.x2, before.x2)};
-  }
-}
-
 bool is_resolved(const problem::Problem& problem, const Options& options,
                  const DirectSolution& direct) {
   const Eigen::VectorXd& averages = *direct.averages;
@@ -131,11 +129,9 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
     coarse.refinement = kCoarse * kHighOrderWidthFactor;
     coarse.order = kHighOrder;  // schemes of lower order smooth the tails on a coarse grid
     coarse.origin_refinement = 1;
-    if (are_lengths_needed) {
-      find_box_and_lengths(problem, scales, coarse, deadline, box);
-    } else {
-      solve_in_wide_enough_box(problem, scales, coarse, deadline, box);
-    }
+    solve_in_wide_enough_box(
+        problem, scales, coarse, deadline, box,
+        are_lengths_needed ? LengthScalesOfBox::of_density : LengthScalesOfBox::given);
   }
   return box;
 }
