@@ -127,11 +127,6 @@ LinearCvodeIntegrator::LinearCvodeIntegrator(LinearOdeSystem system, const Eigen
     require_success(CVodeSetInitStep(cvode, *step), "CVodeSetInitStep");
   if (const auto& step = control.max_step)
     require_success(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
-  if (const auto& growth = control.step_growth) {
-    require_success(CVodeSetEtaMaxFirstStep(cvode, *growth), "CVodeSetEtaMaxFirstStep");
-    require_success(CVodeSetEtaMaxEarlyStep(cvode, *growth), "CVodeSetEtaMaxEarlyStep");
-    require_success(CVodeSetEtaMax(cvode, *growth), "CVodeSetEtaMax");
-  }
   if (const auto& time = control.stop_time)
     require_success(CVodeSetStopTime(cvode, *time), "CVodeSetStopTime");
   if (const auto& steps = control.max_steps) {

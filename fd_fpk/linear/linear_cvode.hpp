@@ -41,9 +41,8 @@ struct BdfSettings {
   std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
   std::optional<double> max_step = {};
-  std::optional<double> step_growth = {};  ///< largest ratio of successive time steps
-  std::optional<double> stop_time = {};    ///< time that no step exceeds
-  std::optional<long> max_steps = {};      ///< maximum number of steps up to a requested time
+  std::optional<double> stop_time = {};  ///< time that no step exceeds
+  std::optional<long> max_steps = {};    ///< maximum number of steps up to a requested time
   /// Maximum number of time steps with one factorisation of I - gamma L while gamma is constant
   std::optional<long> steps_per_factorisation = {};
 };

@@ -22,9 +22,9 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
                                                 const Eigen::VectorXd& start, double tolerance,
                                                 double decay_time, const Deadline& deadline) {
   constexpr long kMaxSteps = 200;
-  // Limits of the time step, in decay times. The upper limit is necessary because rounding errors
-  // in (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
-  constexpr double kFirstStep = 10, kLongestStep = 500;
+  // Time step, in decay times. Longer steps are not used because rounding errors in
+  // (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
+  constexpr double kStep = 500;
   // With tolerances above the size of the density, local errors do not limit the steps of CVODE.
   constexpr double kRelativeTolerance = 1, kPeakMultiple = 1000;
   const double absolute_tolerance = kPeakMultiple * start.maxCoeff();
@@ -34,19 +34,17 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
   // The residual of GMRES in a step, relative to the peak, is gamma times the contribution of the
-  // GMRES residual to L P. The tolerance of GMRES is a hundredth of the residual expected after the
+  // GMRES residual to L P. The tolerance of GMRES is a tenth of the residual expected after the
   // step, about 1/gamma of the preceding residual in decay times. The residual of GMRES in the last
   // step remains in the solution.
-  constexpr double kPart = 1e-2, kLastStepTolerance = 1e-11;
+  constexpr double kPart = 0.1, kLastStepTolerance = 1e-10;
   const auto linear_tolerance = [&](double residual) {
-    const bool is_last = residual <= kLongestStep * tolerance;
+    const bool is_last = residual <= kStep * tolerance;
     const double part = is_last
                             ? kLastStepTolerance
                             : std::clamp(kPart * residual * decay_time, kLastStepTolerance, kPart);
     return part / kPeakMultiple;
   };
-  constexpr double kStepGrowth = 100;
-
   const Stopwatch stopwatch;
   const double factored_before = preconditioner.factor_seconds();
   PseudoTransientResult march;
@@ -58,9 +56,8 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
                                .absolute_tolerance = absolute_tolerance,
                                .linear_tolerance = linear_tolerance(march.residual),
                                .absolute_tolerances = absolute_tolerances,
-                               .first_step = kFirstStep * decay_time,
-                               .max_step = kLongestStep * decay_time,
-                               .step_growth = kStepGrowth});
+                               .first_step = kStep * decay_time,
+                               .max_step = kStep * decay_time});
   while (march.residual > tolerance && march.steps < kMaxSteps) {
     const Stopwatch of_step;
     cvode.set_linear_tolerance(linear_tolerance(march.residual));

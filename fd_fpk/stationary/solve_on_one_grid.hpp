@@ -29,10 +29,10 @@ struct PseudoTransientResult {
 
 /// Integrates dP/dt = L P from `start` by SUNDIALS CVODE until ||L P||_1 <= tolerance ||P||_1. The
 /// method is BDF of order 1, which is L-stable. BDF of higher order damps slowly near the imaginary
-/// axis, where the eigenvalues of the rotating oscillator lie. Each time step, of 10 to 500 decay
-/// times, is a step of inverse iteration, which multiplies the residual by 1/(1 + step/decay time).
-/// GMRES solves the linear systems with L itself; KLU factors precondition GMRES. A time step does
-/// not start if the duration of the preceding step exceeds the time to the deadline.
+/// axis, where the eigenvalues of the rotating oscillator lie. Each time step, of 500 decay times, is
+/// a step of inverse iteration, which multiplies the residual by 1/(1 + step/decay time). GMRES
+/// solves the linear systems with L itself; KLU factors precondition GMRES. A time step does not
+/// start if the duration of the preceding step exceeds the time to the deadline.
 ///
 /// @param tolerance tolerance of the residual, per unit time
 /// @param decay_time longest decay time of the problem
