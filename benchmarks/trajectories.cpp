@@ -49,9 +49,9 @@ double runge_kutta_loop(const problem::Problem& problem, double time, unsigned s
   std::normal_distribution<double> amplitude(problem.impulses.law().mean(),
                                              problem.impulses.law().deviation());
   State x{0.5, 0};
-  double until_impulse = waiting(engine), sum = 0;
+  double time_to_impulse = waiting(engine), sum = 0;
   for (double t = 0; t < time;) {
-    double h = std::min(kRungeKuttaStep, until_impulse);
+    double h = std::min(kRungeKuttaStep, time_to_impulse);
     State end = runge_kutta(problem.system, x, h);
     if (end.y < 0) {
       // Newton's method for the length of the step that ends at the wall.
@@ -66,11 +66,11 @@ double runge_kutta_loop(const problem::Problem& problem, double time, unsigned s
     sum += h * end.v * end.v;
     x = end;
     t += h;
-    until_impulse -= h;
-    if (until_impulse <= 0) {
+    time_to_impulse -= h;
+    if (time_to_impulse <= 0) {
       x.v += amplitude(engine);
       if (x.y <= 0 && x.v < 0) x.v *= -problem.system.restitution();
-      until_impulse = waiting(engine);
+      time_to_impulse = waiting(engine);
     }
   }
   return sum / time;
@@ -104,9 +104,9 @@ SimulationResult simulation_loop(const problem::Problem& problem, double time, u
     const mcs::Impulse first = source.next_impulse();
     streams.push_back({.branch = {.y = 0.5,
                                   .v = 0,
-                                  .until_impulse = first.waiting,
+                                  .time_to_impulse = first.waiting,
                                   .amplitude = first.amplitude,
-                                  .until_sample = 0.1,
+                                  .time_to_sample = 0.1,
                                   .remaining = 0},
                        .source = source,
                        .record = mcs::StreamStatistics(y, v)});

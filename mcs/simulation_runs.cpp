@@ -167,7 +167,7 @@ RunOutcome simulate_until_goal(Simulation& simulation, const Options& options,
       options.progress(at);
     }
     if (auto end = run_outcome(simulation, options, now)) {
-      checkpoints.write_last(fingerprint, simulation);
+      checkpoints.write_final(fingerprint, simulation);
       return *std::move(end);
     }
     simulation.run_round();

@@ -23,7 +23,7 @@ EnergyAveraging::EnergyAveraging(const Problem& problem) : orbits_(problem) {
   assert(orbits_.is_confining());
   double low = 0, high = 0;
   if (!find_energy_range(low, high)) return;
-  compute_bands(low, high);
+  compute_energy_bands(low, high);
   if (bands_.empty()) unconfined_reason_ = "the potential of the force has no resolved levels";
 }
 
@@ -87,14 +87,14 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
   return false;
 }
 
-void EnergyAveraging::compute_bands(double low, double high) {
-  step_ = (high - low) / kBandCount;
+void EnergyAveraging::compute_energy_bands(double lowest, double highest) {
+  step_ = (highest - lowest) / kBandCount;
   // The energy bands are computed from the largest energy downwards, so that the parent of each
   // band in the tree is already known.
   std::vector<EnergyBand> from_top;
   std::size_t upper_begin = 0, upper_end = 0;
   for (int n = kBandCount - 1; n >= 0; --n) {
-    const double energy = low + (n + 0.5) * step_;
+    const double energy = lowest + (n + 0.5) * step_;
     const std::size_t begin = from_top.size();
     for (const HalfCycle& half_cycle : orbits_.half_cycles(energy)) {
       EnergyBand band{.energy = energy,

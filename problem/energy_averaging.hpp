@@ -45,7 +45,7 @@ class EnergyAveraging {
   };
   /// Returns all bands, sorted by energy.
   /// @pre the motion is confined
-  const std::vector<EnergyBand>& bands() const {
+  const std::vector<EnergyBand>& energy_bands() const {
     assert(!unconfined_reason_);
     return bands_;
   }
@@ -61,7 +61,7 @@ class EnergyAveraging {
   /// Finds the interval of energies h in which Phi(h) exceeds the minimum of Phi by at most kDepth.
   /// @return false if the motion is not confined
   bool find_energy_range(double& low, double& high);
-  void compute_bands(double low, double high);
+  void compute_energy_bands(double lowest, double highest);
 
   UndampedOrbits orbits_;
   std::optional<std::string> unconfined_reason_;

@@ -59,7 +59,7 @@ double overdamped_relaxation_rate(const Problem& problem, const MotionScales& sc
 
 MotionScales scales_by_averaging(const Problem& problem, const EnergyAveraging& averaging) {
   constexpr double kLevel = kDeviations * kDeviations / 2;
-  const auto& bands = averaging.bands();
+  const auto& bands = averaging.energy_bands();
   const double bottom = averaging.orbits().lowest_potential();
   MotionScales scales;
   double y2 = 0, v2 = 0, damping = 0, lowest = bands.front().orbit.half_cycle.left,

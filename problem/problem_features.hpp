@@ -39,7 +39,7 @@ std::string polynomial_required_reason(const Problem& problem);
 inline constexpr double kCollapseRestitution = 0.16303353482158048;
 
 /// Returns a text on why inelastic collapse leaves the stationary density undetermined, and which
-/// change of the problem helps. The text is empty if the density is determined. Inelastic collapse
+/// change of the problem helps. The text is empty without inelastic collapse. Inelastic collapse
 /// needs white noise, either in the problem or in the equation `white`, since discrete impulses
 /// separate the particle from the wall.
 std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation);

@@ -22,8 +22,8 @@ struct DensityIntegrals {
   Eigen::MatrixXd residuals;
   /// Probabilities of the cells between the breaks of the splines, shape (cells of y, cells of v)
   Eigen::MatrixXd cells;
-  /// Impact fluxes int u p(0, -u) du between consecutive non_smooth_impact_speeds(), for each of
-  /// impact_walls()
+  /// Impact fluxes int u p(0, -u) du over the intervals of the speed u that end at the
+  /// non_smooth_impact_speeds(), for each of impact_walls()
   std::vector<Eigen::VectorXd> impacts;
 };
 

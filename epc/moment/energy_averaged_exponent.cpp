@@ -11,7 +11,7 @@ EnergyAveragedExponent::EnergyAveragedExponent(const problem::Problem& problem)
 EnergyAveragedExponent::EnergyAveragedExponent(const problem::EnergyAveraging& averaging)
     : potential_(averaging.orbits().potential()),
       bottom_(averaging.orbits().lowest_potential()),
-      bands_(averaging.bands()) {
+      bands_(averaging.energy_bands()) {
   for (std::size_t b = 0; b < bands_.size(); ++b) {
     if (b == 0 || bands_[b].energy != bands_[b - 1].energy) levels_.push_back(b);
   }

@@ -58,7 +58,7 @@ double impulse_quantile(const problem::ImpulseLaw& law, double probability) {
 }
 
 // Amplitudes and speeds at which the density has a spike or a discontinuity.
-struct Singularities {
+struct DensitySingularities {
   std::vector<double> y, v;
 };
 
@@ -66,12 +66,12 @@ struct Singularities {
 // mass at rest to a single speed. The density has spikes at turning points and impact speeds of the
 // characteristic that starts with the amplitude of an atom. A law whose density begins with a step
 // causes a discontinuity at the speed of the step.
-Singularities singularities(const problem::Problem& problem, const Flow& flow,
-                            double typical_speed) {
+DensitySingularities density_singularities(const problem::Problem& problem, const Flow& flow,
+                                           double typical_speed) {
   constexpr int kHalfCycles = 6;
   constexpr double kFaint = 0.02, kSlow = 0.02, kApart = 0.9, kStep = 1e-3;
   const auto& law = problem.impulses.law();
-  Singularities found;
+  DensitySingularities found;
   for (const auto& [amplitude, probability] : law.atoms()) {
     double speed = amplitude > 0 ? amplitude : -problem.system.restitution() * amplitude;
     double left = 1;
@@ -116,8 +116,9 @@ Grid linearised_grid(const problem::Problem& problem, const Options& options, co
   const double width = kCellWidth / options.refinement;
   const double core = relative_uniform_cell_radius(deviation, v);
   // An atom of the impulse law displaces the spike of mass at rest without widening the spike.
-  const Singularities singular =
-      is_density_unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
+  const DensitySingularities singular = is_density_unbounded_at_origin(problem)
+                                            ? density_singularities(problem, flow, v)
+                                            : DensitySingularities{};
   return symmetric_grid(
       faces_graded_to_points(0, box.x1_max, width * y, refinement_points(y, core, singular.y)),
       faces_graded_to_points(0, box.x2_max, width * v, refinement_points(v, core, singular.v)));

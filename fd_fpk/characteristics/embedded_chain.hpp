@@ -66,10 +66,10 @@ struct StationaryMasses {
 };
 
 /// Solves q = J T q, with the transport operator T and the velocity jumps J, for the embedded
-/// Markov chain of states after impulses. The first solution by GMRES has a uniform density in each
-/// cell, which keeps the masses positive. The second solution has slopes of the density in the
-/// cells, limited according to the first solution. The preconditioner is the embedded chain
-/// aggregated to blocks of cells.
+/// Markov chain of states after impulses. The equation is solved twice by GMRES. The first
+/// discretisation has a uniform density in each cell, so that all masses are positive. The second
+/// discretisation has slopes of the density in the cells, which the first solution limits. The
+/// preconditioner is the embedded chain aggregated to blocks of cells.
 /// @param deadline time limit for the construction of the characteristics and for GMRES
 StationaryMasses stationary_masses(const problem::Problem& problem,
                                    const problem::MotionScales& scales, const Grid& grid,

@@ -26,13 +26,13 @@ struct LevelEventRate {
 /// Weights of the stream averages, which express the control-variate estimate (Lavenberg & Welch,
 /// Management Science 27, 1981) as a weighted mean.
 ///
-/// The control variate is the excess work of the impulses: a stream with excess work has y and y'
-/// above the stationary average. The impulse law alone determines the expected work, for any
-/// oscillator. Let x_s be the average of stream s and b_s the excess power of stream s, which has
-/// mean zero. The streams form two halves A and B with means x_A, b_A, x_B, b_B and least-squares
-/// slopes beta_A, beta_B of x on b. The slope beta_A of half A corrects the mean of half B, and
-/// beta_B corrects the mean of half A. The halves are independent, so the following estimate is
-/// unbiased:
+/// The control variate is the excess of the work of the impulses over the expected work: in a
+/// stream with excess work, displacement and speed are larger than on average. The impulse law
+/// alone determines the expected work, for any oscillator. Let x_s be the average of stream s and
+/// b_s the excess power of stream s, which has mean zero. The streams form two halves A and B with
+/// means x_A, b_A, x_B, b_B and least-squares slopes beta_A, beta_B of x on b. The slope beta_A of
+/// half A corrects the mean of half B, and beta_B corrects the mean of half A. The halves are
+/// independent, so the following estimate is unbiased:
 ///
 ///     estimate = (n_A/n) (x_A - beta_B b_A) + (n_B/n) (x_B - beta_A b_B) = sum w_s x_s,
 ///     w_s = 1/n - (n_B/n) b_B (b_s - b_A) / S_A   for s in A,   S_A = sum_A (b_s - b_A)^2,

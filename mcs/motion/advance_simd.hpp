@@ -64,7 +64,7 @@ struct LaneState {
   const Oscillator& oscillator;
   Stream* const* streams;
   double* cells[W];  // histogram cells of each stream
-  Real y{}, v{}, until_impulse{}, until_kick{}, until_sample{}, remaining{}, time_to_rest{};
+  Real y{}, v{}, time_to_impulse{}, time_to_kick{}, time_to_sample{}, remaining{}, time_to_rest{};
   Real weight{};
   Real powers[kPowers.size()]{};
   Real y5{}, y6{};
@@ -85,10 +85,10 @@ struct LaneState {
   FPKCHECK_INLINE static void for_each_branch_member(Self& self, const Visit& visit) {
     visit(self.y, &Branch::y);
     visit(self.v, &Branch::v);
-    visit(self.until_impulse, &Branch::until_impulse);
-    visit(self.until_sample, &Branch::until_sample);
+    visit(self.time_to_impulse, &Branch::time_to_impulse);
+    visit(self.time_to_sample, &Branch::time_to_sample);
     visit(self.remaining, &Branch::remaining);
-    if constexpr (Motion::kHasKicks) visit(self.until_kick, &Branch::until_kick);
+    if constexpr (Motion::kHasKicks) visit(self.time_to_kick, &Branch::time_to_kick);
     if constexpr (Motion::kHasRest) visit(self.time_to_rest, &Branch::time_to_rest);
   }
   FPKCHECK_INLINE void load_states() {
@@ -266,9 +266,9 @@ struct LaneState {
   FPKCHECK_INLINE void record_samples(const Flight& flight, const Real& span,
                                       const Mask& in_contact) {
     for (;;) {
-      const Mask due = until_sample < span;
+      const Mask due = time_to_sample < span;
       if (!simd::any_lane_set(due)) break;
-      const Real time = simd::select_or_zero(due, until_sample);
+      const Real time = simd::select_or_zero(due, time_to_sample);
       const PhaseState<Real> at = flight.state_at_time(time);
       if constexpr (Motion::kHasRest) {
         add_sample(at, due, due & in_contact & (time_to_rest <= time));
@@ -278,10 +278,10 @@ struct LaneState {
       if constexpr (Motion::kDeposits) {
         if (motion.deposit) deposit_due_samples(at, flight.polynomial_acceleration(time), due);
       }
-      until_sample =
-          until_sample + simd::select_or_zero(due, simd::broadcast<Real>(motion.sampling_interval));
+      time_to_sample = time_to_sample +
+                       simd::select_or_zero(due, simd::broadcast<Real>(motion.sampling_interval));
     }
-    until_sample = until_sample - span;
+    time_to_sample = time_to_sample - span;
   }
 
   // Samples are deposited one by one, since the SIMD lanes of deposit_sample() hold the splines of
@@ -461,7 +461,7 @@ struct LaneState {
   }
 
   FPKCHECK_INLINE void apply_lane_events(const Mask& active) {
-    const Mask impulse_now = active & (until_impulse <= 0.0);
+    const Mask impulse_now = active & (time_to_impulse <= 0.0);
     if (motion.splitting) {  // kicks and splitting exclude each other
       if (!simd::any_lane_set(impulse_now) && !simd::any_lane_set(active & (remaining <= 0.0)))
         return;
@@ -476,13 +476,13 @@ struct LaneState {
       return;
     }
     Mask now = impulse_now;
-    if constexpr (Motion::kHasKicks) now = now | (active & (until_kick <= 0.0));
+    if constexpr (Motion::kHasKicks) now = now | (active & (time_to_kick <= 0.0));
     if (!simd::any_lane_set(now)) return;
     Array<double> ys, vs, untils, kicks;
     simd::store(y, ys.at);
     simd::store(v, vs.at);
-    simd::store(until_impulse, untils.at);
-    if constexpr (Motion::kHasKicks) simd::store(until_kick, kicks.at);
+    simd::store(time_to_impulse, untils.at);
+    if constexpr (Motion::kHasKicks) simd::store(time_to_kick, kicks.at);
     Stream* kicked[W];  // streams with kicks of multiplicative noise
     int kicked_lane[W], kicked_count = 0;
     for (int i = 0; i < W; ++i) {
@@ -493,7 +493,7 @@ struct LaneState {
       b.v = vs.at[i];
       if (untils.at[i] <= 0) {
         apply_impulse(motion, stream);
-        untils.at[i] = b.until_impulse;
+        untils.at[i] = b.time_to_impulse;
       }
       if constexpr (Motion::kHasKicks) {
         if (kicks.at[i] <= 0) {
@@ -502,7 +502,7 @@ struct LaneState {
             kicked_lane[kicked_count++] = i;
           } else {
             apply_kick(motion, stream);
-            kicks.at[i] = b.until_kick;
+            kicks.at[i] = b.time_to_kick;
           }
         }
       }
@@ -512,12 +512,12 @@ struct LaneState {
       if (kicked_count > 0) apply_multiplicative_kicks(motion, kicked, kicked_count);
       for (int k = 0; k < kicked_count; ++k) {
         vs.at[kicked_lane[k]] = kicked[k]->branch.v;
-        kicks.at[kicked_lane[k]] = kicked[k]->branch.until_kick;
+        kicks.at[kicked_lane[k]] = kicked[k]->branch.time_to_kick;
       }
     }
     v = simd::load<Real>(vs.at);
-    until_impulse = simd::load<Real>(untils.at);
-    if constexpr (Motion::kHasKicks) until_kick = simd::load<Real>(kicks.at);
+    time_to_impulse = simd::load<Real>(untils.at);
+    if constexpr (Motion::kHasKicks) time_to_kick = simd::load<Real>(kicks.at);
     // Impulses and kicks end the rest of the mass on a wall.
     if constexpr (Motion::kHasRest)
       time_to_rest = simd::select(now, simd::broadcast<Real>(-1.0), time_to_rest);
@@ -546,8 +546,8 @@ struct LaneState {
       // FormulaFlight. At a wall the velocity points inwards or the mass rests, so the next iteration
       // advances the time. After a rejected step the next step is shorter.
       apply_impacts(active);
-      Real span = simd::lanewise_min(until_impulse, remaining);
-      if constexpr (Motion::kHasKicks) span = simd::lanewise_min(span, until_kick);
+      Real span = simd::lanewise_min(time_to_impulse, remaining);
+      if constexpr (Motion::kHasKicks) span = simd::lanewise_min(span, time_to_kick);
       Flight flight = make_flight(of_flights, span, active);
       Mask in_contact = active, free = active;
       if constexpr (Motion::kHasRest) {
@@ -570,8 +570,8 @@ struct LaneState {
         record_samples(flight, span, in_contact);
       }
       remaining = remaining - span;
-      until_impulse = until_impulse - span;
-      if constexpr (Motion::kHasKicks) until_kick = until_kick - span;
+      time_to_impulse = time_to_impulse - span;
+      if constexpr (Motion::kHasKicks) time_to_kick = time_to_kick - span;
       if constexpr (Motion::kHasRest) {
         time_to_rest =
             simd::select(in_contact, simd::lanewise_max(time_to_rest - span, Real{}), time_to_rest);

@@ -89,7 +89,7 @@ void apply_multiplicative_kicks(const MotionParameters& motion, Stream* const* s
       // The terms of first and second order of the work have the expectation 0 for any motion.
       stream.record.work += g[i] * before * s[i] + g[i] * g[i] * (s[i] * s[i] - variance[i]) / 2;
     }
-    b.until_kick = next[i];
+    b.time_to_kick = next[i];
     b.kick_interval = next[i];
   }
 }

@@ -45,7 +45,7 @@ inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
     }
   }
   const Impulse next = stream.source.next_impulse();
-  b.until_impulse = next.waiting;
+  b.time_to_impulse = next.waiting;
   b.amplitude = next.amplitude;
   if (motion.splitting) motion.splitting->split_or_end_branch(stream);
 }
@@ -74,7 +74,7 @@ inline void apply_kick(const MotionParameters& motion, Stream& stream) {
     stream.record.work +=
         damped * kick + (kick * kick - 2 * kicks.diffusion * time * mean_decay) / 2;
   }
-  b.until_kick = next;
+  b.time_to_kick = next;
   b.kick_interval = next;
 }
 

@@ -155,7 +155,7 @@ void CheckpointWriter::write_when_due(const std::string& fingerprint,
   if (Clock::now() - written_ > kBetweenCheckpoints) write(fingerprint, simulation);
 }
 
-void CheckpointWriter::write_last(const std::string& fingerprint, const Simulation& simulation) {
+void CheckpointWriter::write_final(const std::string& fingerprint, const Simulation& simulation) {
   if (path_.empty()) return;
   try_write(fingerprint, simulation);
   if (!failure_.empty()) {

@@ -29,7 +29,7 @@ class CheckpointWriter {
   void write(const std::string& fingerprint, const Simulation& simulation);
   /// Writes a checkpoint if the last checkpoint is more than 30 s old.
   void write_when_due(const std::string& fingerprint, const Simulation& simulation);
-  void write_last(const std::string& fingerprint, const Simulation& simulation);
+  void write_final(const std::string& fingerprint, const Simulation& simulation);
 
  private:
   using Clock = std::chrono::steady_clock;

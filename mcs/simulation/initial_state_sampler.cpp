@@ -18,13 +18,13 @@ State folded_initial_state(const ImpulseSource& source, double displacement_devi
 
 InitialStateSampler::InitialStateSampler(const problem::Problem& problem) : averaging_(problem) {
   double sum = 0;
-  for (const auto& band : averaging_.bands()) below_.push_back(sum += band.mass);
+  for (const auto& band : averaging_.energy_bands()) below_.push_back(sum += band.mass);
 }
 
 State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) const {
   const UniformNumbers u = uniform_numbers(seed, stream, RandomNumberPurpose::start, kBlockSize);
   const auto index = std::ranges::upper_bound(below_, u.first[0] * below_.back()) - below_.begin();
-  const auto& bands = averaging_.bands();
+  const auto& bands = averaging_.energy_bands();
   const auto& band = bands[std::min(static_cast<std::size_t>(index), bands.size() - 1)];
   const auto [left, right, at_left, at_right] = band.orbit.half_cycle;
   const double middle = (left + right) / 2, half = (right - left) / 2;

@@ -44,9 +44,9 @@ Stream make_stream(const SimulationPlan& plan, std::uint32_t number,
   if (std::isfinite(plan.excitation.interval)) first = source.next_impulse();
   Stream stream{.branch = {.y = start.y,
                            .v = start.v,
-                           .until_impulse = first.waiting,
+                           .time_to_impulse = first.waiting,
                            .amplitude = first.amplitude,
-                           .until_sample = plan.sampling_interval / 2,
+                           .time_to_sample = plan.sampling_interval / 2,
                            .remaining = 0},
                 .source = source,
                 .record = StreamStatistics(plan.y_bins, plan.v_bins),
@@ -58,7 +58,7 @@ Stream make_stream(const SimulationPlan& plan, std::uint32_t number,
     const double share =
         uniform_numbers(plan.seed, number, RandomNumberPurpose::start, kBlockSize).third[1];
     stream.branch.kick_interval = plan.kicks.longest_interval;
-    stream.branch.until_kick = share * plan.kicks.longest_interval;
+    stream.branch.time_to_kick = share * plan.kicks.longest_interval;
   }
   return stream;
 }

@@ -92,9 +92,9 @@ bool has_valid_times(const Branch& branch, const NoiseKicks& kicks) {
   // limit of the interval between kicks, with an allowance for rounding
   const double longest_interval = 1.01 * kicks.longest_interval;
   const bool waits = kicks.is_present()
-                         ? branch.until_kick >= 0 && branch.until_kick <= longest_interval &&
+                         ? branch.time_to_kick >= 0 && branch.time_to_kick <= longest_interval &&
                                branch.kick_interval >= 0 && branch.kick_interval <= longest_interval
-                         : branch.until_kick > 0 && branch.kick_interval == 0;
+                         : branch.time_to_kick > 0 && branch.kick_interval == 0;
   return waits && branch.time_to_rest >= -1;
 }
 
@@ -114,8 +114,8 @@ bool is_valid_state(const Branch& branch, const SimulationPlan& plan) {
   const auto between = [](double least, double x, double most) { return x >= least && x <= most; };
   return is_between_walls(branch.y, y, plan) && between(-v, branch.v, v) &&
          between(-strongest, branch.amplitude, strongest) &&
-         between(0, branch.until_impulse, kRarestDraws * impulses.interval) &&
-         between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0) &&
+         between(0, branch.time_to_impulse, kRarestDraws * impulses.interval) &&
+         between(-sample, branch.time_to_sample, sample) && between(-sample, branch.remaining, 0) &&
          has_valid_times(branch, plan.kicks);
 }
 

@@ -98,7 +98,7 @@ void resume_next_branch(Stream& stream) {
     const Impulse impulse = stream.source.next_impulse();
     // Copies from a split between impulses share the time of the next impulse but draw different
     // amplitudes.
-    if (next.at_impulse) stream.branch.until_impulse = impulse.waiting;
+    if (next.at_impulse) stream.branch.time_to_impulse = impulse.waiting;
     stream.branch.amplitude = impulse.amplitude;
     --next.copies;
   }

@@ -97,12 +97,12 @@ void for_each_statistic(Record& record, Visit visit) {
 struct Branch {
   double y;
   double v;
-  double until_impulse;
+  double time_to_impulse;
   double amplitude;  ///< amplitude of the next impulse
-  double until_sample;
+  double time_to_sample;
   double remaining;  ///< remaining time that the branch must simulate
   /// Time until the next kick of the Gaussian noise; infinite without noise
-  double until_kick = std::numeric_limits<double>::infinity();
+  double time_to_kick = std::numeric_limits<double>::infinity();
   double kick_interval = 0;  ///< kick interval that ends with the next kick
   /// Time until the bounces on a wall end; 0 at rest in contact; -1 during free motion
   double time_to_rest = -1;

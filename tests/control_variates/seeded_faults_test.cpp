@@ -83,7 +83,7 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
   mcs::State state = mcs::folded_initial_state(source, 0.65, 0.65);
   mcs::Impulse next = source.next_impulse();
   mcs::StreamDeposit stream{.sums = mcs::DepositedSums(plan.grid)};
-  double y_before = 0, until_sample = plan.sampling_interval / 2, remaining = time + 400;
+  double y_before = 0, time_to_sample = plan.sampling_interval / 2, remaining = time + 400;
   while (remaining > 0) {
     const bool burns_in = remaining > time;
     if (state.y <= 0 && state.v < 0) {
@@ -106,17 +106,17 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
       end.y = 0;
     }
     if (!burns_in) {
-      for (; until_sample < span; until_sample += plan.sampling_interval) {
-        const auto [y, v] = flight.state_at_time(until_sample);
+      for (; time_to_sample < span; time_to_sample += plan.sampling_interval) {
+        const auto [y, v] = flight.state_at_time(time_to_sample);
         mcs::deposit_sample(plan, stream.sums, std::max(y, 0.0), v,
-                            flight.polynomial_acceleration(until_sample), 1);
+                            flight.polynomial_acceleration(time_to_sample), 1);
         for (std::size_t k = 0; k < mcs::kPowers.size(); ++k) {
           stream.powers[k] +=
               std::pow(y, mcs::kPowers[k].first) * std::pow(v, mcs::kPowers[k].second);
         }
         ++stream.samples;
       }
-      until_sample -= span;
+      time_to_sample -= span;
     }
     remaining -= span;
     next.waiting -= span;

@@ -63,16 +63,16 @@ struct FreeStreams {
       const auto number = static_cast<std::uint32_t>(streams.size());
       streams.push_back({.branch = {.y = start.y,
                                     .v = start.v,
-                                    .until_impulse = std::numeric_limits<double>::infinity(),
+                                    .time_to_impulse = std::numeric_limits<double>::infinity(),
                                     .amplitude = 0,
-                                    .until_sample = 0.125,
+                                    .time_to_sample = 0.125,
                                     .remaining = 0},
                          .source = ImpulseSource(problem.impulses, 1, number),
                          .record = StreamStatistics(y, v),
                          .noise = NoiseSource(1, number)});
       if (kicks.is_present()) {
         streams.back().branch.kick_interval = kicks.longest_interval;
-        streams.back().branch.until_kick = kicks.longest_interval / 2;
+        streams.back().branch.time_to_kick = kicks.longest_interval / 2;
       }
     }
   }

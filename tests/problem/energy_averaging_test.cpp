@@ -84,7 +84,7 @@ TEST(EnergyAveraging, IsTheExactDensityUnderNoiseAndLinearDamping) {
   const EnergyAveraging averaging(p);
   ASSERT_FALSE(averaging.unconfined_reason());
   double total = 0;
-  for (const auto& band : averaging.bands()) {
+  for (const auto& band : averaging.energy_bands()) {
     // The tolerance is half the width of a band.
     EXPECT_NEAR(band.potential, 0.1 / 0.025 * (band.energy + 0.25), 0.25);
     total += band.mass;
@@ -97,7 +97,7 @@ TEST(EnergyAveraging, HasItsMinimumOnTheLimitCycle) {
   const Problem p = tests::with_noise(
       System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, kNone), 0.4);
   const EnergyAveraging averaging(p);
-  for (const auto& band : averaging.bands()) {
+  for (const auto& band : averaging.energy_bands()) {
     const double ring = 2 * band.energy;
     EXPECT_NEAR(band.potential, (ring * ring / 2 - ring + 0.5) / 0.4, 0.02) << ring;
   }

@@ -95,7 +95,7 @@ TEST(NoiseFactor, HasTheExactLawOfTheEnergyByAveraging) {
         case_of_formulas(kEnergyDamping + kFactor + (is_ito ? "ito" : "stratonovich")));
     ASSERT_FALSE(averaging.unconfined_reason());
     const auto exact = [&](double h) { return 2 * h - (is_ito ? 1 : 1.5) * std::log(1 + h / 2); };
-    const auto& bands = averaging.bands();
+    const auto& bands = averaging.energy_bands();
     for (const auto& band : bands) {
       EXPECT_NEAR(band.potential - bands.front().potential,
                   exact(band.energy) - exact(bands.front().energy), 2e-3)

@@ -15,8 +15,8 @@ namespace {
 using results::DensityCurve;
 using transform::Solution;
 
-// Largest half-width of a bin's 95 % interval relative to the density. Bins with wider intervals
-// have few events, and contribute only to the L1 distance.
+// Largest half-width of a bin's 95 % confidence interval relative to the density. A bin with a
+// larger half-width has few events, and contributes only to the L1 distance.
 constexpr double kMaxRelativeHalfWidth = 0.5;
 
 bool has_same_bins(const DensityCurve& one, const DensityCurve& other) {

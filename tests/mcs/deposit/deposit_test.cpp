@@ -83,18 +83,18 @@ double applied(const DepositGrid& g, const DepositedSums& d, int p, int q,
 struct Tally {
   int p, q;
   double variance;
-  double until_sample = kInterval / 2, sum = 0, v_before = 0, restitution;
+  double time_to_sample = kInterval / 2, sum = 0, v_before = 0, restitution;
   void on_flight(const tests::Flight& flight, double duration) {
-    for (; until_sample < duration; until_sample += kInterval) {
-      const auto [y, v] = flight.state_at_time(until_sample);
-      const double a = flight.polynomial_acceleration(until_sample);
+    for (; time_to_sample < duration; time_to_sample += kInterval) {
+      const auto [y, v] = flight.state_at_time(time_to_sample);
+      const double a = flight.polynomial_acceleration(time_to_sample);
       if (p > 0) sum += v * p * std::pow(y, p - 1) * std::pow(v, q);
       if (q > 0) sum += a * std::pow(y, p) * q * std::pow(v, q - 1);
       if (q >= 2) {  // E[(v + Y)^q] - v^q for q = 2, 3
         sum += kRate * std::pow(y, p) * variance * (q == 2 ? 1 : 3 * v);
       }
     }
-    until_sample -= duration;
+    time_to_sample -= duration;
   }
   void on_impact(double v) {
     if (p == 0) sum += (std::pow(-restitution * v, q) - std::pow(v, q)) / kInterval;
@@ -113,9 +113,9 @@ struct Setting {
     const Impulse first = source.next_impulse();
     Stream stream{.branch = {.y = 0.3,
                              .v = 1 - 0.2 * s,
-                             .until_impulse = first.waiting,
+                             .time_to_impulse = first.waiting,
                              .amplitude = first.amplitude,
-                             .until_sample = kInterval / 2,
+                             .time_to_sample = kInterval / 2,
                              .remaining = 0},
                   .source = source,
                   .record = StreamStatistics(y, v)};

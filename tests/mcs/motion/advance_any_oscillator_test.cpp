@@ -37,16 +37,16 @@ struct FreeStreams {
     for (const auto& [y_start, v_start] : starts) {
       streams.push_back({.branch = {.y = y_start,
                                     .v = v_start,
-                                    .until_impulse = kNoImpulse,
+                                    .time_to_impulse = kNoImpulse,
                                     .amplitude = 0,
-                                    .until_sample = kBetweenSamples / 2,
+                                    .time_to_sample = kBetweenSamples / 2,
                                     .remaining = 0},
                          .source = ImpulseSource(standard_normal_impulses(), 1, number),
                          .record = StreamStatistics(y, v),
                          .noise = NoiseSource(1, number)});
       if (kicks.is_present()) {
         streams.back().branch.kick_interval = kicks.longest_interval;
-        streams.back().branch.until_kick = kicks.longest_interval / 2;
+        streams.back().branch.time_to_kick = kicks.longest_interval / 2;
       }
       ++number;
     }
@@ -223,7 +223,7 @@ TEST(AdvanceAnyOscillator, LeavesRestByAnImpulseEitherWay) {
   for (const double amplitude : {1.0, -1.0}) {
     FreeStreams free(ball(r, 1e-4), {{0, 0}});
     free.advance(1);
-    free.streams[0].branch.until_impulse = 0.5;
+    free.streams[0].branch.time_to_impulse = 0.5;
     free.streams[0].branch.amplitude = amplitude;
     free.advance(0.75);
     const double start = amplitude > 0 ? amplitude : r;

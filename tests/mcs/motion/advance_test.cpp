@@ -28,9 +28,9 @@ struct Group {
       const Impulse first = source.next_impulse();
       streams.push_back({.branch = {.y = 0.1 * s,
                                     .v = 1 - 0.2 * s,
-                                    .until_impulse = first.waiting,
+                                    .time_to_impulse = first.waiting,
                                     .amplitude = first.amplitude,
-                                    .until_sample = kInterval / 2,
+                                    .time_to_sample = kInterval / 2,
                                     .remaining = 0},
                          .source = source,
                          .record = StreamStatistics(y, v)});
@@ -88,15 +88,15 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
 
 /// Computes the sums of a StreamStatistics from the scalar trajectory.
 struct Tally {
-  double until_sample = kInterval / 2;
+  double time_to_sample = kInterval / 2;
   double samples = 0, yyv = 0, impacts = 0, impact_speed = 0, impact_energy = 0, work = 0;
   void on_flight(const tests::Flight& flight, double duration) {
-    for (; until_sample < duration; until_sample += kInterval) {
-      const State at = flight.state_at_time(until_sample);
+    for (; time_to_sample < duration; time_to_sample += kInterval) {
+      const State at = flight.state_at_time(time_to_sample);
       yyv += at.y * at.y * at.v;
       ++samples;
     }
-    until_sample -= duration;
+    time_to_sample -= duration;
   }
   void on_impact(double v) {
     ++impacts;

@@ -241,7 +241,7 @@ TEST_F(Checkpoint, RetriesAfterAWriteError) {
   writer.write("same", simulation);
   EXPECT_EQ(told.size(), 1u);
   std::filesystem::remove(file_);
-  writer.write_last("same", simulation);
+  writer.write_final("same", simulation);
   EXPECT_EQ(told.size(), 1u);
   EXPECT_NO_THROW(read_checkpoint(file_, "same", simulation));
   EXPECT_THROW(read_checkpoint(file_, "another", simulation), InputError);

@@ -19,11 +19,14 @@ namespace {
 
 Stream make_stream(const problem::Problem& problem, double y, double v) {
   const BinFinder bins({0, 1});
-  return {
-      .branch =
-          {.y = y, .v = v, .until_impulse = 1, .amplitude = 0, .until_sample = 1, .remaining = 1},
-      .source = ImpulseSource(problem.impulses, 1, 0),
-      .record = StreamStatistics(bins, bins)};
+  return {.branch = {.y = y,
+                     .v = v,
+                     .time_to_impulse = 1,
+                     .amplitude = 0,
+                     .time_to_sample = 1,
+                     .remaining = 1},
+          .source = ImpulseSource(problem.impulses, 1, 0),
+          .record = StreamStatistics(bins, bins)};
 }
 
 /// Resumes every branch without advancing it. The results are the number of branches and the sum of
