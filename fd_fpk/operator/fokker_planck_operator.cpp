@@ -300,8 +300,14 @@ SparseColumnMatrix upwind_correction_matrix(
           0.5 * std::abs(system.force(x1.cell_centre(i), x2.face_position(face)));
     }
   }
-  return kronecker_product(columns, divergence_operator(x2)) *
-         SparseColumnMatrix((-half_speeds).asDiagonal() * flux);
+  // The iterator over each column of Eigen's product (-half_speeds).asDiagonal() * flux copies the
+  // whole diagonal.
+  for (Eigen::Index column = 0; column < flux.cols(); ++column) {
+    for (SparseColumnMatrix::InnerIterator entry(flux, column); entry; ++entry) {
+      entry.valueRef() *= -half_speeds[entry.row()];
+    }
+  }
+  return kronecker_product(columns, divergence_operator(x2)) * flux;
 }
 
 // Adds E P A^T to the rate, with E = of_x2 and A = of_x1, where each column of P contains the
