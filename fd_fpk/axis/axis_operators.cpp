@@ -2,10 +2,11 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
 #include <vector>
+
+#include "numerics/quadrature/gauss_rule.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -16,19 +17,26 @@ double monomial_average(double a, double b, int power) {
   return (std::pow(b, power + 1) - std::pow(a, power + 1)) / ((power + 1) * (b - a));
 }
 
-// Returns weights w with sum_c w_c avg_c(xi^a) = functional(a), a < stencil_size, over the cells c
-// from `first`, with xi = (x - origin)/scale.
-Eigen::VectorXd exact_weights(const Axis& axis, int first, int stencil_size, double origin,
-                              double scale, const std::function<double(int)>& functional) {
+// Returns the averages avg_c(xi^a), a < stencil_size, of the cells c from `first`, with
+// xi = (x - origin)/scale; row a, column c - first.
+Eigen::MatrixXd monomial_averages(const Axis& axis, int first, int stencil_size, double origin,
+                                  double scale) {
   Eigen::MatrixXd averages(stencil_size, stencil_size);
-  Eigen::VectorXd exact(stencil_size);
   for (int c = 0; c < stencil_size; ++c) {
     const double left = (axis.face_position(first + c) - origin) / scale;
     const double right = (axis.face_position(first + c + 1) - origin) / scale;
     for (int a = 0; a < stencil_size; ++a) averages(a, c) = monomial_average(left, right, a);
   }
+  return averages;
+}
+
+// Returns weights w with sum_c w_c avg_c(xi^a) = functional(a), a < stencil_size, over the cells c
+// from `first`, with xi = (x - origin)/scale.
+Eigen::VectorXd exact_weights(const Axis& axis, int first, int stencil_size, double origin,
+                              double scale, const std::function<double(int)>& functional) {
+  Eigen::VectorXd exact(stencil_size);
   for (int a = 0; a < stencil_size; ++a) exact(a) = functional(a);
-  return averages.partialPivLu().solve(exact);
+  return monomial_averages(axis, first, stencil_size, origin, scale).partialPivLu().solve(exact);
 }
 
 AxisOperator assemble(int rows, int columns, const Triplets& entries) {
@@ -223,22 +231,45 @@ AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
   return assemble(axis.cell_count(), axis.cell_count(), entries);
 }
 
-AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
-                                       const std::function<double(double)>& weight,
-                                       std::optional<int> barrier) {
-  using Gauss = boost::math::quadrature::gauss<double, 10>;
-  Triplets entries;
+namespace {
+
+// Returns the quadrature points of a cell with centre 0 and width 1.
+std::vector<numerics::QuadraturePoint> quadrature_points() {
+  return numerics::composite_gauss_points<10>(-0.5, 0.5, 1);
+}
+
+}  // namespace
+
+WeightedAverages::WeightedAverages(const Axis& axis, int stencil_size, std::optional<int> barrier)
+    : axis_(axis) {
+  const auto points = quadrature_points();
+  Eigen::MatrixXd monomials(stencil_size, static_cast<Eigen::Index>(points.size()));
+  for (Eigen::Index k = 0; k < monomials.cols(); ++k) {
+    const auto& [at, weight] = points[static_cast<std::size_t>(k)];
+    for (int a = 0; a < stencil_size; ++a) monomials(a, k) = weight * std::pow(at, a);
+  }
   for (int i = 0; i < axis.cell_count(); ++i) {
     const int first = first_stencil_cell(axis, i, stencil_size, barrier);
-    const double centre = axis.cell_centre(i), width = axis.cell_width(i);
-    const auto functional = [&](int a) {
-      return Gauss::integrate(
-          [&](double xi) { return weight(centre + width * xi) * std::pow(xi, a); }, -0.5, 0.5);
-    };
-    append_stencil(entries, axis, i, first,
-                   exact_weights(axis, first, stencil_size, centre, width, functional));
+    stencils_.push_back({first, monomial_averages(axis, first, stencil_size, axis.cell_centre(i),
+                                                  axis.cell_width(i))
+                                    .partialPivLu()
+                                    .solve(monomials)});
   }
-  return assemble(axis.cell_count(), axis.cell_count(), entries);
+}
+
+AxisOperator WeightedAverages::matrix(const std::function<double(double)>& weight) const {
+  const auto points = quadrature_points();
+  Triplets entries;
+  Eigen::VectorXd values(static_cast<Eigen::Index>(points.size()));
+  for (int i = 0; i < axis_.cell_count(); ++i) {
+    const double centre = axis_.cell_centre(i), width = axis_.cell_width(i);
+    std::ranges::transform(points, values.begin(), [&](const numerics::QuadraturePoint& point) {
+      return weight(centre + width * point.at);
+    });
+    const auto& [first, of_values] = stencils_[static_cast<std::size_t>(i)];
+    append_stencil(entries, axis_, i, first, of_values * values);
+  }
+  return assemble(axis_.cell_count(), axis_.cell_count(), entries);
 }
 
 AxisOperator point_value_operator(const Axis& axis, int stencil_size,

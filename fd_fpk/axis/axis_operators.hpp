@@ -1,9 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "fd_fpk/axis/grid.hpp"
 #include "numerics/polynomials/polynomial.hpp"
@@ -56,11 +58,25 @@ AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
                                        const numerics::Polynomial& weight,
                                        std::optional<int> barrier = {});
 
-/// Returns the same matrix for a weight that is no polynomial. The integrals over a cell are exact
-/// for polynomials of degree 19 minus the degree of the reconstruction.
-AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
-                                       const std::function<double(double)>& weight,
-                                       std::optional<int> barrier = {});
+/// Returns the same matrices for weights that are no polynomials. The integrals over a cell are
+/// exact for weights of degree 19 minus the degree of the reconstruction. The constructor solves
+/// the linear systems of the stencils, which no weight enters.
+class WeightedAverages {
+ public:
+  /// @param axis must outlive this object
+  WeightedAverages(const Axis& axis, int stencil_size, std::optional<int> barrier = {});
+
+  AxisOperator matrix(const std::function<double(double)>& weight) const;
+
+ private:
+  struct Stencil {
+    int first;  ///< cell
+    /// Maps the values of the weight at the quadrature points of the cell to the stencil.
+    Eigen::MatrixXd of_values;
+  };
+  const Axis& axis_;
+  std::vector<Stencil> stencils_;  ///< of each cell
+};
 
 /// Returns the matrix that maps cell averages to point values inside the cells, shape (n cells,
 /// cells), for n fractions. Row i n + k gives the value at face(i) + fractions[k] width(i). The

@@ -162,11 +162,11 @@ SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_point
                                               const ValuesOf& values_of, const Weight& weight) {
   const Axis& x2 = grid.x2;
   const int nv = grid.nv();
+  const WeightedAverages averages(grid.x1, weight_points);
   std::vector<Eigen::Triplet<double>> entries;
   for (int face = 1; face < nv; ++face) {
     const double at = x2.face_position(face);
-    const AxisOperator of_face = weighted_average_operator(
-        grid.x1, weight_points, [&](double x1) { return weight(x1, at); });
+    const AxisOperator of_face = averages.matrix([&](double x1) { return weight(x1, at); });
     for (int i = 0; i < grid.nx(); ++i) {
       for (AxisOperator::InnerIterator of_x1(of_face, i); of_x1; ++of_x1) {
         const AxisOperator& values = values_of(of_x1.col());

@@ -218,16 +218,13 @@ double mean_energy(const problem::System& system, const Grid& grid, const Eigen:
 
 namespace {
 
-// Returns the integral of weight(v) p(a, v) over velocities v into a wall. The weight is a
-// polynomial or a function.
-template <class Weight>
+// Returns the integral of weight(v) p(a, v) over velocities v into a wall, with the matrix of the
+// weighted averages on the axis of v.
 double wall_integral(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
-                     const Weight& weight, AxisEnd end) {
+                     const AxisOperator& weighted, AxisEnd end) {
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
   const int half = grid.nv() / 2;
   const Eigen::VectorXd wall = p * end_value_operator(grid.x1, end, scheme_order).transpose();
-  const AxisOperator weighted =
-      weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order), weight, half);
   const int first = end == AxisEnd::left ? 0 : half;
   return grid.x2.cell_widths().segment(first, half).dot((weighted * wall).segment(first, half));
 }
@@ -238,16 +235,19 @@ double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int 
                          int speed_exponent, AxisEnd end) {
   // The monomial equals |v|^speed_exponent for velocities into the wall.
   const bool is_negative = end == AxisEnd::left && speed_exponent % 2 == 1;
-  return wall_integral(grid, averages, scheme_order, monomial(speed_exponent, is_negative ? -1 : 1),
-                       end);
+  return wall_integral(
+      grid, averages, scheme_order,
+      weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),
+                                monomial(speed_exponent, is_negative ? -1 : 1), grid.nv() / 2),
+      end);
 }
 
 double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
                         const std::function<double(double)>& weight, AxisEnd end) {
-  const std::function<double(double)> flux_weight = [&](double v) {
-    return std::abs(v) * weight(std::abs(v));
-  };
-  return wall_integral(grid, averages, scheme_order, flux_weight, end);
+  const WeightedAverages of_x2(grid.x2, averaging_stencil_size(scheme_order), grid.nv() / 2);
+  return wall_integral(grid, averages, scheme_order,
+                       of_x2.matrix([&](double v) { return std::abs(v) * weight(std::abs(v)); }),
+                       end);
 }
 
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,

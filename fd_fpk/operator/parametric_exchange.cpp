@@ -63,10 +63,11 @@ std::vector<ExchangeTerm> parametric_exchange(const ParametricImpulses& impulses
     last = std::max(last, -first);
     first = 1;
   }
+  const WeightedAverages averages(grid.x1, weight_points);
   std::vector<ExchangeTerm> terms;
   for (int node = first; node <= last; ++node) {
     if (node == 0) continue;  // impulses that the factor 0 multiplies change nothing
-    AxisOperator of_x1 = weighted_average_operator(grid.x1, weight_points, [&](double x1) {
+    AxisOperator of_x1 = averages.matrix([&](double x1) {
       const double t = impulses.factor(x1, 0) / distance;
       return lagrange_polynomial(t, node) + (is_symmetric ? lagrange_polynomial(t, -node) : 0);
     });
