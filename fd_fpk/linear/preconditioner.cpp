@@ -75,7 +75,7 @@ Preconditioner::Preconditioner(const problem::System& system, double loss,
 bool Preconditioner::factor_with_klu(const SparseColumnMatrix& matrix) {
   const Stopwatch stopwatch;
   const bool succeeded = klu_.factorise(matrix);
-  are_stationary_ = &matrix == &approximation_;
+  are_stationary_ = succeeded && &matrix == &approximation_;
   matrix_scale_ = 1;
   ++factorisations_;
   factor_seconds_ += stopwatch.seconds();
@@ -93,7 +93,11 @@ bool Preconditioner::factorise(double gamma) {
   return factor_with_klu(factored_);
 }
 
-bool Preconditioner::factorise_stationary() { return factor_with_klu(approximation_); }
+bool Preconditioner::factorise_stationary() {
+  if (!are_stationary_) return factor_with_klu(approximation_);
+  matrix_scale_ = 1;
+  return true;
+}
 
 void Preconditioner::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   klu_.solve_in_place(b);

@@ -30,9 +30,10 @@ class Preconditioner {
 
   /// Factors I - gamma M and returns false on failure; see failure_reason(). If gamma is much
   /// longer than the slowest decay time, I - gamma M is nearly -gamma M. For such a value of gamma
-  /// the function reuses the factors of M if factorise_stationary() was the preceding call.
+  /// the function reuses the factors of M if they are the present factors.
   bool factorise(double gamma);
-  /// Factors M and returns false on failure; see failure_reason().
+  /// Factors M, unless the present factors are those of M, and returns false on failure; see
+  /// failure_reason().
   bool factorise_stationary();
   std::string failure_reason() const { return klu_.failure_reason(); }
 

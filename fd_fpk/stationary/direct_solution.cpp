@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "base/process/parallel_for.hpp"
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/selection_policy.hpp"
@@ -25,13 +27,20 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Mot
             .failure = std::move(failure)};
   }
   const Grid& grid = discretisation.grid;
-  FokkerPlanckOperator op = fokker_planck_operator(problem, options, discretisation);
-  Preconditioner preconditioner(problem.system, scales.slowest_decay_rate,
-                                discretisation.excitation, options.impact, grid,
-                                transport_order(options));
+  FokkerPlanckOperator op;
+  std::optional<Preconditioner> preconditioner;
+  base::parallel_for(2, base::kOneThreadPerProcessor, [&](std::size_t part) {
+    if (part == 0) {
+      preconditioner.emplace(problem.system, scales.slowest_decay_rate, discretisation.excitation,
+                             options.impact, grid, transport_order(options));
+      preconditioner->factorise_stationary();
+    } else {
+      op = fokker_planck_operator(problem, options, discretisation);
+    }
+  });
   const Eigen::VectorXd start = initial_gaussian(grid, scales);
   auto [averages, iterations, failure, krylov_seconds] =
-      null_vector(op, preconditioner, start, deadline);
+      null_vector(op, *preconditioner, start, deadline);
   const bool converged = averages && op.stationarity_residual(*averages) <
                                          kLeastReduction * op.stationarity_residual(start);
   return {.discretisation = std::move(discretisation),
