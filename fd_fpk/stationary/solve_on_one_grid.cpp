@@ -35,15 +35,12 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
       absolute_tolerance * op.areas.mean() / op.areas.array();
   // The residual of GMRES in a step, relative to the peak, is gamma times the contribution of the
   // GMRES residual to L P. The tolerance of GMRES is a tenth of the residual expected after the
-  // step, about 1/gamma of the preceding residual in decay times. The residual of GMRES in the last
-  // step remains in the solution.
-  constexpr double kPart = 0.1, kLastStepTolerance = 1e-10;
+  // step: about 1/gamma of the preceding residual in decay times, or the requested residual.
+  // Rounding errors are below kLeast.
+  constexpr double kPart = 0.1, kLeast = 1e-11;
   const auto linear_tolerance = [&](double residual) {
-    const bool is_last = residual <= kStep * tolerance;
-    const double part = is_last
-                            ? kLastStepTolerance
-                            : std::clamp(kPart * residual * decay_time, kLastStepTolerance, kPart);
-    return part / kPeakMultiple;
+    const double part = kPart * decay_time * std::max(residual, kStep * tolerance);
+    return std::clamp(part, kLeast, kPart) / kPeakMultiple;
   };
   const Stopwatch stopwatch;
   const double factored_before = preconditioner.factor_seconds();
