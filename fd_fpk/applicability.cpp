@@ -77,7 +77,6 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 }
 
 std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options) {
-  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
   const auto features = problem::features(problem);
   if (features.rests_in_contact && !has_diffusion(features, options)) {
     return "the mass comes to rest in contact with a wall: differences do not represent this atom; "

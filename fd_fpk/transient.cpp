@@ -108,9 +108,11 @@ Options refine_for_initial_density(Options options, const LengthScales& of_stati
   return options;
 }
 
-DensitySnapshot make_snapshot(const problem::Problem& problem, const Options& options,
-                              const Discretisation& on, const FokkerPlanckOperator& op,
-                              const Eigen::VectorXd& averages, double time) {
+DensitySnapshot make_snapshot(const problem::Problem& problem,
+                              const problem::EffectivePotential& spring_potential,
+                              const Options& options, const Discretisation& on,
+                              const FokkerPlanckOperator& op, const Eigen::VectorXd& averages,
+                              double time) {
   const Grid& grid = on.grid;
   const Eigen::VectorXd change = op * averages;
   const problem::System& system = problem.system;
@@ -119,9 +121,9 @@ DensitySnapshot make_snapshot(const problem::Problem& problem, const Options& op
                     .moments = physical_moments(frame, grid, averages, transport_order(options)),
                     .yv = physical_mixed_moment(frame, grid, averages, transport_order(options))};
   // The potential U is 0 at y = 0, whatever the origin of the wall coordinates.
-  s.energy = mean_energy(system, grid, averages, transport_order(options)) -
-             system.potential()(frame.wall_x(0));
-  const double energy_rate = mean_energy(system, grid, change, transport_order(options));
+  s.energy = mean_energy(spring_potential, grid, averages, transport_order(options)) -
+             spring_potential(frame.wall_x(0));
+  const double energy_rate = mean_energy(spring_potential, grid, change, transport_order(options));
   const auto [input, dissipated] = problem::power_balance(
       problem,
       energy_terms(problem, options.impact, moments(grid, averages, transport_order(options)), grid,
@@ -192,6 +194,7 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
   constexpr long kStepsPerFactorisation = 10000;
 
   const Grid& grid = on.grid;
+  const problem::EffectivePotential spring_potential(problem.system);
   const Eigen::VectorXd start = cell_averages(gaussian, grid);
   LinearCvodeIntegrator cvode(
       with_deadline_check(deadline, linear_ode_system(op, preconditioner)), start,
@@ -224,7 +227,8 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
                                   reached, time, flag, cvode.error_message());
       break;
     }
-    result.snapshots.push_back(make_snapshot(problem, options, on, op, cvode.averages(), time));
+    result.snapshots.push_back(
+        make_snapshot(problem, spring_potential, options, on, op, cvode.averages(), time));
     check_snapshot(problem.frame, grid, result.snapshots.back(), result);
     if (transient.progress) transient.progress(static_cast<double>(n) / transient.snapshots);
   }

@@ -61,6 +61,9 @@ EffectivePotential::EffectivePotential(const Problem& problem)
   rises_on_left_ = (degree % 2 == 0 ? 1 : -1) * leading < 0;
 }
 
+EffectivePotential::EffectivePotential(const System& system)
+    : EffectivePotential(Problem{.name = "", .system = system}) {}
+
 void EffectivePotential::tabulate() {
   std::set<double> knots{0};
   for (double knot = kNearestKnot; knot < kFarthestKnot; knot *= std::sqrt(2.0)) {

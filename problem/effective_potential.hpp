@@ -20,6 +20,8 @@ std::vector<double> sign_change_points_between_walls(const numerics::Polynomial&
 class EffectivePotential {
  public:
   explicit EffectivePotential(const Problem& problem);
+  /// The potential U of the spring, without impulses
+  explicit EffectivePotential(const System& system);
 
   double operator()(double y) const { return polynomial_ ? (*polynomial_)(y) : integral(y); }
   /// Returns the polynomial V; null for a formula.

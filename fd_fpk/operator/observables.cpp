@@ -209,11 +209,16 @@ double physical_mixed_moment(const problem::WallFrame& frame, const Grid& grid,
   return frame.sign() * integrate_joint_density(grid, averages, scheme_order, y, monomial(1));
 }
 
-double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
-                   int scheme_order) {
+double mean_energy(const problem::EffectivePotential& spring_potential, const Grid& grid,
+                   const Eigen::VectorXd& averages, int scheme_order) {
   const auto [y, v] = marginals(grid, averages);
-  return integrate_marginal(grid.x2, v, scheme_order, monomial(2, 0.5)) +
-         integrate_marginal(grid.x1, y, scheme_order, system.potential());
+  const double kinetic = integrate_marginal(grid.x2, v, scheme_order, monomial(2, 0.5));
+  if (const numerics::Polynomial* polynomial = spring_potential.polynomial()) {
+    return kinetic + integrate_marginal(grid.x1, y, scheme_order, *polynomial);
+  }
+  const WeightedAverages of_x1(grid.x1, averaging_stencil_size(scheme_order));
+  return kinetic + grid.x1.cell_widths().dot(
+                       of_x1.matrix([&](double x1) { return spring_potential(x1); }) * y);
 }
 
 namespace {

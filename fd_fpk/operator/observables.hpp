@@ -6,6 +6,7 @@
 #include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "problem/balances.hpp"
+#include "problem/effective_potential.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/density.hpp"
 #include "transform/metric.hpp"
@@ -41,8 +42,8 @@ double physical_mixed_moment(const problem::WallFrame& frame, const Grid& grid,
 /// Returns the mean energy E[v^2]/2 + E[U(y)], with the potential U of the spring. The mean energy
 /// is linear in the cell averages: for the rate of change of the averages, the function returns the
 /// rate of change of the energy.
-double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
-                   int scheme_order);
+double mean_energy(const problem::EffectivePotential& spring_potential, const Grid& grid,
+                   const Eigen::VectorXd& averages, int scheme_order);
 
 /// Returns the speed moment of the density at a wall, int_{v<0} |v|^n p(0, v) dv, or int_{v>0} v^n
 /// p(b, v) dv at the end b. The exponent n >= 1 is the argument `speed_exponent`. The speed moment

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -95,6 +97,83 @@ TEST(TransientGeneralOscillator, KeepsMassAndTheBalanceOfPowerBetweenTwoLossyWal
     EXPECT_NEAR(result.y_edges.front(), -0.5, 1e-14);
     EXPECT_NEAR(result.y_edges.back(), 1, 1e-14);
     EXPECT_GT(result.snapshots.back().impact_rate, 0.1);
+  }
+}
+
+// The factor g of the noise is a formula, with g^2 = 1 + y^2/5. The second moments m = (yy, yv, vv)
+// of the linear oscillator obey the closed equations dm/dt = A m + (0, 0, 2D).
+TEST(TransientGeneralOscillator, HasTheExactSecondMomentsUnderMultiplicativeNoise) {
+  Problem p = tests::with_noise(System({.damping = 0.4, .stiffness = 1}, {.none = true}), 0.2);
+  p.noise_factor.emplace("sqrt(1 + 0.2*y^2)", problem::NamedConstants{});
+  const TransientOptions moving{.until = 2,
+                                .snapshots = 2,
+                                .start_displacement = 0.4,
+                                .start_velocity = 0.3,
+                                .start_mean_displacement = 0.5,
+                                .start_mean_velocity = 0.2,
+                                .relative_tolerance = 1e-8};
+  const auto result = solve_transient(p, {}, moving);
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  const Eigen::Matrix3d a{{0, 2, 0}, {-1, -0.4, 1}, {0.2 * 0.2, -2, -0.8}};
+  const Eigen::Vector3d start{0.16 + 0.25, 0.1, 0.09 + 0.04};
+  const Eigen::Vector3d limit = a.lu().solve(Eigen::Vector3d{0, 0, -0.2});
+  const Eigen::EigenSolver<Eigen::Matrix3d> modes(a);
+  const Eigen::Vector3cd amplitudes =
+      modes.eigenvectors().lu().solve((start - limit).cast<std::complex<double>>());
+  for (const DensitySnapshot& s : result.snapshots) {
+    SCOPED_TRACE(s.time);
+    const Eigen::Vector3cd decayed =
+        (modes.eigenvalues() * s.time).array().exp() * amplitudes.array();
+    const Eigen::Vector3d exact = limit + (modes.eigenvectors() * decayed).real();
+    constexpr double kBar = 1e-5;
+    EXPECT_NEAR(s.moments.y2, exact(0), kBar);
+    EXPECT_NEAR(s.yv, exact(1), kBar);
+    EXPECT_NEAR(s.moments.v2, exact(2), kBar);
+    EXPECT_LT(std::abs(s.power_residual), 1e-4);
+  }
+}
+
+// The term 0*tanh(y) hides the polynomial from System.
+TEST(TransientGeneralOscillator, OfAFormulaIsThatOfItsPolynomial) {
+  const auto snapshots_of = [](const problem::SystemCoefficients& coefficients) {
+    const System system(coefficients, WallParameters{.left = -0.4, .left_restitution = 0.9});
+    const auto result =
+        solve_transient(tests::with_impulses(system, tests::gaussian_impulses(1, 0.2)),
+                        {.nx = 40, .nv = 60, .x1_max = 3.5, .x2_max = 3.5},
+                        {.until = 1,
+                         .snapshots = 2,
+                         .start_displacement = 0.4,
+                         .start_velocity = 0.4,
+                         .start_mean_displacement = 0.2,
+                         .relative_tolerance = 1e-6});
+    EXPECT_EQ(result.status, Status::ok) << result.reason;
+    return result.snapshots;
+  };
+  const auto expected = snapshots_of({.damping = 0.1, .stiffness = 1, .cubic = 0.3});
+  const auto snapshots = snapshots_of({.force = "0.1*v + y + 0.3*y^3 + 0*tanh(y)"});
+  ASSERT_EQ(snapshots.size(), expected.size());
+  for (std::size_t n = 0; n < snapshots.size(); ++n) {
+    constexpr double kRounding = 1e-9;
+    EXPECT_NEAR(snapshots[n].moments.y2, expected[n].moments.y2, kRounding);
+    EXPECT_NEAR(snapshots[n].moments.v4, expected[n].moments.v4, kRounding);
+    EXPECT_NEAR(snapshots[n].energy, expected[n].energy, kRounding);
+    EXPECT_NEAR(snapshots[n].power, expected[n].power, kRounding);
+    EXPECT_NEAR(snapshots[n].power_residual, expected[n].power_residual, kRounding);
+  }
+}
+
+// The rate of change of the energy, from the potential of the formula, is the power.
+TEST(TransientGeneralOscillator, OfAFormulaKeepsMassAndTheBalanceOfPower) {
+  const System bilinear({.force = "0.3*v*abs(v) + y + 4*max(y-0.3,0)"},
+                        WallParameters{.left = -0.4, .left_restitution = 0.8});
+  const auto result = solve_transient(
+      tests::with_impulses(bilinear, tests::gaussian_impulses(1, 0.2)), {},
+      {.until = 2, .snapshots = 4, .start_mean_displacement = 0.2, .relative_tolerance = 1e-6});
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  for (const DensitySnapshot& s : result.snapshots) {
+    EXPECT_NEAR(s.mass, 1, 1e-10);
+    EXPECT_LT(std::abs(s.power_residual), 2e-3) << s.time;
+    EXPECT_GT(std::abs(s.power), 1e-3) << s.time;
   }
 }
 

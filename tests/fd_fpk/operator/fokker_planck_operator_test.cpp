@@ -103,7 +103,7 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
           jump_excitation(p.impulses, grid.x2)}) {
       const auto op = fokker_planck_operator(p.system, e, ImpactCondition::map, grid, order);
       const Eigen::VectorXd rate = op * averages;
-      const double d_energy = mean_energy(p.system, grid, rate, order);
+      const double d_energy = mean_energy(problem::EffectivePotential(p.system), grid, rate, order);
       const transform::Moments m = moments(grid, averages, order);
       const double power = p.impulses.rate_times_moment(2) / 2 +
                            p.impulses.rate_times_moment(1) * m.v1 - p.system.damping() * m.v2 -
@@ -250,7 +250,8 @@ TEST(OperatorOfGeneralOscillator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
     averages /= grid.cell_areas().dot(averages);
     for (const Excitation& e : excitations(p, grid)) {
       const auto op = fokker_planck_operator(p.system, e, ImpactCondition::map, grid, 5);
-      const double rate = mean_energy(p.system, grid, op * averages, 5);
+      const double rate =
+          mean_energy(problem::EffectivePotential(p.system), grid, op * averages, 5);
       const auto [input, dissipated] = problem::power_balance(
           p, energy_terms(p, ImpactCondition::map, moments(grid, averages, 5), grid, averages, 5));
       EXPECT_GT(std::abs(dissipated), 0.05);

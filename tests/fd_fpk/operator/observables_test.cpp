@@ -35,7 +35,9 @@ TEST(Observables, MeanEnergyIsKineticPlusTheMeanOfThePotential) {
       potential += system.potential().coefficient(n) * moment;
       moment *= static_cast<double>(n + 1) * s * s;
     }
-    EXPECT_NEAR(mean_energy(system, grid, averages, 5), w * w / 2 + potential, 1e-6) << cubic;
+    EXPECT_NEAR(mean_energy(problem::EffectivePotential(system), grid, averages, 5),
+                w * w / 2 + potential, 1e-6)
+        << cubic;
   }
 }
 
