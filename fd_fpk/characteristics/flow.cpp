@@ -23,8 +23,7 @@ double integrated_exponential(double s, double time) {
 
 }  // namespace
 
-Flow::Flow(const problem::System& system)
-    : system_(system), potential_(system) {
+Flow::Flow(const problem::System& system) : system_(system), potential_(system) {
   if (system.has_polynomial_force()) {
     stiffness_extrema_ =
         problem::sign_change_points_between_walls(system.tangent_stiffness().derivative(), system);
