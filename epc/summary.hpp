@@ -114,8 +114,8 @@ struct Result {
 ///   density
 transform::Metrics metrics(const Summary& summary, const transform::Moments& moments);
 
-// Limits within which the density of a root is accepted. docs/closure.md has the experiments that
-// set the limits of the density of a root.
+// A root of the closure equations determines a density. The following limits decide whether this
+// density is accepted. docs/closure.md has the experiments that set the limits.
 
 /// Largest accepted density on the edge of the support, relative to the peak density.
 inline constexpr double kEdgeDensityLimit = 1e-6;

@@ -94,7 +94,7 @@ struct Options {
 inline constexpr int kDefaultOrder = 5;
 inline int transport_order(const Options& options) { return options.order.value_or(kDefaultOrder); }
 
-/// Returns names, help texts and ranges of the options, in files and on the command line.
+/// Returns names, help texts and ranges of the options, for files and for the command line.
 const base::Description<Options>& description();
 
 /// @throws InputError for the first invalid option or invalid combination of options

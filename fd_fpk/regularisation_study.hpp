@@ -11,7 +11,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Results of one scheme for the truncated series and one width of the velocity cells.
+/// Results of one scheme for the truncated series, on velocity cells of one width.
 struct RegularisationSchemeResult {
   std::string scheme;  ///< "literal", "regularised", "0.9 l*", "1.1 l*", "pade"
   double step;         ///< width h of the velocity cells

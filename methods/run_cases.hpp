@@ -100,9 +100,9 @@ std::optional<double> required_accuracy(const Method& method);
 /// L1 distance of a solution from the reference plus the error estimate of the reference.
 /// - A closure with a required accuracy but without a residual-based error estimate gets the
 ///   estimate from the reference. The status of the closure becomes `inaccurate` if the estimate
-///   from the reference exceeds the required accuracy. A status `inaccurate` due only to the
-///   missing estimate becomes `ok` if the estimate suffices. Without a reference, an `ok` closure
-///   gets its residual-based error estimate.
+///   from the reference exceeds the required accuracy. A closure that is `inaccurate` only because
+///   it had no estimate becomes `ok` if the new estimate is small enough. Without a reference, an
+///   `ok` closure gets its residual-based error estimate.
 /// - An external density, or a closure without a required accuracy, gets the estimate from the
 /// reference if the status is `ok` and no error estimate exists. Without a reference, a closure
 /// gets its residual-based error estimate, and an external density becomes `inaccurate`.

@@ -58,8 +58,8 @@ double energy_residual(const Problem& problem, const PowerBalanceTerms& terms);
 /// where g is the restoring force of System. Dynkin's formula for f = y and f = y^2/2 gives E[v] =
 /// 0 and E[y v] = 0, since neither impulses nor impacts change y. For any function c(y), E[c(y) v]
 /// = E[y c(y) v] = 0 for the same reason. The virial and momentum balances hold in wall coordinates
-/// (problem/walls.hpp), with a left wall at 0. A right wall at b, damping c_vv v^3 and rest atoms
-/// add terms to these balances. The expectation E[g] includes the rest atoms.
+/// (problem/walls.hpp), with a left wall at 0. A right wall at b, damping c_vv v^3 and atoms at
+/// rest add terms to these balances. The expectation E[g] includes the atoms at rest.
 ///
 /// The functions y v and v are linear in v, so that E[Y] is the only moment of Y in the virial and
 /// momentum balances. These balances therefore hold for the equations `kf`, `km4`, `km4_pade` and

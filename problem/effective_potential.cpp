@@ -16,8 +16,8 @@ struct SearchInterval {
 };
 
 // Returns the interval in which the roots of a polynomial are searched. Its ends are the walls; on
-// a side without a wall the end is a bound of all roots. A polynomial of a single term has the root
-// 0 and root_modulus_bound() 1, and the interval contains both.
+// a side without a wall the end is a bound of all roots. For a polynomial of a single term, whose
+// root is 0, root_modulus_bound() is 1, so that the interval contains the root.
 SearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
   const double bound = 2 * numerics::root_modulus_bound(polynomial) + 1;
   return {.low = system.left_wall() ? system.left_wall()->position : -bound,

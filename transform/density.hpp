@@ -7,7 +7,7 @@
 
 /// Joint densities of (y, y') between the walls, for the paper's oscillator on the half-plane y >=
 /// 0. Every solver returns a GridDensity or a SmoothDensity. The integral of a density is 1 minus
-/// the probabilities of the rest atoms.
+/// the probabilities of the atoms at rest.
 namespace fpkcheck::transform {
 
 /// A density given by its averages over rectangular cells (from finite volumes or a histogram).

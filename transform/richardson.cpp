@@ -50,7 +50,7 @@ GridLevelDifference grid_level_difference(const GridLevel& coarser, const GridLe
   if (coarser.rest_probabilities.size() != finer.rest_probabilities.size()) {
     throw std::invalid_argument("grid levels not comparable: different numbers of rest atoms");
   }
-  double total_change = 0;  // all rest atoms are at y' = 0
+  double total_change = 0;  // all atoms at rest have y' = 0
   for (std::size_t k = 0; k < finer.rest_probabilities.size(); ++k) {
     grid_level_difference.rest_probabilities.push_back(finer.rest_probabilities[k] -
                                                        coarser.rest_probabilities[k]);

@@ -41,12 +41,12 @@ double credible_convergence_order(double observed, int scheme_order);
 bool has_richardson_limit(double observed, int scheme_order);
 
 /// The converging quantities of a solution on one grid level: marginals, moments, probabilities of
-/// the rest atoms, and impact rate.
+/// the atoms at rest, and impact rate.
 struct GridLevel {
   Marginal y;
   Marginal ydot;
   Moments moments;
-  /// Probabilities of the rest atoms in Solution::atoms.
+  /// Probabilities of the atoms at rest in Solution::atoms.
   std::vector<double> rest_probabilities = {};
   double impact_rate = 0;  ///< impact rate; 0 if the solver returns none
 };

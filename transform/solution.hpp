@@ -70,7 +70,7 @@ struct ErrorEstimate {
 };
 
 /// A rest atom: the probability of rest in contact with a wall. The sum of the mass of the density
-/// and the probabilities of all rest atoms is 1.
+/// and the probabilities of all atoms at rest is 1.
 struct RestAtom {
   double y = 0;  ///< position of the wall with the atom
   double probability = 0;
@@ -100,7 +100,7 @@ struct Solution {
   /// Moments of the density; not set if there is no density.
   Moments moments = {};
   double mass = 0;  ///< integral of the density plus the probabilities of the atoms
-  std::vector<RestAtom> atoms = {};  ///< rest atoms, at walls to which a force presses the mass
+  std::vector<RestAtom> atoms = {};  ///< mass at rest on walls to which a force presses it
   double min_density = 0;      ///< smallest value of the density, relative to the largest value
   double energy_residual = 0;  ///< result of problem::energy_residual()
 

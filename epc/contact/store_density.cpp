@@ -91,7 +91,8 @@ double moment_into_wall(const problem::ImpulseLaw& law, int power) {
   return sum;
 }
 
-// Returns int u^power p(0, -u) du over the impacts of the moving mass, where u is the impact speed.
+// Returns int u^power p(0, -u) du over the impact speeds u. The density p does not contain the mass
+// at rest on the wall.
 double wall_flux(const transform::SmoothDensity& density, int points, int power) {
   const auto wall = numerics::gauss_legendre_rule(points, 0, density.v_max);
   double sum = 0;

@@ -161,9 +161,9 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
 }
 
 // Returns the box enlarged by half in each direction in which the density at the end is
-// significant. The result is empty if the densities at all ends are negligible. For rare impulses,
-// with 1e-6 of the peak at an end 8 standard deviations away, the mass beyond the end contributes
-// 4e-4 of E[y^4].
+// significant. The result is empty if the densities at all ends are negligible. Example for rare
+// impulses: at an end 8 standard deviations away the density is 1e-6 of the peak. The mass beyond
+// this end contributes 4e-4 of E[y^4].
 std::optional<EnlargedBox> make_enlarged_box(const problem::Problem& problem,
                                              const Options& options, const Grid& grid,
                                              const BoxEdgeDensity& wall) {

@@ -72,7 +72,7 @@ FigureAxis ordinate(Panel panel, const MarginalCurves& marginal, double smallest
   return {};
 }
 
-// Returns the legend note with the probabilities of the rest atoms, which a curve cannot show.
+// Returns the legend note with the probabilities of atoms at rest, which a curve cannot show.
 std::string legend_note(const DrawnCurve& drawn) {
   std::string label;
   for (const auto& atom : drawn.solution->atoms) {

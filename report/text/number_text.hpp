@@ -16,8 +16,8 @@ inline constexpr std::string_view kNoValue = "\u2013";
 /// 0.4450, 1.2e-5. If `digits` is 1, as for residuals, the text always has a power of ten: 4e-4.
 std::string number_text(const std::optional<double>& value, int digits);
 
-/// Returns the text of a parameter or metric. An integer has all digits, a number at most `digits`
-/// digits. A Boolean becomes yes or no, and a text is unchanged.
+/// Returns the text of a parameter or metric. An integer has all digits, any other number at
+/// most `digits` significant digits. A Boolean becomes yes or no, and a text is unchanged.
 std::string value_text(const base::Value& value, int digits = 6);
 
 /// Returns the text of an L1 distance for a table cell: 0.0044, 6.0e-6.
