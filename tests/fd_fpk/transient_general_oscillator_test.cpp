@@ -100,36 +100,45 @@ TEST(TransientGeneralOscillator, KeepsMassAndTheBalanceOfPowerBetweenTwoLossyWal
   }
 }
 
-// The factor g of the noise is a formula, with g^2 = 1 + y^2/5. The second moments m = (yy, yv, vv)
-// of the linear oscillator obey the closed equations dm/dt = A m + (0, 0, 2D).
-TEST(TransientGeneralOscillator, HasTheExactSecondMomentsUnderMultiplicativeNoise) {
-  Problem p = tests::with_noise(System({.damping = 0.4, .stiffness = 1}, {.none = true}), 0.2);
-  p.noise_factor.emplace("sqrt(1 + 0.2*y^2)", problem::NamedConstants{});
-  const TransientOptions moving{.until = 2,
-                                .snapshots = 2,
+// The factor of noise or impulses is sqrt(1 + y^2/5). The second moments m = (yy, yv, vv) of the
+// linear oscillator obey the closed equations dm/dt = A m + (0, 0, I), with the intensity I = 2D or
+// I = lambda E[Y^2].
+TEST(TransientGeneralOscillator, HasTheExactSecondMomentsUnderParametricExcitation) {
+  const System system({.damping = 0.4, .stiffness = 1}, {.none = true});
+  const problem::StateFunction factor(
+      problem::Expression::parse("sqrt(1 + 0.2*y^2)", {}, "factor"));
+  Problem noise = tests::with_noise(system, 0.2);
+  noise.noise_factor.emplace("sqrt(1 + 0.2*y^2)", problem::NamedConstants{});
+  Problem impulses = tests::with_impulses(system, tests::gaussian_impulses(4, 0.2));
+  impulses.impulse_factor = factor;
+  const TransientOptions moving{.until = 1,
+                                .snapshots = 1,
                                 .start_displacement = 0.4,
                                 .start_velocity = 0.3,
                                 .start_mean_displacement = 0.5,
                                 .start_mean_velocity = 0.2,
-                                .relative_tolerance = 1e-8};
-  const auto result = solve_transient(p, {}, moving);
-  ASSERT_EQ(result.status, Status::ok) << result.reason;
+                                .relative_tolerance = 1e-7};
   const Eigen::Matrix3d a{{0, 2, 0}, {-1, -0.4, 1}, {0.2 * 0.2, -2, -0.8}};
   const Eigen::Vector3d start{0.16 + 0.25, 0.1, 0.09 + 0.04};
   const Eigen::Vector3d limit = a.lu().solve(Eigen::Vector3d{0, 0, -0.2});
   const Eigen::EigenSolver<Eigen::Matrix3d> modes(a);
   const Eigen::Vector3cd amplitudes =
       modes.eigenvectors().lu().solve((start - limit).cast<std::complex<double>>());
-  for (const DensitySnapshot& s : result.snapshots) {
-    SCOPED_TRACE(s.time);
-    const Eigen::Vector3cd decayed =
-        (modes.eigenvalues() * s.time).array().exp() * amplitudes.array();
-    const Eigen::Vector3d exact = limit + (modes.eigenvectors() * decayed).real();
-    constexpr double kBar = 1e-5;
-    EXPECT_NEAR(s.moments.y2, exact(0), kBar);
-    EXPECT_NEAR(s.yv, exact(1), kBar);
-    EXPECT_NEAR(s.moments.v2, exact(2), kBar);
-    EXPECT_LT(std::abs(s.power_residual), 1e-4);
+  for (const Problem& p : {noise, impulses}) {
+    SCOPED_TRACE(p.impulse_factor ? "impulses" : "noise");
+    const auto result = solve_transient(p, {.refinement = 0.8}, moving);
+    ASSERT_EQ(result.status, Status::ok) << result.reason;
+    for (const DensitySnapshot& s : result.snapshots) {
+      SCOPED_TRACE(s.time);
+      const Eigen::Vector3cd decayed =
+          (modes.eigenvalues() * s.time).array().exp() * amplitudes.array();
+      const Eigen::Vector3d exact = limit + (modes.eigenvectors() * decayed).real();
+      constexpr double kBar = 1e-5;
+      EXPECT_NEAR(s.moments.y2, exact(0), kBar);
+      EXPECT_NEAR(s.yv, exact(1), kBar);
+      EXPECT_NEAR(s.moments.v2, exact(2), kBar);
+      EXPECT_LT(std::abs(s.power_residual), 1e-4);
+    }
   }
 }
 
