@@ -64,9 +64,9 @@ std::vector<double> barrier_positions(const problem::Problem& problem,
 Eigen::MatrixXd well_averages(const problem::Problem& problem, const numerics::QuadratureRule& rule,
                               const std::function<double(double)>& weight) {
   if (problem::features(problem).wells < 2) return {};
-  // Fraction of the integral of the fit weight below which a well is omitted. With
-  // several wells the fit weight decreases faster than the density away from its peak, so that an
-  // omitted well has less than 1e-4 of the mass.
+  // Fraction of the integral of the fit weight below which a well is omitted. With several wells
+  // the fit weight decreases faster than the density away from its peak, so that an omitted well
+  // has less than 1e-4 of the mass.
   constexpr double kNegligible = 1e-6;
   const std::vector<double> tops = barrier_positions(problem, rule.points);
   const Eigen::VectorXd weights = weights_of(rule, weight);

@@ -233,16 +233,17 @@ AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
 
 namespace {
 
-// Returns the quadrature points of a cell with centre 0 and width 1.
-std::vector<numerics::QuadraturePoint> quadrature_points() {
-  return numerics::composite_gauss_points<10>(-0.5, 0.5, 1);
+// Returns the quadrature points of WeightedAverages in a cell with centre 0 and width 1.
+const std::vector<numerics::QuadraturePoint>& quadrature_points() {
+  static const auto points = numerics::composite_gauss_points<10>(-0.5, 0.5, 1);
+  return points;
 }
 
 }  // namespace
 
 WeightedAverages::WeightedAverages(const Axis& axis, int stencil_size, std::optional<int> barrier)
     : axis_(axis) {
-  const auto points = quadrature_points();
+  const auto& points = quadrature_points();
   Eigen::MatrixXd monomials(stencil_size, static_cast<Eigen::Index>(points.size()));
   for (Eigen::Index k = 0; k < monomials.cols(); ++k) {
     const auto& [at, weight] = points[static_cast<std::size_t>(k)];
@@ -258,7 +259,7 @@ WeightedAverages::WeightedAverages(const Axis& axis, int stencil_size, std::opti
 }
 
 AxisOperator WeightedAverages::matrix(const std::function<double(double)>& weight) const {
-  const auto points = quadrature_points();
+  const auto& points = quadrature_points();
   Triplets entries;
   Eigen::VectorXd values(static_cast<Eigen::Index>(points.size()));
   for (int i = 0; i < axis_.cell_count(); ++i) {

@@ -58,9 +58,9 @@ AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
                                        const numerics::Polynomial& weight,
                                        std::optional<int> barrier = {});
 
-/// Returns the same matrices for weights that are no polynomials. The integrals over a cell are
+/// Computes the same matrices for weights that are no polynomials. The integrals over a cell are
 /// exact for weights of degree 19 minus the degree of the reconstruction. The constructor solves
-/// the linear systems of the stencils, which no weight enters.
+/// the linear systems of the stencils once, since they do not depend on the weight.
 class WeightedAverages {
  public:
   /// @param axis must outlive this object
@@ -70,12 +70,12 @@ class WeightedAverages {
 
  private:
   struct Stencil {
-    int first;  ///< cell
+    int first;  ///< first cell of the stencil
     /// Maps the values of the weight at the quadrature points of the cell to the stencil.
     Eigen::MatrixXd of_values;
   };
   const Axis& axis_;
-  std::vector<Stencil> stencils_;  ///< of each cell
+  std::vector<Stencil> stencils_;  ///< one for each cell of the axis
 };
 
 /// Returns the matrix that maps cell averages to point values inside the cells, shape (n cells,

@@ -259,13 +259,6 @@ std::vector<Characteristic> Characteristics::trace_characteristics(
       trace_characteristic(starts[n], visit_count, parts[k]);
     }
   });
-  std::size_t total = visits_.size();
-  for (const TracedPart& part : parts) total += part.visits.size();
-  // After a small number of new visits the vectors keep their geometric growth.
-  if (total > 2 * visits_.size()) {
-    visits_.reserve(total);
-    durations_.reserve(total);
-  }
   std::vector<Characteristic> tracks;
   for (TracedPart& part : parts) {
     for (Characteristic& track : part.tracks) {

@@ -300,8 +300,8 @@ SparseColumnMatrix upwind_correction_matrix(
           0.5 * std::abs(system.force(x1.cell_centre(i), x2.face_position(face)));
     }
   }
-  // The iterator over each column of Eigen's product (-half_speeds).asDiagonal() * flux copies the
-  // whole diagonal.
+  // The entries are scaled in place, since Eigen's product (-half_speeds).asDiagonal() * flux
+  // copies the whole diagonal for each column.
   for (Eigen::Index column = 0; column < flux.cols(); ++column) {
     for (SparseColumnMatrix::InnerIterator entry(flux, column); entry; ++entry) {
       entry.valueRef() *= -half_speeds[entry.row()];

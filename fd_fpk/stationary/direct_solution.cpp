@@ -27,6 +27,8 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Mot
             .failure = std::move(failure)};
   }
   const Grid& grid = discretisation.grid;
+  // The operator and the factors of the preconditioner do not depend on each other. null_vector()
+  // reports a failed factorisation.
   FokkerPlanckOperator op;
   std::optional<Preconditioner> preconditioner;
   base::parallel_for(2, base::kOneThreadPerProcessor, [&](std::size_t part) {

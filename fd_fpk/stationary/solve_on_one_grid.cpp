@@ -34,9 +34,10 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
   // The residual of GMRES in a step, relative to the peak, is gamma times the contribution of the
-  // GMRES residual to L P. The tolerance of GMRES is a tenth of the residual expected after the
-  // step: about 1/gamma of the preceding residual in decay times, or the requested residual.
-  // Rounding errors are below kLeast.
+  // GMRES residual to L P. The tolerance of GMRES is a tenth of the larger of two residuals: the
+  // residual expected after the step, which is about 1/gamma of the preceding residual in decay
+  // times, and the requested residual. If the requested residual is very small, kLeast keeps the
+  // tolerance above the rounding errors.
   constexpr double kPart = 0.1, kLeast = 1e-11;
   const auto linear_tolerance = [&](double residual) {
     const double part = kPart * decay_time * std::max(residual, kStep * tolerance);

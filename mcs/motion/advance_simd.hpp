@@ -478,10 +478,10 @@ struct LaneState {
     Mask now = impulse_now;
     if constexpr (Motion::kHasKicks) now = now | (active & (time_to_kick <= 0.0));
     if (!simd::any_lane_set(now)) return;
-    Array<double> ys, vs, untils, kicks;
+    Array<double> ys, vs, times_to_impulse, kicks;
     simd::store(y, ys.at);
     simd::store(v, vs.at);
-    simd::store(time_to_impulse, untils.at);
+    simd::store(time_to_impulse, times_to_impulse.at);
     if constexpr (Motion::kHasKicks) simd::store(time_to_kick, kicks.at);
     Stream* kicked[W];  // streams with kicks of multiplicative noise
     int kicked_lane[W], kicked_count = 0;
@@ -491,9 +491,9 @@ struct LaneState {
       Branch& b = stream.branch;
       b.y = ys.at[i];
       b.v = vs.at[i];
-      if (untils.at[i] <= 0) {
+      if (times_to_impulse.at[i] <= 0) {
         apply_impulse(motion, stream);
-        untils.at[i] = b.time_to_impulse;
+        times_to_impulse.at[i] = b.time_to_impulse;
       }
       if constexpr (Motion::kHasKicks) {
         if (kicks.at[i] <= 0) {
@@ -516,7 +516,7 @@ struct LaneState {
       }
     }
     v = simd::load<Real>(vs.at);
-    time_to_impulse = simd::load<Real>(untils.at);
+    time_to_impulse = simd::load<Real>(times_to_impulse.at);
     if constexpr (Motion::kHasKicks) time_to_kick = simd::load<Real>(kicks.at);
     // Impulses and kicks end the rest of the mass on a wall.
     if constexpr (Motion::kHasRest)

@@ -21,9 +21,9 @@ struct Verdict {
   /// Paragraphs on contradictions with the guaranteed bounds, on the accuracy of the reference, and
   /// on the solutions that reproduce the reference.
   std::vector<std::string> answer;
-  /// Outcomes of the methods, one line each. Each order of the paper's closure, with the impact
-  /// condition to first order in 1-r, has a line. So have each further formulation, each
-  /// approximate equation, and each external density or family of densities.
+  /// Outcomes of the methods, one line each. There is a line for each order of the paper's closure
+  /// (with the impact condition to first order in 1-r), for each further formulation, for each
+  /// approximate equation, and for each external density or family of densities.
   std::vector<VerdictLine> lines;
   /// Sentences that recommend the solution for reference values and the fastest method of
   /// sufficient accuracy, with the reasons.

@@ -105,12 +105,11 @@ TEST(TransientGeneralOscillator, KeepsMassAndTheBalanceOfPowerBetweenTwoLossyWal
 // I = lambda E[Y^2].
 TEST(TransientGeneralOscillator, HasTheExactSecondMomentsUnderParametricExcitation) {
   const System system({.damping = 0.4, .stiffness = 1}, {.none = true});
-  const problem::StateFunction factor(
-      problem::Expression::parse("sqrt(1 + 0.2*y^2)", {}, "factor"));
+  const std::string factor = "sqrt(1 + 0.2*y^2)";
   Problem noise = tests::with_noise(system, 0.2);
-  noise.noise_factor.emplace("sqrt(1 + 0.2*y^2)", problem::NamedConstants{});
+  noise.noise_factor.emplace(factor, problem::NamedConstants{});
   Problem impulses = tests::with_impulses(system, tests::gaussian_impulses(4, 0.2));
-  impulses.impulse_factor = factor;
+  impulses.impulse_factor.emplace(problem::Expression::parse(factor, {}, "impulse.factor"));
   const TransientOptions moving{.until = 1,
                                 .snapshots = 1,
                                 .start_displacement = 0.4,
