@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -143,6 +144,20 @@ double EffectivePotential::integral(double y) const {
                                         knots_[knot], y);
   const double value = values_[knot] + panel;
   return value < kLargestPotential ? value : kLargestPotential;
+}
+
+double rest_displacement(const System& system, double limit) {
+  const auto& wall = system.left_wall();
+  if (wall && system.force(wall->position, 0) >= 0) return wall->position;
+  const EffectivePotential potential(system);
+  double rest = wall ? wall->position : 0, lowest = std::numeric_limits<double>::infinity();
+  for (const double y : potential.extrema()) {
+    if (y < limit && potential(y) < lowest) {
+      lowest = potential(y);
+      rest = y;
+    }
+  }
+  return rest;
 }
 
 }  // namespace fpkcheck::problem

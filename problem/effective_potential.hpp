@@ -53,4 +53,8 @@ class EffectivePotential {
   bool rises_on_left_ = false, rises_on_right_ = false;
 };
 
+/// Returns the displacement at which the mass rests without excitation: the left wall, if no force
+/// lifts the mass off it, or the lowest minimum of the spring's potential below `limit`.
+double rest_displacement(const System& system, double limit);
+
 }  // namespace fpkcheck::problem

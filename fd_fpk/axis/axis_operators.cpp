@@ -58,7 +58,7 @@ void append_stencil(Triplets& entries, const Axis& axis, int row, int first_cell
 
 // Returns the first cell of a stencil, moved left so that the stencil crosses no boundary.
 int clamp_at_right_boundary(const Axis& axis, int first, int stencil_size) {
-  return axis.right_end_condition() == AxisEndCondition::boundary
+  return axis.right_end_condition() != AxisEndCondition::vacuum
              ? std::min(first, axis.cell_count() - stencil_size)
              : first;
 }

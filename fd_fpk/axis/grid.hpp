@@ -12,8 +12,9 @@ namespace fpkcheck::fd_fpk {
 enum class AxisEnd { left, right };
 
 /// Condition at an end of an axis. The condition `vacuum`, at an edge of the box, sets the density
-/// outside to zero. The condition `boundary`, at an impact wall, shifts stencils inwards.
-enum class AxisEndCondition { vacuum, boundary };
+/// outside to zero. The condition `boundary`, at an impact wall, shifts stencils inwards. The
+/// condition `barrier`, at the right end, absorbs all motion that reaches it, for first passages.
+enum class AxisEndCondition { vacuum, boundary, barrier };
 
 class Axis {
  public:
@@ -35,6 +36,8 @@ class Axis {
   AxisEndCondition right_end_condition() const { return right_; }
   const std::vector<double>& faces() const { return faces_; }
   Eigen::VectorXd cell_widths() const;
+  /// Returns the same axis with another condition at its right end.
+  Axis with_right_end(AxisEndCondition condition) const { return Axis(faces_, left_, condition); }
   /// Returns the part of the axis above an inner face, with the condition `vacuum` at both ends.
   Axis subaxis_above_face(int first_face) const;
 

@@ -183,6 +183,14 @@ void KluFactorisation::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   }
 }
 
+void KluFactorisation::solve_transposed_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
+  auto& [common, symbolic, numeric] = *handles_;
+  if (numeric == nullptr ||
+      !klu_tsolve(symbolic, numeric, static_cast<int>(b.size()), 1, b.data(), &common)) {
+    throw std::logic_error("KLU solve without a factorisation");
+  }
+}
+
 long KluFactorisation::factor_entry_count() const {
   const auto* numeric = handles_->numeric;
   return numeric == nullptr ? 0 : static_cast<long>(numeric->lnz + numeric->unz);

@@ -33,6 +33,8 @@ class KluFactorisation {
   long factor_entry_count() const;
 
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
+  /// Solves the linear system of the transposed matrix.
+  void solve_transposed_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:
   struct Handles;

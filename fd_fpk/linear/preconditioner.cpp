@@ -104,4 +104,9 @@ void Preconditioner::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   b /= matrix_scale_;
 }
 
+void Preconditioner::solve_transposed_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
+  klu_.solve_transposed_in_place(b);
+  b /= matrix_scale_;
+}
+
 }  // namespace fpkcheck::fd_fpk

@@ -42,6 +42,7 @@ class Preconditioner {
   long factor_entry_count() const { return klu_.factor_entry_count(); }
 
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
+  void solve_transposed_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:
   bool factor_with_klu(const SparseColumnMatrix& matrix);

@@ -365,6 +365,13 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
           .cells = cells};
 }
 
+Discretisation with_excitation_of(const problem::Problem& problem, const Options& options,
+                                  const Discretisation& on) {
+  Discretisation changed = on;
+  changed.excitation = excitation(problem, options, on.grid.x2, on.regularisation_length);
+  return changed;
+}
+
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
                                             const Discretisation& on) {
   return fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid,

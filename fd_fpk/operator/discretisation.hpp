@@ -49,6 +49,10 @@ struct EnlargedBox {
 EnlargedBox enlarge_box(const problem::Problem& problem, const Options& options, const Grid& grid,
                         double factor_x1, double factor_x2);
 
+/// Returns a discretisation with the grid of `on` and the excitation of another problem.
+Discretisation with_excitation_of(const problem::Problem& problem, const Options& options,
+                                  const Discretisation& on);
+
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
                                             const Discretisation& on);
 

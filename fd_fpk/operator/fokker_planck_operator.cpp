@@ -59,8 +59,12 @@ SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weig
                                 has_kinks ? std::optional(half) : std::nullopt);
   const AxisOperator rightwards =
       divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSide::left);
+  // No motion comes in through a barrier: the density of motion to the left is 0 beyond it.
+  const bool has_barrier = x1.right_end_condition() == AxisEndCondition::barrier;
   const AxisOperator leftwards =
-      divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSide::right);
+      divergence_operator(x1) *
+      face_value_operator(has_barrier ? x1.with_right_end(AxisEndCondition::vacuum) : x1,
+                          scheme_order, UpstreamSide::right);
   return kronecker_product(rightwards, zero_other_rows(minus_speed, half, half)) +
          kronecker_product(leftwards, zero_other_rows(minus_speed, 0, half));
 }
@@ -96,6 +100,17 @@ SparseColumnMatrix wall_exchange_matrix(const problem::Wall& wall, problem::Impa
   const AxisOperator into_column =
       single_entry_matrix(grid.nx(), 1, column, 0, 1 / grid.x1.cell_width(column));
   return kronecker_product(into_column, exchange) * wall_flux_matrix(grid, scheme_order, end);
+}
+
+// Returns the matrix of the motion that leaves through a barrier at the right end.
+SparseColumnMatrix barrier_outflow_matrix(const Grid& grid, int scheme_order) {
+  const int half = grid.nv() / 2, last = grid.nx() - 1;
+  AxisOperator outflow(grid.nv(), half);
+  for (int b = 0; b < half; ++b) outflow.insert(outgoing_cell(grid, AxisEnd::right, b), b) = -1.0;
+  const AxisOperator out_of_column =
+      single_entry_matrix(grid.nx(), 1, last, 0, 1 / grid.x1.cell_width(last));
+  return kronecker_product(out_of_column, outflow) *
+         wall_flux_matrix(grid, scheme_order, AxisEnd::right);
 }
 
 // Returns the matrix of the term d/dx2 [ x2^power p ], by fluxes through the inner faces of x2. The
@@ -367,7 +382,9 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
   if (system.left_wall()) {
     local += wall_exchange_matrix(*system.left_wall(), impact, grid, scheme_order, AxisEnd::left);
   }
-  if (system.right_wall()) {
+  if (grid.x1.right_end_condition() == AxisEndCondition::barrier) {
+    local += barrier_outflow_matrix(grid, scheme_order);
+  } else if (system.right_wall()) {
     local += wall_exchange_matrix(*system.right_wall(), impact, grid, scheme_order, AxisEnd::right);
   }
   const auto reconstructions = face_reconstructions(grid.x2, scheme_order, kinks);
@@ -408,6 +425,22 @@ Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages)
   return rate;
 }
 
+Eigen::VectorXd FokkerPlanckOperator::transposed_product(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd product = local.transpose() * x;
+  for (const auto& [of_x1, of_x2] : exchange) {
+    const Eigen::Index nv = of_x2.rows(), nx = x.size() / nv;
+    const Eigen::MatrixXd jumped =
+        of_x2.transpose() * Eigen::Map<const Eigen::MatrixXd>(x.data(), nv, nx);
+    Eigen::Map<Eigen::MatrixXd> to(product.data(), nv, nx);
+    if (of_x1) {
+      to += jumped * *of_x1;
+    } else {
+      to += jumped;
+    }
+  }
+  return product;
+}
+
 SparseColumnMatrix FokkerPlanckOperator::assembled_matrix() const {
   // Jumps by a whole number of cells cause rounding errors in matrix entries whose exact value is
   // zero.
@@ -422,19 +455,7 @@ SparseColumnMatrix FokkerPlanckOperator::assembled_matrix() const {
 }
 
 double FokkerPlanckOperator::max_mass_loss_rate() const {
-  Eigen::RowVectorXd rate = areas.transpose() * local;
-  for (const auto& [of_x1, of_x2] : exchange) {
-    const Eigen::Index nv = of_x2.rows(), nx = areas.size() / nv;
-    const Eigen::MatrixXd lost =
-        of_x2.transpose() * Eigen::Map<const Eigen::MatrixXd>(areas.data(), nv, nx);
-    Eigen::Map<Eigen::MatrixXd> to(rate.data(), nv, nx);
-    if (of_x1) {
-      to += lost * *of_x1;
-    } else {
-      to += lost;
-    }
-  }
-  return rate.transpose().cwiseQuotient(areas).cwiseAbs().maxCoeff();
+  return transposed_product(areas).cwiseQuotient(areas).cwiseAbs().maxCoeff();
 }
 
 double FokkerPlanckOperator::stationarity_residual(const Eigen::VectorXd& averages) const {

@@ -34,6 +34,8 @@ struct FokkerPlanckOperator {
   Eigen::VectorXd areas;
 
   Eigen::VectorXd operator*(const Eigen::VectorXd& averages) const;
+  /// Returns the product of the transposed operator with a vector.
+  Eigen::VectorXd transposed_product(const Eigen::VectorXd& x) const;
   /// Returns the whole operator as one sparse matrix, without rounding errors of `exchange`.
   SparseColumnMatrix assembled_matrix() const;
   /// Returns the largest rate of mass loss of the operator in a cell, from the column sums.
@@ -50,7 +52,7 @@ struct FokkerPlanckOperator {
 enum class ProductAveraging { full, lumped };
 
 /// Returns the operator of paper (15) with the given excitation, and with the impact condition at
-/// each wall:
+/// each wall. A right end of x1 with the condition `barrier` absorbs the motion that reaches it:
 ///
 ///     p_t = -x2 p_1 + d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ] + excitation,
 ///

@@ -202,6 +202,33 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
   return beyond;
 }
 
+Eigen::VectorXd multiply_by_coordinate(const Grid& grid, const Eigen::VectorXd& averages,
+                                       transform::StateVariable coordinate, int scheme_order) {
+  const int points = averaging_stencil_size(scheme_order);
+  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
+  Eigen::VectorXd product(averages.size());
+  Eigen::Map<Eigen::MatrixXd> to(product.data(), grid.nv(), grid.nx());
+  if (coordinate == transform::StateVariable::y) {
+    to = p * weighted_average_operator(grid.x1, points, monomial(1)).transpose();
+  } else {
+    to = weighted_average_operator(grid.x2, points, monomial(1)) * p;
+  }
+  return product;
+}
+
+Eigen::VectorXd coordinate_functional(const Grid& grid, transform::StateVariable coordinate,
+                                      int scheme_order) {
+  const int points = averaging_stencil_size(scheme_order);
+  Eigen::VectorXd of_x1 = grid.x1.cell_widths(), of_x2 = grid.x2.cell_widths();
+  if (coordinate == transform::StateVariable::y) {
+    of_x1 = weighted_average_operator(grid.x1, points, monomial(1)).transpose() * of_x1;
+  } else {
+    of_x2 = weighted_average_operator(grid.x2, points, monomial(1)).transpose() * of_x2;
+  }
+  const Eigen::MatrixXd weights = of_x2 * of_x1.transpose();
+  return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
+}
+
 double physical_mixed_moment(const problem::WallFrame& frame, const Grid& grid,
                              const Eigen::VectorXd& averages, int scheme_order) {
   const numerics::Polynomial y =

@@ -9,6 +9,7 @@
 #include "problem/effective_potential.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/density.hpp"
+#include "transform/marginal.hpp"
 #include "transform/metric.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -34,6 +35,14 @@ transform::Moments physical_moments(const problem::WallFrame& frame, const Grid&
 transform::Moments moments_outside_box(const problem::Problem& problem, const Grid& grid,
                                        const Eigen::VectorXd& averages,
                                        const transform::Moments& moments_in_box);
+
+/// Returns the cell averages of x1 p or x2 p, for cell averages of p.
+Eigen::VectorXd multiply_by_coordinate(const Grid& grid, const Eigen::VectorXd& averages,
+                                       transform::StateVariable coordinate, int scheme_order);
+/// Returns the vector w such that w . P is the mean E[x1] or E[x2] of a density with the cell
+/// averages P and mass 1.
+Eigen::VectorXd coordinate_functional(const Grid& grid, transform::StateVariable coordinate,
+                                      int scheme_order);
 
 /// Returns the mixed moment E[y y'] in physical coordinates; 0 for a stationary density.
 double physical_mixed_moment(const problem::WallFrame& frame, const Grid& grid,

@@ -43,6 +43,19 @@ Solved solved(int n) {
   return result;
 }
 
+TEST(Klu, SolvesTheSystemsOfTheMatrixAndOfItsTranspose) {
+  const SparseColumnMatrix matrix = square(12);
+  KluFactorisation klu;
+  ASSERT_TRUE(klu.factorise(matrix)) << klu.failure_reason();
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(matrix.cols(), 1, 2);
+  Eigen::VectorXd x = right, transposed = right;
+  klu.solve_in_place(x);
+  klu.solve_transposed_in_place(transposed);
+  EXPECT_LT((matrix * x - right).norm(), 1e-11 * right.norm());
+  EXPECT_LT((matrix.transpose() * transposed - right).norm(), 1e-11 * right.norm());
+  EXPECT_GT((x - transposed).norm(), 1e-3 * x.norm());
+}
+
 // METIS uses random numbers that the whole process shares.
 TEST(Klu, GivesTheSameBitsInParallelAsAlone) {
   constexpr int kCells = 90, kRounds = 5;

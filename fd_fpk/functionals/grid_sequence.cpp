@@ -1,0 +1,135 @@
+#include "fd_fpk/functionals/grid_sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/process/parallel_for.hpp"
+#include "fd_fpk/operator/well_posedness.hpp"
+#include "fd_fpk/selection_policy.hpp"
+#include "transform/richardson.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+struct Level : LevelValues {
+  double seconds = 0;
+};
+
+// Sets the error estimates from the differences between the last three levels.
+void estimate_errors(const std::vector<Level>& levels, const Eigen::VectorXd& scales, int order,
+                     ConvergedValues& result) {
+  const std::size_t n = levels.size();
+  const Eigen::VectorXd last = levels[n - 1].values - levels[n - 2].values;
+  const Eigen::VectorXd before = levels[n - 2].values - levels[n - 3].values;
+  const double q = transform::kRefinementRatio;
+  const auto total = [&](const Eigen::VectorXd& difference) {
+    return difference.cwiseAbs().cwiseQuotient(scales).sum();
+  };
+  result.observed_order = std::log(total(before) / total(last)) / std::log(q);
+  const double credible = std::isfinite(result.observed_order)
+                              ? transform::credible_convergence_order(result.observed_order, order)
+                              : 1.0 * order;
+  const double reduction = std::pow(q, credible);
+  // A difference may be small by chance; the previous difference, reduced by the order, is the other
+  // estimate.
+  result.errors = last.cwiseAbs().cwiseMax(before.cwiseAbs() / reduction) *
+                  (transform::kErrorSafetyFactor / (reduction - 1));
+}
+
+}  // namespace
+
+Options with_refinement(Options options, double refinement) {
+  options.refine_unresolved = false;
+  options.refinement *= refinement;
+  if (options.nx) options.nx = static_cast<int>(std::lround(*options.nx * refinement));
+  if (options.nv) options.nv = 2 * static_cast<int>(std::lround(*options.nv * refinement / 2));
+  return options;
+}
+
+ConvergedValues converge_on_grids(const std::function<LevelValues(double refinement)>& evaluate,
+                                  int order, double tolerance, const Magnitudes& magnitudes,
+                                  const Deadline& deadline) {
+  constexpr double q = transform::kRefinementRatio;
+  // Ratio of the computing times on successive grids
+  constexpr double kTimeRatio = 3;
+  const auto timed = [&](double refinement) {
+    const Stopwatch stopwatch;
+    Level level{evaluate(refinement)};
+    level.seconds = stopwatch.seconds();
+    return level;
+  };
+  ConvergedValues result;
+  std::vector<Level> levels(2);
+  base::parallel_for(2, base::kOneThreadPerProcessor,
+                     [&](std::size_t k) { levels[k] = timed(k == 0 ? 1 / (q * q) : 1 / q); });
+  for (double refinement = 1;; refinement *= q) {
+    const auto failed =
+        std::ranges::find_if(levels, [](const Level& level) { return level.values.size() == 0; });
+    if (failed != levels.end()) {
+      result.failure = failed->failure;
+      return result;
+    }
+    if (levels.size() >= 3) {
+      const Level& finest = levels.back();
+      result.values = finest.values;
+      result.nx = finest.nx;
+      result.nv = finest.nv;
+      const Eigen::VectorXd scales = magnitudes(finest.values);
+      estimate_errors(levels, scales, order, result);
+      result.reached = (result.errors.array() <= tolerance * scales.array()).all();
+      if (result.reached) return result;
+      if (!deadline.has_time_for(kTimeRatio * finest.seconds)) {
+        result.failure = "max_seconds would expire on a finer grid; increase max-seconds";
+        return result;
+      }
+    }
+    levels.push_back(timed(refinement));
+    // A finer grid may be too large; the result of the coarser grids remains.
+    if (levels.size() > 3 && levels.back().values.size() == 0) {
+      result.failure = levels.back().failure;
+      return result;
+    }
+  }
+}
+
+ConvergedValues converge_on_grids(const problem::Problem& problem, const Options& options,
+                                  double tolerance, const StationaryFunctionals& functionals,
+                                  const Magnitudes& magnitudes) {
+  // All grids have the same box, so that their differences do not show the error by its ends. The box
+  // is therefore wider than for a density: E[y^4] of case1 changes by less than 1e-6.
+  constexpr double kEdgeDensityFactor = 1e-2;
+  const Deadline deadline(options.max_seconds);
+  Options on_grid = options;
+  on_grid.wall_density *= kEdgeDensityFactor;
+  on_grid.order = options.order.value_or(automatic_order(problem));
+  ScalesAndBox scales_and_box{.scales = problem::scales(problem)};
+  if (!has_linearised_scales(problem)) on_grid.wall_density *= box_edge_density_factor(problem);
+  scales_and_box.box = stationary_box(problem, scales_and_box.scales, on_grid, deadline);
+  on_grid.x1_max = scales_and_box.box->x1_max;
+  on_grid.x2_max = scales_and_box.box->x2_max;
+
+  const Discretisation first = discretise(problem, on_grid, *scales_and_box.box);
+  std::string failure = first.failure;
+  if (failure.empty()) failure = check_well_posedness(problem, on_grid, first).ill_posed_reason;
+  if (!failure.empty()) return {.failure = failure};
+
+  const auto evaluate = [&](double refinement) -> LevelValues {
+    DirectSolution on =
+        solve_directly(problem, scales_and_box, with_refinement(on_grid, refinement), deadline);
+    LevelValues level{.nx = on.discretisation.grid.nx(), .nv = on.discretisation.grid.nv()};
+    if (on.averages) {
+      level.values = functionals(on, deadline, level.failure);
+    } else {
+      level.failure = on.failure;
+    }
+    return level;
+  };
+  return converge_on_grids(evaluate, transport_order(on_grid), tolerance, magnitudes, deadline);
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,399 @@
+#include "fd_fpk/functionals/passage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+#include "fd_fpk/applicability.hpp"
+#include "fd_fpk/functionals/grid_sequence.hpp"
+#include "fd_fpk/functionals/reduced_resolvent.hpp"
+#include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "problem/effective_potential.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+using transform::ValueWithError;
+
+// Error, as a fraction of Options::accuracy, at which no finer grid is tried
+constexpr double kPassageTargetFraction = 0.5;
+
+// The survival probability jumps across the orbit that grazes the barrier, which limits the order of
+// convergence.
+constexpr int kObservedOrder = 2;
+
+// Positions of the values of a grid in a vector, followed by the survival probabilities from rest and
+// from the stationary law.
+enum PassageValue {
+  kHazard,
+  kFromRest,
+  kFromStationary,
+  kRiceRate,
+  kProbabilityBelow,
+  kValueCount
+};
+
+// The problem below the barrier, and its box.
+struct PassageProblem {
+  const problem::Problem& problem;
+  const Options& options;
+  const problem::MotionScales& scales;
+  double barrier;
+  double rest;          // displacement of the start at rest
+  double waiting_rate;  // rate of the impulses that end the rest; 0 if noise ends it at once
+  Box box;              // box of the stationary density, whose right end is beyond the barrier
+};
+
+// Returns the cells below the barrier, and the cells of the stationary density: the same cells,
+// continued beyond the barrier.
+struct PassageGrids {
+  Grid below, whole;
+};
+std::optional<PassageGrids> make_grids(const PassageProblem& passage, const Options& options,
+                                       std::string& failure) {
+  Box box = passage.box;
+  box.x1_max = passage.barrier;
+  Options to_barrier = options;
+  to_barrier.x1_max = std::nullopt;
+  Discretisation below = discretise(passage.problem, to_barrier, box);
+  // The orbit that grazes the barrier needs narrower cells than the stationary density.
+  constexpr double kFewestBelowBarrier = 40;
+  const int fewest = static_cast<int>(std::ceil(kFewestBelowBarrier * options.refinement));
+  if (below.failure.empty() && !options.nx && below.grid.nx() < fewest) {
+    to_barrier.nx = fewest;
+    below = discretise(passage.problem, to_barrier, box);
+  }
+  if (!below.failure.empty()) {
+    failure = below.failure;
+    return std::nullopt;
+  }
+  const Axis& x1 = below.grid.x1;
+  std::vector<double> faces = x1.faces();
+  const double width = x1.cell_width(x1.cell_count() - 1);
+  const double end = passage.box.x1_max;
+  const int more = std::max(1, static_cast<int>(std::ceil((end - passage.barrier) / width)));
+  for (int k = 1; k <= more; ++k) {
+    faces.push_back(passage.barrier + (end - passage.barrier) * k / more);
+  }
+  const auto right =
+      passage.problem.system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum;
+  return PassageGrids{{x1.with_right_end(AxisEndCondition::barrier), below.grid.x2},
+                      {Axis(std::move(faces), x1.left_end_condition(), right), below.grid.x2}};
+}
+
+// Returns the row of weights that evaluates cell averages at a position of an axis.
+Eigen::RowVectorXd value_at(const Axis& axis, int order, double x,
+                            std::optional<int> barrier = {}) {
+  const std::vector<double>& faces = axis.faces();
+  const auto cell = std::clamp<std::ptrdiff_t>(
+      std::upper_bound(faces.begin(), faces.end(), x) - faces.begin() - 1, 0,
+      axis.cell_count() - 1);
+  const int c = static_cast<int>(cell);
+  const std::array fraction{(x - axis.face_position(c)) / axis.cell_width(c)};
+  return point_value_operator(axis, averaging_stencil_size(order), fraction, barrier).row(c);
+}
+
+// Returns the weights of the velocity cells in the mean of a function of the velocity right after the
+// first impulse on a mass at rest at x = rest. A wall there reflects impulses against it.
+Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis& x2, int order) {
+  constexpr int kParts = 8;  // parts of a cell, with the values at their centres
+  std::vector<double> centres;
+  for (int k = 0; k < kParts; ++k) centres.push_back((k + 0.5) / kParts);
+  const AxisOperator values = point_value_operator(x2, averaging_stencil_size(order), centres);
+  const problem::ImpulseLaw& law = passage.problem.impulses.law();
+  const auto& wall = passage.problem.system.left_wall();
+  const bool on_wall = wall && passage.rest <= wall->position;
+  // Returns the probability of velocities up to v.
+  const auto cumulative = [&](double v) {
+    if (!on_wall) return law.cumulative_probability(v);
+    if (v <= 0) return 0.0;
+    const double r = wall->restitution_at(0);
+    return law.cumulative_probability(v) - law.cumulative_probability(r > 0 ? -v / r : -v);
+  };
+  Eigen::RowVectorXd weights = Eigen::RowVectorXd::Zero(x2.cell_count());
+  for (int j = 0; j < x2.cell_count(); ++j) {
+    for (int k = 0; k < kParts; ++k) {
+      const double low = x2.face_position(j) + x2.cell_width(j) * k / kParts;
+      const double high = x2.face_position(j) + x2.cell_width(j) * (k + 1) / kParts;
+      const double probability = cumulative(high) - cumulative(low);
+      for (AxisOperator::InnerIterator e(values, j * kParts + k); e; ++e) {
+        weights(e.col()) += probability * e.value();
+      }
+    }
+  }
+  return weights;
+}
+
+// Returns the functional of cell averages that evaluates the survival probability or the mean time
+// for the start at rest; under impulses after the first of them.
+Eigen::VectorXd start_at_rest(const PassageProblem& passage, const Grid& grid, int order) {
+  const Eigen::RowVectorXd of_x1 = value_at(grid.x1, order, passage.rest);
+  const Eigen::RowVectorXd of_x2 = passage.waiting_rate > 0
+                                       ? mean_after_impulse(passage, grid.x2, order)
+                                       : value_at(grid.x2, order, 0);
+  const Eigen::MatrixXd weights = of_x2.transpose() * of_x1;
+  return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
+}
+
+// Survival probabilities at the times, from the modes of the Krylov space. At rest the mass waits for
+// an impulse of rate lambda before the modes begin.
+Eigen::VectorXd survival(const ReducedResolvent::Modes& modes, const std::vector<double>& times,
+                         double waiting_rate) {
+  Eigen::VectorXd values(times.size());
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const double t = times[k];
+    const double waiting = waiting_rate > 0 ? std::exp(-waiting_rate * t) : 0;
+    std::complex<double> sum = waiting;
+    for (Eigen::Index j = 0; j < modes.rates.size(); ++j) {
+      const std::complex<double> a = modes.rates(j), decayed = std::exp(a * t);
+      sum += modes.coefficients(j) *
+             (waiting_rate > 0 ? waiting_rate * (decayed - waiting) / (a + waiting_rate) : decayed);
+    }
+    values(static_cast<Eigen::Index>(k)) = sum.real();
+  }
+  return values;
+}
+
+Eigen::VectorXd passage_values(ReducedResolvent& model, const Eigen::VectorXd& from_rest,
+                               const Eigen::VectorXd& from_stationary,
+                               const std::vector<double>& times, double waiting_rate) {
+  const Eigen::VectorXcd origin = Eigen::VectorXcd::Zero(1);
+  const auto of_rest = model.modes(from_rest), of_stationary = model.modes(from_stationary);
+  const auto n = static_cast<Eigen::Index>(times.size());
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(kValueCount + 2 * n);
+  // Modes without a contribution may be no modes of the operator.
+  constexpr double kSmallestCoefficient = 1e-6;
+  values(kHazard) = HUGE_VAL;
+  for (Eigen::Index j = 0; j < of_stationary.rates.size(); ++j) {
+    if (std::abs(of_stationary.coefficients(j)) < kSmallestCoefficient) continue;
+    values(kHazard) = std::min(values(kHazard), -of_stationary.rates(j).real());
+  }
+  values(kFromStationary) = model.transfer(from_stationary, origin)(0).real();
+  values(kFromRest) =
+      model.transfer(from_rest, origin)(0).real() + (waiting_rate > 0 ? 1 / waiting_rate : 0);
+  values.segment(kValueCount, n) = survival(of_rest, times, waiting_rate);
+  values.segment(kValueCount + n, n) = survival(of_stationary, times, 0);
+  return values;
+}
+
+// Returns the magnitudes to which errors are relative: the values, and 1 for the survival
+// probabilities, since small probabilities have large relative errors.
+Eigen::VectorXd passage_magnitudes(const Eigen::VectorXd& values) {
+  Eigen::VectorXd magnitudes = values.cwiseAbs();
+  magnitudes.tail(values.size() - kValueCount).setOnes();
+  return magnitudes;
+}
+
+// Returns the largest differences between two successive Krylov spaces. The survival at short times,
+// to which many modes contribute, converges last.
+Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
+  constexpr double kOfValues = 1e-5, kOfSurvival = 1e-3;
+  Eigen::VectorXd errors = kOfValues * values.cwiseAbs();
+  errors.tail(values.size() - kValueCount).setConstant(kOfSurvival);
+  return errors;
+}
+
+// Returns the values on one grid. The Krylov space grows until the values of two successive spaces
+// agree.
+LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
+                            const std::vector<double>& times, double shift,
+                            const Deadline& deadline) {
+  constexpr int kStep = 10, kMost = 120;
+  const problem::Problem& problem = passage.problem;
+  const Options options = with_refinement(passage.options, refinement);
+  const int order = transport_order(options);
+  LevelValues level;
+  const auto grids = make_grids(passage, options, level.failure);
+  if (!grids) return level;
+  const auto& [below, whole] = *grids;
+  level.nx = below.nx();
+  level.nv = below.nv();
+
+  const Discretisation of_whole =
+      with_excitation_of(problem, options, {.grid = whole, .excitation = {}});
+  const FokkerPlanckOperator op_whole = fokker_planck_operator(problem, options, of_whole);
+  Preconditioner for_whole(problem.system, passage.scales.slowest_decay_rate, of_whole.excitation,
+                           options.impact, whole, order);
+  const NullVector stationary =
+      null_vector(op_whole, for_whole, initial_gaussian(whole, passage.scales), deadline);
+  if (!stationary.averages) {
+    level.failure = stationary.failure;
+    return level;
+  }
+  const Eigen::VectorXd p = stationary.averages->head(below.size());
+  const Eigen::VectorXd areas = below.cell_areas();
+  const double probability = areas.dot(p);
+
+  const Discretisation of_below =
+      with_excitation_of(problem, options, {.grid = below, .excitation = {}});
+  const FokkerPlanckOperator op = fokker_planck_operator(problem, options, of_below);
+  Preconditioner preconditioner(problem.system, passage.scales.slowest_decay_rate,
+                                of_below.excitation, options.impact, below, order);
+  if (!preconditioner.factorise(1 / shift)) {
+    level.failure = preconditioner.failure_reason();
+    return level;
+  }
+  // The vector z with exp(L^T t) areas = z is the survival probability times the areas.
+  ReducedResolvent model(
+      [&](const Eigen::VectorXd& x) { return op.transposed_product(x); },
+      [&](Eigen::Ref<Eigen::VectorXd> x) { preconditioner.solve_transposed_in_place(x); },
+      areas.cwiseInverse(), shift, areas);
+  const Eigen::VectorXd from_rest = start_at_rest(passage, below, order).cwiseQuotient(areas);
+  const Eigen::VectorXd from_stationary = p / probability;
+  Eigen::VectorXd last;
+  bool agree = false;
+  while (!agree && model.size() < kMost) {
+    if (!model.extend(kStep, deadline)) {
+      level.failure = model.failure_reason();
+      return level;
+    }
+    Eigen::VectorXd values =
+        passage_values(model, from_rest, from_stationary, times, passage.waiting_rate);
+    agree =
+        last.size() > 0 && ((values - last).array().abs() <= krylov_errors(values).array()).all();
+    last = values;
+  }
+  if (!agree) {
+    level.failure = fmt::format(
+        "the Krylov space of {} vectors does not determine the passage; omit short times", kMost);
+    return level;
+  }
+  // Rice's rate is the flux of the stationary density through the barrier.
+  last(kRiceRate) = wall_speed_moment(below, p, order, 1, AxisEnd::right);
+  last(kProbabilityBelow) = probability;
+  level.values = last;
+  return level;
+}
+
+// Returns the box of the stationary density, enlarged for the motion that reaches the barrier: it
+// impacts the wall with the speed w and comes from there with w/r.
+Box passage_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                const Options& options, double barrier, double rest, const Deadline& deadline) {
+  constexpr double kImpulseDeviations = 5.5;
+  constexpr double kBeyond = 0.5;  // shortest part of the box beyond the barrier, in deviations
+  Box box = stationary_box(problem, scales, options, deadline);
+  const problem::EffectivePotential potential(problem.system);
+  const double speed = std::sqrt(2 * std::max(0.0, potential(barrier) - potential(rest)));
+  const auto& wall = problem.system.left_wall();
+  const double restitution = wall ? std::max(0.1, wall->restitution_at(speed)) : 1;
+  const auto& law = problem.impulses.law();
+  const double of_impulse = problem.impulses.is_present()
+                                ? std::abs(law.mean()) + kImpulseDeviations * law.deviation()
+                                : 0;
+  box.x2_max = std::max(box.x2_max, speed / restitution + of_impulse);
+  box.x1_max = std::max(box.x1_max, barrier + kBeyond * scales.displacement_deviation);
+  if (const auto& right = problem.system.right_wall()) box.x1_max = right->position;
+  return box;
+}
+
+// Returns ten times up to three mean times, rounded to two digits.
+std::vector<double> automatic_times(double mean) {
+  std::vector<double> times;
+  for (int k = 1; k <= 10; ++k) {
+    const double time = 0.3 * k * mean, unit = std::pow(10, std::floor(std::log10(time)) - 1);
+    times.push_back(std::round(time / unit) * unit);
+  }
+  return times;
+}
+
+}  // namespace
+
+std::string passage_unsupported_reason(const problem::Problem& problem, const Options& options,
+                                       double barrier) {
+  if (std::string reason = transient_unsupported_reason(problem, options); !reason.empty()) {
+    return reason;
+  }
+  const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
+  if (problem.frame.mirrored) {
+    return "a passage above a barrier with a wall on the right alone: mirror the case";
+  }
+  if ((left && barrier <= left->position) || (right && barrier >= right->position)) {
+    return fmt::format("the barrier y = {:g} is not between the walls",
+                       problem.frame.physical_y(barrier));
+  }
+  return "";
+}
+
+transform::Passage solve_passage(const problem::Problem& problem, const Options& options,
+                                 double barrier, std::vector<double> times) {
+  validate(options);
+  const Stopwatch stopwatch;
+  transform::Passage passage{.id = solution_id(options)};
+  const problem::Problem seen =
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+  const double in_frame = seen.frame.wall_x(barrier);
+  passage.reason = passage_unsupported_reason(seen, options, in_frame);
+  if (!passage.reason.empty()) {
+    passage.status = Status::not_offered;
+    return passage;
+  }
+  const Deadline deadline(options.max_seconds);
+  const problem::MotionScales scales = problem::scales(seen);
+  Options with_order = options;
+  with_order.order = options.order.value_or(automatic_order(seen));
+  if (!has_linearised_scales(seen)) with_order.wall_density *= box_edge_density_factor(seen);
+  const double rest = problem::rest_displacement(seen.system, in_frame);
+  const bool waits = seen.impulses.is_present() && !seen.noise.is_present() &&
+                     options.equation == DensityEquation::kf;
+  const PassageProblem below{
+      .problem = seen,
+      .options = with_order,
+      .scales = scales,
+      .barrier = in_frame,
+      .rest = rest,
+      .waiting_rate = waits ? seen.impulses.arrival_rate() : 0,
+      .box = passage_box(seen, scales, with_order, in_frame, rest, deadline)};
+  // With smaller shifts the survival at short times converges slowly, with larger shifts the hazard.
+  constexpr double kShift = 4;
+  const double shift = kShift * scales.velocity_deviation / scales.displacement_deviation;
+  if (times.empty()) {
+    constexpr double kCoarse = 0.5;
+    const LevelValues coarse = passage_on_grid(below, kCoarse, {}, shift, deadline);
+    if (coarse.values.size() == 0) {
+      passage.reason = coarse.failure;
+      return passage;
+    }
+    times = automatic_times(coarse.values(kFromStationary));
+  }
+  const double target = kPassageTargetFraction * options.accuracy;
+  const ConvergedValues converged = converge_on_grids(
+      [&](double refinement) { return passage_on_grid(below, refinement, times, shift, deadline); },
+      kObservedOrder, target, passage_magnitudes, deadline);
+  passage.seconds = stopwatch.seconds();
+  if (converged.values.size() == 0) {
+    passage.reason = converged.failure;
+    return passage;
+  }
+  const Eigen::VectorXd errors = converged.errors + krylov_errors(converged.values);
+  const auto at = [&](Eigen::Index k) -> ValueWithError {
+    return {converged.values(k), errors(k)};
+  };
+  passage.hazard = at(kHazard);
+  passage.mean_from_rest = at(kFromRest);
+  passage.mean_from_stationary = at(kFromStationary);
+  passage.rice_rate = at(kRiceRate);
+  passage.probability_below = at(kProbabilityBelow);
+  passage.times = times;
+  const auto n = static_cast<Eigen::Index>(times.size());
+  for (Eigen::Index k = 0; k < n; ++k) {
+    passage.survival_from_rest.push_back(at(kValueCount + k));
+    passage.survival_from_stationary.push_back(at(kValueCount + n + k));
+  }
+  passage.details = fmt::format("{} x {} cells", converged.nx, converged.nv);
+  const double error = (errors.array() / passage_magnitudes(converged.values).array()).maxCoeff();
+  passage.status = Status::ok;
+  if (!(error <= options.accuracy)) {
+    passage.status = Status::inaccurate;
+    passage.reason = fmt::format("estimated relative error {:.2g}, above the accuracy {:g}; {}",
+                                 error, options.accuracy, converged.failure);
+  }
+  return passage;
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "fd_fpk/linear/gmres.hpp"
+#include "fd_fpk/stopwatch.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// Reduced model of the transfer functions h(s) = <w, (s - L)^-1 b> of a generator L or its adjoint,
+/// by Arnoldi iteration with the real matrix B = (sigma - L)^-1 from the vector b. With the basis V
+/// of the Krylov space, B V = V H + .., and
+///
+///     (s - L)^-1 = (1 - (sigma - s) B)^-1 B,    h(s) ~ <w, V (1 - (sigma - s) H)^-1 H V^T b>.
+///
+/// One factorisation serves all s. If b has mass 0 and L conserves mass, all vectors of the Krylov
+/// space have mass 0: the stationary density is deflated, and s = 0 is not singular.
+class ReducedResolvent {
+ public:
+  /// @param times function that returns L x
+  /// @param approximate_solve function that solves (1 - L/sigma) x = b approximately
+  /// @param weights weights of residuals
+  /// @param shift sigma > 0
+  ReducedResolvent(LinearMap times, ApproximateSolve approximate_solve, Eigen::VectorXd weights,
+                   double shift, const Eigen::VectorXd& b);
+
+  /// Adds `count` vectors to the basis.
+  /// @return whether the linear systems were solved; otherwise failure_reason() gives the reason
+  bool extend(int count, const Deadline& deadline);
+
+  int size() const { return size_; }
+  const std::string& failure_reason() const { return failure_; }
+
+  /// Returns the transfer functions of the functional w at the points s. The call also determines
+  /// the accuracy of the linear systems of further vectors: an error of vector k enters the transfer
+  /// function with the coefficient of this vector, and the coefficients decrease (Simoncini and
+  /// Szyld, SIAM Journal on Scientific Computing 25 (2003) 454).
+  Eigen::VectorXcd transfer(const Eigen::VectorXd& w, const Eigen::VectorXcd& s);
+
+  /// Eigenvalues a of the reduced model of L, and coefficients c of the decaying modes in
+  /// <w, exp(L t) b> = sum c exp(a t).
+  struct Modes {
+    Eigen::VectorXcd rates, coefficients;
+  };
+  Modes modes(const Eigen::VectorXd& w) const;
+
+ private:
+  LinearMap times_;
+  ApproximateSolve approximate_solve_;
+  Eigen::VectorXd weights_;
+  double shift_;
+  double norm_;            // norm of b
+  int size_ = 0;           // number of columns of H
+  Eigen::MatrixXd basis_;  // columns V, one more than size_
+  Eigen::MatrixXd hessenberg_;
+  double weight_of_last_ = 1;  // coefficient of the last vector, relative to all coefficients
+  std::string failure_ = {};
+};
+
+}  // namespace fpkcheck::fd_fpk

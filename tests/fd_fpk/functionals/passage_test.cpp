@@ -1,0 +1,89 @@
+#include "fd_fpk/functionals/passage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "general_oscillators.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Passage;
+using transform::Status;
+using transform::ValueWithError;
+
+void expect_value(const std::optional<ValueWithError>& found, double exact, const char* what) {
+  ASSERT_TRUE(found) << what;
+  EXPECT_NEAR(found->value, exact, 1e-3 * exact) << what;
+  EXPECT_LE(std::abs(found->value - exact), found->error) << what;
+}
+
+// Values of an independent collocation along characteristics, with about seven digits
+TEST(Passage, HasTheValuesOfAnIndependentMethodInCase1) {
+  const Passage passage = solve_passage(tests::paper_case(1), {}, 1.5, {10, 100});
+  ASSERT_EQ(passage.status, Status::ok) << passage.reason;
+  expect_value(passage.hazard, 0.00945683, "hazard");
+  expect_value(passage.mean_from_rest, 114.2740, "mean from rest");
+  expect_value(passage.mean_from_stationary, 102.1617, "mean from stationary");
+  expect_value(passage.rice_rate, 0.0211775, "Rice's rate");
+  // S(t) ~ C exp(-g t) with C = 0.96522
+  EXPECT_NEAR(passage.survival_from_stationary[1].value, 0.96522 * std::exp(-0.945683), 1e-3);
+  EXPECT_LT(passage.survival_from_stationary[0].value, 1);
+  EXPECT_GT(passage.survival_from_rest[0].value, passage.survival_from_stationary[0].value);
+}
+
+// The hazard is smaller than the rate of upcrossings nu / P, since passages come in clumps, and the
+// mean from the stationary law is the integral of the survival probability.
+TEST(Passage, HasASmallerHazardThanTheRateOfUpcrossings) {
+  const auto p = tests::make_problem({.damping = 0.3, .intensity = 0.3});
+  std::vector<double> times;
+  constexpr double kStep = 0.25;
+  constexpr int kIntervals = 240;
+  for (int k = 0; k <= kIntervals; ++k) times.push_back(kStep * k);
+  const Passage passage = solve_passage(p, {.accuracy = 0.1}, 1, times);
+  ASSERT_EQ(passage.status, Status::ok) << passage.reason;
+  const double hazard = passage.hazard->value;
+  EXPECT_LT(hazard, passage.rice_rate->value / passage.probability_below->value);
+  const auto& survival = passage.survival_from_stationary;
+  double integral = survival.back().value / hazard;  // of the tail, C exp(-g t)
+  for (int k = 0; k < kIntervals; ++k) {
+    integral += kStep * (survival[k].value + survival[k + 1].value) / 2;
+  }
+  EXPECT_NEAR(integral, passage.mean_from_stationary->value, 1e-2 * integral);
+}
+
+TEST(Passage, RefusesABarrierOutsideTheWalls) {
+  EXPECT_EQ(solve_passage(tests::paper_case(1), {}, -1, {}).status, Status::not_offered);
+}
+
+// The mass below the barrier decreases by the flux of outgoing motion alone.
+TEST(Barrier, AbsorbsTheOutgoingMotionAlone) {
+  const problem::Problem p = tests::paper_case(1);
+  const Discretisation on =
+      discretise(p, {.nx = 24, .nv = 40}, {.x1_max = 1.5, .x2_max = 4, .x1_min = 0});
+  const Grid below{on.grid.x1.with_right_end(AxisEndCondition::barrier), on.grid.x2};
+  Options options;
+  const auto op = fokker_planck_operator(
+      p, options, with_excitation_of(p, options, {.grid = below, .excitation = {}}));
+  const Eigen::VectorXd density = cell_averages(
+      {.displacement_deviation = 1, .velocity_deviation = 0.7, .mean_velocity = 0.2}, below);
+  const double outflow = wall_speed_moment(below, density, 5, 1, AxisEnd::right);
+  ASSERT_GT(outflow, 0.01);
+  EXPECT_NEAR(op.total_mass(op * density), -outflow, 1e-12);
+}
+
+TEST(TransposedOperator, IsTheAdjoint) {
+  const problem::Problem p = tests::make_problem({.restitution = 0.8, .mean = 0.1});
+  const Discretisation on = discretise(p, {.nx = 20, .nv = 32}, {.x1_max = 4, .x2_max = 4});
+  const auto op = fokker_planck_operator(p, {}, on);
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(on.grid.size()),
+                        y = Eigen::VectorXd::Random(on.grid.size());
+  EXPECT_NEAR(y.dot(op * x), op.transposed_product(y).dot(x), 1e-10 * y.norm() * x.norm());
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,108 @@
+#include "fd_fpk/functionals/spectrum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "general_oscillators.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using problem::System;
+using transform::Spectrum;
+using transform::StateVariable;
+using transform::Status;
+
+void expect_within_errors(const Spectrum& spectrum, const std::vector<double>& exact,
+                          double relative) {
+  ASSERT_EQ(spectrum.status, Status::ok) << spectrum.reason;
+  ASSERT_EQ(spectrum.density.size(), exact.size());
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    const double error = std::abs(spectrum.density[k] - exact[k]);
+    EXPECT_LE(error, 2 * spectrum.error[k]) << "w = " << spectrum.frequencies[k];
+    EXPECT_LE(error, relative * exact[k]) << "w = " << spectrum.frequencies[k];
+  }
+}
+
+// Accuracy that the first three grids reach
+const Options kCoarse{.accuracy = 0.1};
+
+// The exact spectrum is (2D + lambda E[Y^2]) / (pi ((k - w^2)^2 + c^2 w^2)), one-sided.
+TEST(Spectrum, IsThatOfTheLinearOscillatorUnderImpulsesAndNoise) {
+  problem::Problem p =
+      tests::with_impulses(System({.damping = 0.3, .stiffness = 1.44}, {.none = true}),
+                           tests::gaussian_impulses(1, 0.1, 0.1));
+  p.noise.intensity = 0.05;
+  const std::vector<double> frequencies{0, 0.4, 0.9, 1.2, 1.5, 2, 3};
+  std::vector<double> of_y, of_v;
+  for (const double w : frequencies) {
+    of_y.push_back(0.15 / (std::numbers::pi * (std::pow(1.44 - w * w, 2) + 0.09 * w * w)));
+    of_v.push_back(w * w * of_y.back());
+  }
+  expect_within_errors(solve_spectrum(p, kCoarse, StateVariable::y, frequencies), of_y, 1e-4);
+  const Spectrum velocity =
+      solve_spectrum(p, kCoarse, StateVariable::ydot, {frequencies.begin() + 1, frequencies.end()});
+  expect_within_errors(velocity, {of_v.begin() + 1, of_v.end()}, 1e-4);
+  EXPECT_NEAR(velocity.variance, 0.15 / (2 * 0.3), 1e-5);
+}
+
+// With an elastic wall at the equilibrium, y = |z| of the linear oscillator without a wall, with the
+// autocovariance (2 s^2/pi) (sqrt(1 - q^2) + q arcsin q - 1), q the autocorrelation of z.
+TEST(Spectrum, IsThatOfTheFoldedLinearOscillatorAtAnElasticWall) {
+  const double c = 0.4, k = 1, intensity = 0.4, variance = intensity / (2 * c * k);
+  const auto p =
+      tests::with_noise(System({.damping = c, .stiffness = k, .restitution = 1}), intensity);
+  const double w0 = std::sqrt(k - c * c / 4);
+  const auto covariance = [&](double t) {
+    const double q = std::exp(-c * t / 2) * (std::cos(w0 * t) + c / (2 * w0) * std::sin(w0 * t));
+    return 2 * variance / std::numbers::pi * (std::sqrt(1 - q * q) + q * std::asin(q) - 1);
+  };
+  const std::vector<double> frequencies{0, 0.5, 1, 1.8, 2.5, 3.5};
+  std::vector<double> exact;
+  for (const double w : frequencies) {
+    // Simpson's rule; the covariance has a kink only at t = 0 and decays as exp(-c t).
+    constexpr int kIntervals = 40000;
+    constexpr double kStep = 80.0 / kIntervals;
+    double sum = 0;
+    for (int n = 0; n <= kIntervals; ++n) {
+      const double weight = n == 0 || n == kIntervals ? 1 : n % 2 == 1 ? 4 : 2;
+      // At t = 0 rounding would give the root of a negative number.
+      const double value = n == 0 ? variance * (1 - 2 / std::numbers::pi) : covariance(n * kStep);
+      sum += weight * value * std::cos(w * n * kStep);
+    }
+    exact.push_back(2 / std::numbers::pi * sum * kStep / 3);
+  }
+  expect_within_errors(solve_spectrum(p, {}, StateVariable::y, frequencies), exact, 1e-3);
+}
+
+// y' is the derivative of y, also with impacts, so that G_v = w^2 G_y.
+TEST(Spectrum, OfVelocityIsThatOfDisplacementTimesTheSquaredFrequency) {
+  const auto p = tests::make_problem({.damping = 0.3, .restitution = 0.8});
+  const std::vector<double> frequencies{0.5, 1, 2.1, 3};
+  const Spectrum y = solve_spectrum(p, {}, StateVariable::y, frequencies);
+  const Spectrum v = solve_spectrum(p, {}, StateVariable::ydot, frequencies);
+  ASSERT_EQ(y.status, Status::ok) << y.reason;
+  ASSERT_EQ(v.status, Status::ok) << v.reason;
+  for (std::size_t k = 0; k < frequencies.size(); ++k) {
+    const double square = frequencies[k] * frequencies[k];
+    EXPECT_NEAR(v.density[k], square * y.density[k], 2 * (v.error[k] + square * y.error[k]))
+        << frequencies[k];
+    EXPECT_NEAR(v.density[k] / (square * y.density[k]), 1, 2e-3) << frequencies[k];
+  }
+}
+
+TEST(Spectrum, IsNotOfferedWhereTheMassRestsInContact) {
+  const auto p =
+      tests::with_impulses(System({.damping = 0.1, .stiffness = 1},
+                                  problem::WallParameters{.left = 0.5, .left_restitution = 0.5}),
+                           tests::gaussian_impulses(1, 0.1));
+  const Spectrum spectrum = solve_spectrum(p, {}, StateVariable::y, {0, 1});
+  EXPECT_EQ(spectrum.status, Status::not_offered);
+  EXPECT_FALSE(spectrum.reason.empty());
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transform/solution.hpp"
+
+namespace fpkcheck::transform {
+
+/// A value with its error: an estimated discretisation error, or a standard error.
+struct ValueWithError {
+  double value = 0;
+  double error = 0;
+};
+
+/// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Times from rest
+/// begin at rest on the wall, or at the equilibrium; stationary times begin with the stationary law
+/// below the barrier. Absent values are not computed by the method.
+struct Passage {
+  std::string id;  ///< id of the solution, such as "fd-kf", "mcs" or "rice"
+  Status status = Status::failed;
+  std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
+  double seconds = 0;
+  /// Rate of passages g in the limit of long times: P(tau > t) ~ C exp(-g t)
+  std::optional<ValueWithError> hazard = {};
+  std::optional<ValueWithError> mean_from_rest = {}, mean_from_stationary = {};
+  /// Rate of upward crossings of the barrier in the stationary process (Rice)
+  std::optional<ValueWithError> rice_rate = {};
+  std::optional<ValueWithError> probability_below = {};  ///< stationary probability of y < b
+  std::vector<double> times = {};
+  /// Probabilities P(tau > t) at the times; empty if not computed
+  std::vector<ValueWithError> survival_from_rest = {}, survival_from_stationary = {};
+  bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
+  std::string details = {};          ///< grid or simulated time, for tables
+};
+
+}  // namespace fpkcheck::transform

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "transform/marginal.hpp"
+#include "transform/solution.hpp"
+
+namespace fpkcheck::transform {
+
+/// Local maximum of a spectral density, and half of the width of the peak at half of its height.
+struct SpectralPeak {
+  double frequency = 0;
+  double density = 0;
+  /// Absent if the density stays above half of the maximum on one side of the peak.
+  std::optional<double> half_width = {};
+};
+
+/// One-sided spectral density G of the stationary process y or y' about its mean,
+///
+///     G(w) = (2/pi) int_0^inf R(t) cos(w t) dt,   int_0^inf G(w) dw = R(0) = Var,
+///
+/// with the autocovariance R and the angular frequency w >= 0.
+struct Spectrum {
+  std::string id;  ///< id of the solution, such as "fd-kf" or "mcs"
+  StateVariable variable = StateVariable::y;
+  Status status = Status::failed;
+  std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
+  double seconds = 0;
+  std::vector<double> frequencies = {};
+  std::vector<double> density = {};
+  /// Absolute error of each density: estimated discretisation error, or standard error
+  std::vector<double> error = {};
+  bool has_standard_errors = false;  ///< whether `error` contains standard errors of a simulation
+  double variance = 0;               ///< variance of the variable, from the same solution
+  double variance_error = 0;
+  std::optional<SpectralPeak> peak = {};  ///< highest local maximum; absent without a maximum
+  std::string details = {};               ///< grid or simulated time, for tables
+};
+
+/// Returns the highest local maximum of the density between its ends, by a parabola through three
+/// points; absent if the density has no such maximum.
+std::optional<SpectralPeak> find_spectral_peak(const std::vector<double>& frequencies,
+                                               const std::vector<double>& density);
+
+}  // namespace fpkcheck::transform
