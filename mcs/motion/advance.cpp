@@ -12,6 +12,7 @@ namespace fpkcheck::mcs {
 void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
              const simd::SimdVariant& lanes) {
   assert(motion.records || (!motion.splitting && !motion.deposit));
+  assert(!motion.keeps_series || !motion.splitting);
   assert(!motion.kicks.is_present() || !motion.oscillator.is_duffing_at_wall());
   assert(!motion.deposit || motion.oscillator.is_duffing_at_wall());
   for (Stream* stream : streams) {

@@ -19,7 +19,8 @@ struct MotionParameters {
   const BinFinder* v_bins;
   bool records = true;  ///< whether statistics are recorded; false during the burn-in
   const ImportanceSplitting* splitting = nullptr;  ///< importance splitting; null if disabled
-  double shift = 0;  ///< shift of the velocity impulses, Excitation::shift
+  double shift = 0;           ///< shift of the velocity impulses, Excitation::shift
+  bool keeps_series = false;  ///< whether samples of y are appended to Stream::series
   /// Plan of the deposition of samples, null if samples are not deposited. Samples can be deposited
   /// only with Oscillator::Kind::duffing_at_wall.
   const DepositPlan* deposit = nullptr;
@@ -34,7 +35,7 @@ struct MotionParameters {
 /// The result of a stream does not depend on other streams, on the number of streams or on the
 /// instruction set.
 /// @param streams any number of streams; each SIMD lane advances one stream at a time
-/// @pre without `records` there is neither `splitting` nor `deposit`
+/// @pre without `records` there is neither `splitting` nor `deposit`, and no series with `splitting`
 void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
              const simd::SimdVariant& lanes);
 

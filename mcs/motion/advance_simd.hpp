@@ -275,6 +275,7 @@ struct LaneState {
       } else {
         add_sample(at, due, due);
       }
+      if (motion.keeps_series) append_to_series(at.y, due);
       if constexpr (Motion::kDeposits) {
         if (motion.deposit) deposit_due_samples(at, flight.polynomial_acceleration(time), due);
       }
@@ -282,6 +283,12 @@ struct LaneState {
                        simd::select_or_zero(due, simd::broadcast<Real>(motion.sampling_interval));
     }
     time_to_sample = time_to_sample - span;
+  }
+
+  FPKCHECK_INLINE void append_to_series(const Real& x, const Mask& due) const {
+    for (int i = 0; i < W; ++i) {
+      if (simd::lane_value(due, i) != 0) streams[i]->series.push_back(simd::lane_value(x, i));
+    }
   }
 
   // Samples are deposited one by one, since the SIMD lanes of deposit_sample() hold the splines of

@@ -1,6 +1,7 @@
 #include "mcs/simulation/simulation.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -79,6 +80,24 @@ Simulation::Simulation(const problem::Problem& problem, const SimulationPlan& pl
 void Simulation::set_splitting(const ImportanceSplitting& splitting) {
   motion_.splitting = &splitting;
   for (Stream& stream : streams_) stream.record.energies.clear();
+}
+
+void Simulation::keep_series() {
+  assert(motion_.splitting == nullptr);
+  motion_.keeps_series = true;
+}
+
+void Simulation::restart(std::size_t stream, double displacement) {
+  Branch& branch = streams_[stream].branch;
+  branch.y = displacement;
+  branch.v = 0;
+  branch.time_to_rest = -1;
+  branch.time_to_sample = plan_->sampling_interval / 2;
+  if (std::isfinite(plan_->excitation.interval)) {
+    const Impulse next = streams_[stream].source.next_impulse();
+    branch.time_to_impulse = next.waiting;
+    branch.amplitude = next.amplitude;
+  }
 }
 
 void Simulation::burn_in() { advance_streams(false, plan_->burn_in); }

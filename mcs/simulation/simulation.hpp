@@ -29,6 +29,10 @@ class Simulation {
   /// @param splitting must outlive the simulation
   void set_splitting(const ImportanceSplitting& splitting);
 
+  /// Makes the rounds append the samples of y to Stream::series.
+  /// @pre no splitting
+  void keep_series();
+
   void burn_in();
   void run_round();
 
@@ -44,6 +48,11 @@ class Simulation {
     return static_cast<double>(rounds_) * static_cast<double>(plan_->samples_per_round);
   }
   const std::vector<Stream>& streams() const { return streams_; }
+  /// Puts a stream at rest at a displacement. The next sample is half a sampling interval later, and
+  /// the next impulse comes after a new waiting time.
+  void restart(std::size_t stream, double displacement);
+
+  std::vector<double>& series(std::size_t stream) { return streams_[stream].series; }
 
   /// Writes the complete state of the simulation between two rounds.
   void save(std::ostream& out) const;

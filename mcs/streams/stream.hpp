@@ -129,6 +129,8 @@ struct Stream {
   /// Pending branches, with the main branch first
   std::vector<PendingBranch> pending_branches{};
   NoiseSource noise{0, 0};
+  /// Samples of y in the order of time, if MotionParameters::keeps_series
+  std::vector<double> series{};
 
   bool is_on_main_branch() const { return pending_branches.empty(); }
 };

@@ -1,0 +1,346 @@
+#include "mcs/passage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+
+#include "base/process/parallel_for.hpp"
+#include "mcs/applicability.hpp"
+#include "mcs/simulation/simulation.hpp"
+#include "mcs/simulation/simulation_plan.hpp"
+#include "problem/effective_potential.hpp"
+#include "problem/motion_scales.hpp"
+#include "problem/problem_features.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+using transform::Status;
+using transform::ValueWithError;
+
+constexpr double kSamplesPerPeriod = 60;
+// Relative standard error of the mean time at which the simulation ends, and its longest time in
+// periods of all streams, about 15 s of computing
+constexpr double kGoal = 0.01, kMostPeriods = 3e6;
+constexpr int kRounds = 50;  // number of rounds of the longest simulation
+// Time after which the hazard is constant, in decay times of the slowest mode
+constexpr double kDecayTimes = 3;
+
+// Finds the crossings of a level in evenly spaced samples. Between samples the displacement is a
+// parabola, so that short excursions above the level are found.
+class CrossingDetector {
+ public:
+  CrossingDetector(double level, double interval) : level_(level), interval_(interval) {}
+
+  /// Calls `up` and `down` with the times of the crossings between the last samples and the next one.
+  template <class Up, class Down>
+  void add(double y, const Up& up, const Down& down) {
+    if (count_ >= 1 && y >= level_ && last_ < level_) {
+      up(crossing_time(y));
+    } else if (count_ >= 1 && y < level_ && last_ >= level_) {
+      down(crossing_time(y));
+    } else if (count_ >= 2 && y < level_ && last_ < level_ && before_ < level_ &&
+               last_ >= before_ && last_ >= y) {
+      const double slope = (y - before_) / 2, curvature = y - 2 * last_ + before_;
+      const double excess = curvature < 0 ? last_ - slope * slope / (2 * curvature) - level_ : -1;
+      if (excess > 0) {
+        const double top = -slope / curvature, half = std::sqrt(-2 * excess / curvature);
+        const double at = static_cast<double>(count_) - 1 + top;
+        up((at - half) * interval_);
+        down((at + half) * interval_);
+      }
+    }
+    before_ = last_;
+    last_ = y;
+    ++count_;
+  }
+
+  bool is_above() const { return count_ > 0 && last_ >= level_; }
+  double time() const { return static_cast<double>(count_) * interval_; }
+
+ private:
+  double crossing_time(double y) const {
+    return (static_cast<double>(count_) - 1 + (level_ - last_) / (y - last_)) * interval_;
+  }
+
+  double level_, interval_;
+  double before_ = 0, last_ = 0;
+  std::uint64_t count_ = 0;
+};
+
+// Sums over the complete stays below the barrier of one stream.
+struct StaySums {
+  double stays = 0, length = 0, square = 0;
+  std::vector<double> excess;         // sums of (l - t)^+ at the times
+  double long_stays = 0, longer = 0;  // number of stays l > t, and sum of (l - t)^+, for the hazard
+  double below = 0, whole = 0, crossings = 0;  // time below the barrier, whole time, upcrossings
+};
+
+// Returns a ratio of sums over all streams, with the standard error by the linearised ratio.
+ValueWithError ratio(const std::vector<StaySums>& streams,
+                     const std::function<double(const StaySums&)>& numerator,
+                     const std::function<double(const StaySums&)>& denominator) {
+  double top = 0, bottom = 0, square = 0;
+  for (const StaySums& s : streams) {
+    top += numerator(s);
+    bottom += denominator(s);
+  }
+  const double value = top / bottom;
+  for (const StaySums& s : streams) square += std::pow(numerator(s) - value * denominator(s), 2);
+  const auto n = static_cast<double>(streams.size());
+  return {value, std::sqrt(square * n / (n - 1)) / std::abs(bottom)};
+}
+
+ValueWithError mean_from_stationary(const std::vector<StaySums>& streams) {
+  return ratio(
+      streams, [](const StaySums& s) { return s.square / 2; },
+      [](const StaySums& s) { return s.length; });
+}
+
+SimulationPlan passage_plan(const problem::Problem& problem, const Options& options,
+                            double frequency) {
+  SimulationPlan plan = make_simulation_plan(problem, options);
+  const double period = 2 * std::numbers::pi / frequency;
+  plan.sampling_interval = period / kSamplesPerPeriod;
+  const double time = options.time.value_or(kMostPeriods * period);
+  plan.samples_per_round =
+      static_cast<std::uint64_t>(std::ceil(time / kRounds / plan.streams / plan.sampling_interval));
+  plan.rounds = kRounds;
+  return plan;
+}
+
+// Measures the stays of one stream below the barrier.
+class StayCounter {
+ public:
+  StayCounter(double barrier, double interval, double hazard_time, const std::vector<double>& times)
+      : detector_(barrier, interval), hazard_time_(hazard_time), times_(times) {
+    sums_.excess.resize(times.size());
+  }
+
+  void add(const std::vector<double>& series) {
+    for (const double y : series) {
+      detector_.add(
+          y, [this](double time) { end_stay(time); }, [this](double time) { begin_stay(time); });
+    }
+    if (!closing_) sums_.whole = detector_.time();
+  }
+
+  /// Ends the counting: only a stay that has begun is completed by further samples. Without the stays
+  /// at the end, which are longer than others, the estimates would be biased.
+  void close() {
+    closing_ = true;
+    if (!detector_.is_above()) sums_.below += sums_.whole - entered_;
+  }
+  bool has_open_stay() const { return begin_.has_value(); }
+
+  const StaySums& sums() const { return sums_; }
+
+ private:
+  void end_stay(double time) {
+    if (!closing_) {
+      ++sums_.crossings;
+      sums_.below += time - entered_;
+      entered_ = time;
+    }
+    if (!begin_) return;
+    const double stay = time - *begin_;
+    begin_.reset();
+    ++sums_.stays;
+    sums_.length += stay;
+    sums_.square += stay * stay;
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+      sums_.excess[k] += std::max(0.0, stay - times_[k]);
+    }
+    if (stay > hazard_time_) {
+      ++sums_.long_stays;
+      sums_.longer += stay - hazard_time_;
+    }
+  }
+
+  void begin_stay(double time) {
+    if (closing_) return;
+    begin_ = time;
+    entered_ = time;
+  }
+
+  CrossingDetector detector_;
+  double hazard_time_;
+  const std::vector<double>& times_;
+  StaySums sums_;
+  std::optional<double> begin_ = {};  // begin of the present stay, if observed
+  double entered_ = 0;                // time of the last crossing
+  bool closing_ = false;
+};
+
+// Simulates the stationary process until the goal, and returns the sums of all streams.
+std::vector<StaySums> simulate_stays(Simulation& simulation, double barrier, double hazard_time,
+                                     const std::vector<double>& times, const Options& options) {
+  const SimulationPlan& plan = simulation.plan();
+  const auto streams = static_cast<std::size_t>(plan.streams);
+  std::vector<StayCounter> counters(streams, {barrier, plan.sampling_interval, hazard_time, times});
+  const auto run_round = [&] {
+    simulation.run_round();
+    base::parallel_for(streams, plan.threads, [&](std::size_t s) {
+      counters[s].add(simulation.series(s));
+      simulation.series(s).clear();
+    });
+  };
+  const auto all_sums = [&] {
+    std::vector<StaySums> sums;
+    for (const StayCounter& counter : counters) sums.push_back(counter.sums());
+    return sums;
+  };
+  simulation.burn_in();
+  for (std::uint64_t round = 0; round < plan.rounds; ++round) {
+    run_round();
+    if (options.progress) {
+      options.progress({static_cast<double>(round + 1) / static_cast<double>(plan.rounds) / 2});
+    }
+    const ValueWithError mean = mean_from_stationary(all_sums());
+    if (!options.time && mean.error <= kGoal * mean.value) break;
+  }
+  for (StayCounter& counter : counters) counter.close();
+  const std::uint64_t most_rounds = plan.rounds;  // a stay may last as long as the simulation
+  for (std::uint64_t round = 0;
+       round < most_rounds && std::ranges::any_of(counters, &StayCounter::has_open_stay); ++round) {
+    run_round();
+  }
+  return all_sums();
+}
+
+// Simulates passages from rest: each stream starts again at rest in the round after a passage.
+// Every stream makes the same number of passages, since a limit of the time would favour short ones.
+std::optional<ValueWithError> simulate_from_rest(Simulation& simulation, double barrier,
+                                                 double rest, double mean, double most_time,
+                                                 const std::vector<double>& times,
+                                                 std::vector<ValueWithError>& survival,
+                                                 const Options& options) {
+  constexpr double kMostPassages = 5e3, kFewestPerStream = 4;
+  const SimulationPlan& plan = simulation.plan();
+  const auto streams = static_cast<std::size_t>(plan.streams);
+  const double per_stream =
+      std::floor(std::min(kMostPassages, most_time / mean) / static_cast<double>(streams));
+  if (per_stream < kFewestPerStream) return std::nullopt;
+  const auto passages = static_cast<std::size_t>(per_stream);
+  std::vector<std::vector<double>> found(streams);
+  std::vector<CrossingDetector> detectors(streams, {barrier, plan.sampling_interval});
+  for (std::size_t s = 0; s < streams; ++s) simulation.restart(s, rest);
+  for (std::size_t finished = 0; finished < streams;) {
+    simulation.run_round();
+    finished = 0;
+    for (std::size_t s = 0; s < streams; ++s) {
+      std::vector<double>& series = simulation.series(s);
+      // The first sample is half an interval after the start.
+      const double offset = plan.sampling_interval / 2;
+      std::optional<double> passage;
+      for (const double y : series) {
+        if (passage) break;
+        detectors[s].add(
+            y, [&](double time) { passage = time + offset; }, [](double) {});
+      }
+      series.clear();
+      if (passage) {
+        if (found[s].size() < passages) found[s].push_back(*passage);
+        detectors[s] = {barrier, plan.sampling_interval};
+        simulation.restart(s, rest);
+      }
+      finished += found[s].size() >= passages ? 1 : 0;
+    }
+    if (options.progress) {
+      options.progress({0.5 + 0.5 * static_cast<double>(finished) / static_cast<double>(streams)});
+    }
+  }
+  // Returns the mean of a function of the passage times.
+  const auto mean_of = [&](const std::function<double(double)>& f) -> ValueWithError {
+    double sum = 0, square = 0;
+    const double n = static_cast<double>(streams) * per_stream;
+    for (const auto& of_stream : found) {
+      for (const double time : of_stream) {
+        sum += f(time);
+        square += f(time) * f(time);
+      }
+    }
+    return {sum / n, std::sqrt(std::max(0.0, square / n - sum / n * (sum / n)) / (n - 1))};
+  };
+  for (const double t : times) {
+    survival.push_back(mean_of([t](double time) { return time > t ? 1.0 : 0.0; }));
+  }
+  return mean_of([](double time) { return time; });
+}
+
+}  // namespace
+
+transform::Passage estimate_passage(const problem::Problem& problem, const Options& options,
+                                    double barrier, const std::vector<double>& times) {
+  const auto begin = std::chrono::steady_clock::now();
+  transform::Passage passage{.id = id(options)};
+  passage.has_standard_errors = true;
+  const problem::Problem seen =
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+  passage.reason = unsupported_reason(seen, options);
+  if (passage.reason.empty()) {
+    passage.reason = problem::inelastic_collapse_reason(seen, options.equation);
+  }
+  if (passage.reason.empty() && seen.frame.mirrored) {
+    passage.reason = "a passage above a barrier with a wall on the right alone: mirror the case";
+  }
+  if (!passage.reason.empty()) {
+    passage.status = Status::not_offered;
+    return passage;
+  }
+  const double level = seen.frame.wall_x(barrier);
+  const problem::MotionScales scales = problem::scales(seen);
+  const SimulationPlan plan = passage_plan(seen, options, scales.frequency);
+  Simulation stationary(seen, plan);
+  stationary.keep_series();
+  const auto sums =
+      simulate_stays(stationary, level, kDecayTimes / scales.slowest_decay_rate, times, options);
+  double stays = 0;
+  for (const StaySums& s : sums) stays += s.stays;
+  constexpr double kFewestStays = 100;
+  if (stays < kFewestStays) {
+    passage.reason = fmt::format(
+        "only {} passages in the simulated time: the barrier is too high; increase --time", stays);
+    passage.status = Status::not_converged;
+    passage.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return passage;
+  }
+  const auto length = [](const StaySums& s) { return s.length; };
+  const auto whole = [](const StaySums& s) { return s.whole; };
+  passage.mean_from_stationary = mean_from_stationary(sums);
+  passage.hazard = ratio(
+      sums, [](const StaySums& s) { return s.long_stays; },
+      [](const StaySums& s) { return s.longer; });
+  passage.rice_rate = ratio(
+      sums, [](const StaySums& s) { return s.crossings; }, whole);
+  passage.probability_below = ratio(
+      sums, [](const StaySums& s) { return s.below; }, whole);
+  passage.times = times;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    passage.survival_from_stationary.push_back(ratio(
+        sums, [k](const StaySums& s) { return s.excess[k]; }, length));
+  }
+
+  SimulationPlan from_rest = plan;
+  const double mean = passage.mean_from_stationary->value;
+  from_rest.samples_per_round =
+      static_cast<std::uint64_t>(std::ceil(mean / 10 / plan.sampling_interval));
+  Simulation restarted(seen, from_rest);
+  restarted.keep_series();
+  const double rest = problem::rest_displacement(seen.system, level);
+  passage.mean_from_rest =
+      simulate_from_rest(restarted, level, rest, mean, sums.front().whole * plan.streams, times,
+                         passage.survival_from_rest, options);
+  passage.details = fmt::format("{:.0f} stays below the barrier", stays);
+  passage.status = Status::ok;
+  passage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return passage;
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "mcs/options.hpp"
+#include "problem/problem.hpp"
+#include "transform/passage.hpp"
+
+namespace fpkcheck::mcs {
+
+/// Estimates the first passage of y above a barrier b. One long stationary simulation gives
+/// everything for the stationary start: with the lengths l of the stays below the barrier,
+///
+///     E tau = E[l^2] / (2 E[l]),   P(tau > t) = E[(l - t)^+] / E[l],   E[l] = P(y < b) / nu,
+///
+/// and the hazard is P(l > t) / E[(l - t)^+] at a time t after the slowest mode has decayed. A second
+/// simulation starts each stream again at rest after each passage. The crossings are located by
+/// parabolas through samples. The standard errors follow from the differences between streams.
+/// @param barrier barrier b in physical coordinates
+/// @param times times of the survival probabilities
+/// @throws InputError as make_simulation_plan()
+transform::Passage estimate_passage(const problem::Problem& problem, const Options& options,
+                                    double barrier, const std::vector<double>& times);
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,117 @@
+#include "mcs/sensitivities.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "mcs/applicability.hpp"
+#include "mcs/estimate/stream_averages.hpp"
+#include "mcs/estimate/stream_weights.hpp"
+#include "mcs/simulation/simulation.hpp"
+#include "mcs/simulation/simulation_plan.hpp"
+#include "problem/problem_features.hpp"
+#include "transform/density.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+using transform::Status;
+
+struct PowersOfMoment {
+  const char* symbol;
+  int p, q;
+};
+constexpr PowersOfMoment kMoments[] = {
+    {"E[y]", 1, 0}, {"E[y^2]", 2, 0}, {"E[y^4]", 4, 0}, {"E[y'^2]", 0, 2}, {"E[y'^4]", 0, 4}};
+
+// Simulated time of each changed problem, as a fraction of the automatic time of a simulation
+constexpr double kTimeShare = 1.0 / 16;
+
+// Returns the moments of every stream, in the order of kMoments.
+std::vector<std::vector<double>> stream_moments_of(const problem::Problem& problem,
+                                                   const Options& options,
+                                                   const SimulationPlan& nominal) {
+  // The changed problem has the sampling and the durations of the given problem: with different
+  // times of the samples the streams would not be comparable.
+  SimulationPlan plan = make_simulation_plan(problem, options);
+  plan.burn_in = nominal.burn_in;
+  plan.sampling_interval = nominal.sampling_interval;
+  plan.samples_per_round = nominal.samples_per_round;
+  plan.rounds = nominal.rounds;
+  Simulation simulation(problem, plan);
+  simulation.burn_in();
+  for (std::uint64_t round = 0; round < plan.rounds; ++round) simulation.run_round();
+  std::vector<std::vector<double>> moments;
+  for (const auto& moment : kMoments) {
+    moments.push_back(stream_moments(simulation, moment.p, moment.q));
+  }
+  return moments;
+}
+
+}  // namespace
+
+transform::Sensitivities estimate_sensitivities(
+    const problem::Problem& problem, const Options& options,
+    const std::vector<problem::ParameterDerivative>& parameters) {
+  const auto begin = std::chrono::steady_clock::now();
+  transform::Sensitivities result{.id = id(options)};
+  result.has_standard_errors = true;
+  const problem::Problem seen =
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+  result.reason = unsupported_reason(seen, options);
+  if (result.reason.empty()) {
+    result.reason = problem::inelastic_collapse_reason(seen, options.equation);
+  }
+  if (!result.reason.empty()) {
+    result.status = Status::not_offered;
+    return result;
+  }
+  Options nominal_options = options;
+  SimulationPlan nominal = make_simulation_plan(seen, nominal_options);
+  if (!options.time) {
+    const double time =
+        kTimeShare * static_cast<double>(nominal.rounds) * nominal.round_time() * nominal.streams;
+    nominal_options.time = time;
+    nominal = make_simulation_plan(seen, nominal_options);
+  }
+
+  for (const auto& moment : kMoments) result.expectations.push_back({.expectation = moment.symbol});
+  const auto central = stream_moments_of(seen, nominal_options, nominal);
+  for (std::size_t m = 0; m < central.size(); ++m) {
+    result.expectations[m].value = unweighted_estimate(central[m]).mean;
+  }
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const auto& [parameter, value, terms] = parameters[k];
+    result.parameters.push_back(parameter);
+    result.parameter_values.push_back(value);
+    std::vector<std::vector<double>> quotients(
+        std::size(kMoments), std::vector<double>(static_cast<std::size_t>(nominal.streams)));
+    for (const auto& [weight, changed] : terms) {
+      const problem::Problem other = problem::to_wall_coordinates(seen.frame, changed);
+      const auto moments = stream_moments_of(other, nominal_options, nominal);
+      for (std::size_t m = 0; m < moments.size(); ++m) {
+        for (std::size_t s = 0; s < moments[m].size(); ++s) {
+          quotients[m][s] += weight * moments[m][s];
+        }
+      }
+    }
+    for (std::size_t m = 0; m < quotients.size(); ++m) {
+      const Estimate estimate = unweighted_estimate(quotients[m]);
+      result.expectations[m].derivatives.push_back(estimate.mean);
+      result.expectations[m].errors.push_back(estimate.standard_error);
+    }
+    if (options.progress) {
+      options.progress({static_cast<double>(k + 1) / static_cast<double>(parameters.size())});
+    }
+  }
+  result.details =
+      fmt::format("simulated time {:.2g} for each changed problem",
+                  static_cast<double>(nominal.rounds) * nominal.round_time() * nominal.streams);
+  result.status = Status::ok;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace fpkcheck::mcs

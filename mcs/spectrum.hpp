@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "mcs/options.hpp"
+#include "problem/problem.hpp"
+#include "transform/spectrum.hpp"
+
+namespace fpkcheck::mcs {
+
+/// Estimates the one-sided spectral density of y or y' by Welch's method: periodograms of
+/// half-overlapping segments of y with Hann's window, averaged over all segments of a stream and
+/// over the streams with StreamWeights. The spectrum of y' is w^2 times that of y, since samples of
+/// y', whose spectrum decreases only as w^-2, would have a large alias.
+///
+/// The errors are standard errors from the differences between streams, combined with two bounds of
+/// the bias: the alias from the decrease G(w) ~ w^-4 above the frequencies, and the width of the
+/// window from the estimate with segments of half the length.
+/// @param frequencies increasing angular frequencies w >= 0
+/// @throws InputError as make_simulation_plan()
+transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Options& options,
+                                      transform::StateVariable variable,
+                                      const std::vector<double>& frequencies);
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "general_oscillators.hpp"
+#include "mcs/passage.hpp"
+#include "mcs/sensitivities.hpp"
+#include "mcs/spectrum.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+using problem::System;
+using transform::StateVariable;
+using transform::Status;
+
+problem::Problem linear_oscillator() {
+  return tests::with_impulses(System({.damping = 0.3, .stiffness = 1.44}, {.none = true}),
+                              tests::gaussian_impulses(1, 0.1, 0.1));
+}
+
+// Limit for the differences of a handful of estimates with fixed seeds, in standard errors
+constexpr double kMost = 3.5;
+
+TEST(SimulatedSpectrum, IsThatOfTheLinearOscillator) {
+  const std::vector<double> frequencies{0, 0.4, 0.9, 1.2, 1.5, 2, 3};
+  for (const StateVariable variable : {StateVariable::y, StateVariable::ydot}) {
+    const auto s = estimate_spectrum(linear_oscillator(), {.time = 4e5}, variable, frequencies);
+    ASSERT_EQ(s.status, Status::ok) << s.reason;
+    double squares = 0;
+    for (std::size_t k = 0; k < frequencies.size(); ++k) {
+      const double w = frequencies[k];
+      const double of_y = 0.1 / (std::numbers::pi * (std::pow(1.44 - w * w, 2) + 0.09 * w * w));
+      const double exact = variable == StateVariable::y ? of_y : w * w * of_y;
+      EXPECT_LE(std::abs(s.density[k] - exact), kMost * s.error[k] + 1e-12) << w;
+      EXPECT_LE(s.error[k], 0.08 * exact + 1e-12) << w;
+      if (s.error[k] > 0) squares += std::pow((s.density[k] - exact) / s.error[k], 2);
+    }
+    // The standard errors are neither far too small nor far too large.
+    EXPECT_GT(squares, 1);
+    EXPECT_LT(squares, 3 * static_cast<double>(frequencies.size()));
+    const double variance = variable == StateVariable::y ? 0.1 / (2 * 0.3 * 1.44) : 0.1 / 0.6;
+    EXPECT_LE(std::abs(s.variance - variance), kMost * s.variance_error);
+  }
+}
+
+TEST(SimulatedSensitivities, AreThoseOfTheLinearOscillator) {
+  const problem::Problem p = linear_oscillator();
+  std::vector<problem::ParameterDerivative> parameters;
+  for (const char* key : {"system.damping", "system.stiffness", "impulse.intensity"}) {
+    parameters.push_back(problem::parameter_derivative(p, key, 0.02));
+  }
+  const auto s = estimate_sensitivities(p, {.time = 2e5}, parameters);
+  ASSERT_EQ(s.status, Status::ok) << s.reason;
+  const auto& v2 = *std::ranges::find(s.expectations, "E[y'^2]",
+                                      &transform::ExpectationDerivatives::expectation);
+  const double exact[] = {-0.1 / (2 * 0.09), 0, 1 / 0.6};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_LE(std::abs(v2.derivatives[k] - exact[k]), kMost * v2.errors[k]) << s.parameters[k];
+  }
+  // With common random numbers the errors are far below those of independent simulations, about
+  // sqrt(2) 0.3 % / 2 % of the moment and parameter.
+  EXPECT_LE(v2.errors[2], 0.05 * exact[2]);
+}
+
+// Values of an independent method, as in tests/fd_fpk/functionals/passage_test.cpp
+TEST(SimulatedPassage, HasTheValuesOfAnIndependentMethodInCase1) {
+  const auto passage = estimate_passage(tests::paper_case(1), {.time = 6e5}, 1.5, {100});
+  ASSERT_EQ(passage.status, Status::ok) << passage.reason;
+  const auto expect = [](const std::optional<transform::ValueWithError>& found, double exact) {
+    ASSERT_TRUE(found);
+    EXPECT_LE(std::abs(found->value - exact), kMost * found->error) << exact;
+    EXPECT_LE(found->error, 0.05 * exact);
+  };
+  expect(passage.hazard, 0.00945683);
+  expect(passage.mean_from_rest, 114.2740);
+  expect(passage.mean_from_stationary, 102.1617);
+  expect(passage.rice_rate, 0.0211775);
+  expect(passage.survival_from_stationary[0], 0.96522 * std::exp(-0.945683));
+}
+
+TEST(SimulatedPassage, SaysThatABarrierIsTooHigh) {
+  const auto passage = estimate_passage(tests::paper_case(1), {.time = 1e4}, 5, {100});
+  EXPECT_EQ(passage.status, Status::not_converged);
+  EXPECT_FALSE(passage.mean_from_stationary);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs
