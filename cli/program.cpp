@@ -66,6 +66,12 @@ std::vector<Command> all_commands(const methods::SolverRegistry& registry) {
   for (const auto& solver : registry.solvers()) all.push_back(make_solver_command(solver));
   all.push_back(
       {"bounds", "guaranteed bounds of moments, by the backward equation", bounds_command});
+  all.push_back(
+      {"passage", "first passage above a barrier: survival, mean times, hazard", passage_command});
+  all.push_back({"spectrum", "spectral density of y or y', by finite volumes and by simulation",
+                 spectrum_command});
+  all.push_back({"sensitivity", "derivatives of moments with respect to the parameters of a case",
+                 sensitivity_command});
   all.push_back({"study", "convergence in order and grid, cost, growth of the truncated series",
                  study_command});
   all.push_back({"sweep", "solve a case for many parameter values: accuracy and cost of methods",

@@ -1,106 +1,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <chrono>
-#include <filesystem>
 #include <string>
 
-#include "base/files/file_transaction.hpp"
-#include "base/input_error.hpp"
-#include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
 #include "cli/options.hpp"
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
-#include "cli/terminal.hpp"
+#include "cli/report_of_one_case.hpp"
 #include "fd_fpk/options.hpp"
-#include "report/figure/drawing.hpp"
 #include "workflows/study/closure_order.hpp"
 #include "workflows/study/grid.hpp"
 #include "workflows/study/regularisation.hpp"
-#include "workflows/study/study_report.hpp"
 
 namespace fpkcheck::cli {
 
 namespace {
-
-void write_files(const std::filesystem::path& directory, const study::StudyReport& output,
-                 const report::FigureOptions& options) {
-  const base::ExitBlocker in_hand;
-  base::FileTransaction files;
-  files.add(directory / (output.file_stem + ".json"), output.json + '\n');
-  files.add(directory / (output.file_stem + ".csv"), output.csv);
-  files.commit();
-  set_exit_message("all files were written except the figure");
-  if (output.figure_script.empty()) return;
-  report::remove_script_and_pictures(directory / "figures", output.file_stem);
-  for (const auto& warning : report::write_pictures(directory / "figures", output.file_stem,
-                                                    output.figure_script, options, "gnuplot")) {
-    print_message(warning);
-  }
-}
-
-class StudyCall {
- public:
-  explicit StudyCall(const CommandCall& call) : call_(call) {}
-
-  CommonArguments common;
-
-  /// @return false if the help was printed
-  bool parse(const char* usage, const boost::program_options::options_description& own,
-             const char* out_help) {
-    return parse_arguments(call_.arguments, usage, add_common_options(own, common, out_help),
-                           common.cases);
-  }
-
-  /// Runs the study of one case and prints the table or the JSON. With --out the files of the study
-  /// are written.
-  /// @param run function that returns the result of the study for a problem and a progress listener
-  /// @throws InputError unless there is exactly one case
-  template <class RunStudy>
-  int run_and_write(const RunStudy& run) const {
-    const auto problems = load_cases(common);
-    if (problems.size() != 1) throw InputError("a study takes one case; name it, e.g. case1");
-    const OutputDirectory directory(common.out);
-    ProgressLine line(common.quiet);
-    const auto result = run(problems.front(),
-                            [&](const methods::RunProgress& progress) { line.rewrite(progress); });
-    throw_if_interrupted();
-    line.erase();
-    write(study::make_study_report(result, call_.command_line, terminal_format(),
-                                   common.figures.width));
-    if (study::has_converged(result)) return kSuccess;
-    if (common.quiet) {
-      print_message(
-          "the study did not meet the criterion that --help states; see the table of the study");
-    }
-    return kFailure;
-  }
-
- private:
-  void write(const study::StudyReport& output) const {
-    if (common.json) {
-      print_output(output.json + '\n');
-    } else if (!common.quiet) {
-      print_output(output.text);
-    }
-    if (common.out) write_files(*common.out, output, common.figures);
-    if (common.quiet || common.json) return;
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_time_;
-    const std::string figure = output.figure_script.empty()
-                                   ? " and .csv"
-                                   : fmt::format(", .csv and figures/{}.{}", output.file_stem,
-                                                 name(common.figures.formats.front()));
-    print_output(fmt::format(
-        "\n{}{:.1f} s.\n",
-        common.out ? fmt::format("Wrote {}.json{} to {} in ", output.file_stem, figure, *common.out)
-                   : "Done in ",
-        elapsed.count()));
-  }
-
-  const CommandCall& call_;
-  std::chrono::steady_clock::time_point start_time_ = std::chrono::steady_clock::now();
-};
 
 constexpr const char* kGridUsage = R"(usage: fpkcheck study grid CASE [options]
 
@@ -120,7 +34,7 @@ examples:
 
 int study_grid(const CommandCall& call) {
   namespace po = boost::program_options;
-  StudyCall study_call(call);
+  ReportOfOneCase study_call(call);
   study::GridStudyOptions options;
   const auto& grids = fd_fpk::description();
   base::Values grid_values{{"equation", std::string(name(options.equation))},
@@ -179,7 +93,7 @@ examples:
 
 int study_order(const CommandCall& call) {
   namespace po = boost::program_options;
-  StudyCall study_call(call);
+  ReportOfOneCase study_call(call);
   std::string formulation_list, order_list;
   const std::string formulations_help = fmt::format(
       "formulations and variants as in ids of solutions, without epc- and -nN: {}; moment-cut is "
@@ -227,7 +141,7 @@ examples:
 }  // namespace
 
 int study_regularisation(const CommandCall& call) {
-  StudyCall study_call(call);
+  ReportOfOneCase study_call(call);
   if (!study_call.parse(kRegularisationUsage, {},
                         "write study-regularisation.json and .csv to DIR (default: no files)"))
     return kSuccess;

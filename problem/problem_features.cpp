@@ -71,10 +71,7 @@ const std::vector<UnsupportedFeature>& unsupported_features() {
       {"impulses other than a Poisson process", {"renewal", "arrivals", "interarrival", "levy"}},
       {"two or more degrees of freedom", {"dof", "freedom", "coupling", "oscillators"}},
       {"hysteresis, delay or fractional damping", {"hysteresis", "delay", "fractional"}},
-      {"soft or moving walls", {"contact", "compliance", "moving"}},
-      {"first passages", {"passage", "survival", "reliability", "exceedance"}},
-      {"spectra", {"spectrum", "spectra", "psd", "autocorrelation"}},
-      {"sensitivities", {"sensitivity", "sensitivities"}}};
+      {"soft or moving walls", {"contact", "compliance", "moving"}}};
   return all;
 }
 

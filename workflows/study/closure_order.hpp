@@ -55,6 +55,7 @@ struct ClosureOrderRow {
 
 struct ClosureOrderStudy {
   static constexpr const char* kName = "order";
+  static constexpr const char* kFileStem = "study-order";
   problem::Problem problem;
   transform::Solution reference;
   /// Rows sorted by formulation in the given order, then by order n.

@@ -63,6 +63,7 @@ struct ComparedMethodRow {
 /// all distances.
 struct GridStudy {
   static constexpr const char* kName = "grid";
+  static constexpr const char* kFileStem = "study-grid";
   problem::Problem problem;
   transform::SolutionIdentity grids;    ///< equation and impact condition of the finite volumes
   std::vector<GridRow> rows;            ///< rows sorted by scheme order, then by grid level

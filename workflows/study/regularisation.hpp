@@ -21,6 +21,7 @@ struct RegularisationSchemeResult : fd_fpk::RegularisationSchemeResult {
 
 struct RegularisationStudy {
   static constexpr const char* kName = "regularisation";
+  static constexpr const char* kFileStem = "study-regularisation";
   problem::Problem problem;
   /// Default and shortest step of the fourth difference (fd_fpk::RegularisationStudy).
   double default_length, shortest_length;

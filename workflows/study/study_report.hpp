@@ -21,7 +21,7 @@ template <class Study>
 StudyReport make_study_report(const Study& study, const std::string& command,
                               const report::TextFormat& format,
                               report::FigureWidth width = report::FigureWidth::screen) {
-  const std::string stem = std::string("study-") + Study::kName;
+  const std::string stem = Study::kFileStem;
   const report::Figure drawn = figure(study);
   return {stem, json(study, command), csv(study), table(study, format),
           drawn.panels.empty() ? "" : report::figure_script(drawn, stem, width)};

@@ -1,0 +1,91 @@
+#include "cli/options.hpp"
+#include "cli/program.hpp"
+#include "cli/report_of_one_case.hpp"
+#include "workflows/study/functionals/passage.hpp"
+#include "workflows/study/functionals/sensitivity.hpp"
+#include "workflows/study/functionals/spectrum.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+constexpr const char* kSpectrumUsage = R"(usage: fpkcheck spectrum CASE [options]
+
+One-sided spectral density G(w) of the stationary y or y': its integral over the angular frequencies
+w >= 0 is the variance. Finite volumes solve (i w - L) x = (y - E[y]) p with the generator L for all
+frequencies at once, in a Krylov space, on three or more grids, whose differences give the error.
+The simulation averages periodograms (Welch's method) and states standard errors.
+Exit code 0 when the errors are below --accuracy times the largest density.
+
+examples:
+  fpkcheck spectrum case1
+  fpkcheck spectrum bistable --frequencies 0:1:200 --out results
+  fpkcheck spectrum case4 --of ydot --methods fd-kf,fd-white,mcs
+)";
+
+constexpr const char* kSensitivityUsage = R"(usage: fpkcheck sensitivity CASE [options]
+
+Derivatives of the stationary moments with respect to the parameters of the case, each with all other
+parameters fixed: impulse.rate at fixed intensity. Finite volumes differentiate the equation
+L p = 0 on three or more grids, whose differences give the error. The simulation uses common random
+numbers for the changed problems and states standard errors.
+Exit code 0 when the errors of all elasticities are below --accuracy.
+
+examples:
+  fpkcheck sensitivity case1
+  fpkcheck sensitivity case1 --parameters system.restitution --methods fd-kf
+  fpkcheck sensitivity coulomb --out results
+)";
+
+constexpr const char* kPassageUsage = R"(usage: fpkcheck passage CASE --displacement B [options]
+
+First passage of the displacement y above a barrier B: probability of survival over time, mean time
+from rest and from the stationary law below the barrier, hazard (rate of passages in the limit of
+long times). Finite volumes solve the backward equation on y < B on three or more grids, whose
+differences give the error. The simulation measures the stays below the barrier and states standard
+errors. The row rice is the usual approximation by independent upward crossings at Rice's rate.
+Exit code 0 when the relative errors are below --accuracy.
+
+examples:
+  fpkcheck passage case1 --displacement 1.5
+  fpkcheck passage case1 --displacement 2 --times 100,1000,10000 --methods fd-kf,fd-white
+  fpkcheck passage bistable --displacement 1 --out results
+)";
+
+/// Runs the command of a functional of the generator.
+/// @param study function that computes the functional of one problem with the options
+template <class Options, class Study>
+int run_functional(const CommandCall& call, const char* usage,
+                   const base::Description<Options>& description, const char* out_help,
+                   const Study& study) {
+  ReportOfOneCase report(call);
+  base::Values values = description.values(Options{});
+  auto own = make_command_line_options(description, values);
+  own.add(make_figure_options(report.common.figures));
+  if (!report.parse(usage, own, out_help)) return kSuccess;
+  const Options options = description.read(values, "options");
+  return report.run_and_write([&](const problem::Problem& problem, const auto& show) {
+    return study(problem, options, show);
+  });
+}
+
+}  // namespace
+
+int spectrum_command(const CommandCall& call) {
+  return run_functional(call, kSpectrumUsage, study::spectrum_option_descriptions(),
+                        "write spectrum.json, .csv and a figure to DIR (default: no files)",
+                        study::study_spectrum);
+}
+
+int sensitivity_command(const CommandCall& call) {
+  return run_functional(call, kSensitivityUsage, study::sensitivity_option_descriptions(),
+                        "write sensitivity.json, .csv and a figure to DIR (default: no files)",
+                        study::study_sensitivity);
+}
+
+int passage_command(const CommandCall& call) {
+  return run_functional(call, kPassageUsage, study::passage_option_descriptions(),
+                        "write passage.json, .csv and a figure to DIR (default: no files)",
+                        study::study_passage);
+}
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "base/input_error.hpp"
+#include "base/process/stop_request.hpp"
+#include "cli/command_line.hpp"
+#include "cli/program.hpp"
+#include "cli/shutdown.hpp"
+#include "cli/terminal.hpp"
+#include "workflows/study/study_report.hpp"
+
+namespace fpkcheck::cli {
+
+/// A command that computes something for one case and writes a table, JSON, CSV and a figure.
+class ReportOfOneCase {
+ public:
+  explicit ReportOfOneCase(const CommandCall& call) : call_(call) {}
+
+  CommonArguments common;
+
+  /// @return false if the help was printed
+  bool parse(const char* usage, const boost::program_options::options_description& own,
+             const char* out_help) {
+    return parse_arguments(call_.arguments, usage, add_common_options(own, common, out_help),
+                           common.cases);
+  }
+
+  /// Computes the result of one case and prints the table or the JSON. With --out the files of the
+  /// result are written.
+  /// @param run function that returns the result for a problem and a progress listener
+  /// @throws InputError unless there is exactly one case
+  template <class Run>
+  int run_and_write(const Run& run) const {
+    const auto problems = load_cases(common);
+    if (problems.size() != 1) throw InputError("this command takes one case; name it, e.g. case1");
+    const OutputDirectory directory(common.out);
+    ProgressLine line(common.quiet);
+    const auto result = run(problems.front(),
+                            [&](const methods::RunProgress& progress) { line.rewrite(progress); });
+    throw_if_interrupted();
+    line.erase();
+    write(study::make_study_report(result, call_.command_line, terminal_format(),
+                                   common.figures.width));
+    if (has_converged(result)) return kSuccess;
+    if (common.quiet) {
+      print_message(
+          "the result does not meet the criterion that --help states; see the table of the "
+          "command");
+    }
+    return kFailure;
+  }
+
+ private:
+  void write(const study::StudyReport& output) const;
+
+  const CommandCall& call_;
+  std::chrono::steady_clock::time_point start_time_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "base/input_error.hpp"
+#include "paper_cases.hpp"
+#include "workflows/study/functionals/passage.hpp"
+#include "workflows/study/functionals/sensitivity.hpp"
+#include "workflows/study/functionals/spectrum.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using Json = nlohmann::json;
+using transform::Status;
+
+SpectrumStudy spectrum_study() {
+  SpectrumStudy study{tests::paper_case(1), {}, {}};
+  study.spectra = {{.id = "fd-kf",
+                    .status = Status::ok,
+                    .frequencies = {0, 1, 2},
+                    .density = {1, 3, 2},
+                    .error = {0.1, 0.2, 0.3},
+                    .variance = 5,
+                    .peak = transform::SpectralPeak{.frequency = 1.2, .density = 3.1}},
+                   {.id = "mcs", .status = Status::not_offered, .reason = "none"}};
+  return study;
+}
+
+TEST(SpectrumReport, HasTheKeysOfTheContract) {
+  const Json found = Json::parse(study::json(spectrum_study(), "fpkcheck spectrum"));
+  const Json& spectra = found.at("cases").at(0).at("spectra");
+  ASSERT_EQ(spectra.size(), 2u);
+  EXPECT_EQ(spectra[0].at("solution"), "fd-kf");
+  EXPECT_EQ(spectra[0].at("of"), "y");
+  EXPECT_EQ(spectra[0].at("density"), Json({1.0, 3.0, 2.0}));
+  EXPECT_EQ(spectra[0].at("error").at(2), 0.3);
+  EXPECT_EQ(spectra[0].at("peak").at("frequency"), 1.2);
+  EXPECT_TRUE(spectra[0].at("peak").at("half_width").is_null());
+  EXPECT_EQ(spectra[1].at("status"), "not_offered");
+  EXPECT_TRUE(spectra[1].at("frequency").empty());
+  EXPECT_EQ(found.at("cases").at(0).at("system").at("damping"), 0.1);
+}
+
+TEST(SpectrumReport, HasARowOfTheCsvForEachFrequency) {
+  const std::string text = csv(spectrum_study());
+  EXPECT_EQ(std::ranges::count(text, '\n'), 4);
+  EXPECT_NE(text.find("test,fd-kf,y,2,2,0.3"), std::string::npos) << text;
+}
+
+TEST(SpectrumOptions, RefuseInvalidFrequenciesAndMethods) {
+  for (const char* text : {"1", "1:2", "a:2:3", "2:1:3", "0:1:0", "-1:1:3", "0:1:1.5", "0:1:1e9"}) {
+    SpectrumOptions options;
+    options.frequencies = text;
+    EXPECT_THROW(study_spectrum(tests::paper_case(1), options, {}), InputError) << text;
+  }
+  SpectrumOptions options;
+  options.methods = "epc";
+  EXPECT_THROW(study_spectrum(tests::paper_case(1), options, {}), InputError);
+}
+
+TEST(Convergence, NeedsAMethodAndNoFailure) {
+  EXPECT_TRUE(has_converged(spectrum_study()));
+  SpectrumStudy study = spectrum_study();
+  study.spectra[1].status = Status::failed;
+  EXPECT_FALSE(has_converged(study));
+  study.spectra[0].status = study.spectra[1].status = Status::not_offered;
+  EXPECT_FALSE(has_converged(study));
+}
+
+TEST(SensitivityReport, HasDerivativesElasticitiesAndErrorsByParameter) {
+  SensitivityStudy study{tests::paper_case(1), {}, {}};
+  study.solutions = {
+      {.id = "fd-kf",
+       .status = Status::ok,
+       .parameters = {"system.damping"},
+       .parameter_values = {0.1},
+       .expectations = {
+           {.expectation = "E[y^2]", .value = 0.5, .derivatives = {-2}, .errors = {0.01}}}}};
+  const Json found = Json::parse(study::json(study, "fpkcheck sensitivity"));
+  const Json& one = found.at("cases").at(0).at("sensitivities").at(0);
+  EXPECT_EQ(one.at("of"), "E[y^2]");
+  EXPECT_EQ(one.at("derivatives").at("system.damping"), -2);
+  EXPECT_DOUBLE_EQ(one.at("elasticities").at("system.damping"), -0.4);
+  EXPECT_EQ(one.at("error").at("system.damping"), 0.01);
+}
+
+TEST(PassageReport, HasTheKeysOfTheContract) {
+  PassageStudy study{tests::paper_case(1), {}, {}};
+  study.options.displacement = 1.5;
+  study.passages = {{.id = "mcs",
+                     .status = Status::ok,
+                     .hazard = transform::ValueWithError{0.1, 0.01},
+                     .times = {1, 2},
+                     .survival_from_stationary = {{0.9, 0.01}, {0.8, 0.02}}}};
+  const Json found = Json::parse(study::json(study, "fpkcheck passage"));
+  const Json& passage = found.at("cases").at(0).at("passage");
+  EXPECT_EQ(passage.at("barrier").at("displacement"), 1.5);
+  const Json& one = passage.at("solutions").at(0);
+  EXPECT_EQ(one.at("hazard"), 0.1);
+  EXPECT_TRUE(one.at("mean_from_rest").is_null());
+  EXPECT_EQ(one.at("error").at("hazard"), 0.01);
+  EXPECT_EQ(one.at("survival").at(1).at("from_stationary"), 0.8);
+  EXPECT_TRUE(one.at("survival").at(1).at("from_rest").is_null());
+}
+
+TEST(PassageOptions, NeedABarrierAndValidTimes) {
+  EXPECT_THROW(study_passage(tests::paper_case(1), {}, {}), InputError);
+  PassageOptions options;
+  options.displacement = 1;
+  options.times = "1,-2";
+  EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::study

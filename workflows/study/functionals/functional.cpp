@@ -1,0 +1,97 @@
+#include "workflows/study/functionals/functional.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
+#include "methods/plot_style.hpp"
+#include "results/run.hpp"
+#include "results/run_json.hpp"
+
+namespace fpkcheck::study {
+
+using transform::Status;
+
+std::vector<SelectedMethod> select_methods(const FunctionalOptions& options) {
+  std::vector<SelectedMethod> methods;
+  std::istringstream items(options.methods);
+  for (std::string item; std::getline(items, item, ',');) {
+    const std::string id = item == "fd" ? "fd-kf" : item;
+    SelectedMethod method;
+    method.fd = fd_fpk::options_of(id);
+    method.mcs = mcs::options_of(id);
+    if (method.fd) {
+      method.identity = fd_fpk::solution_identity(*method.fd);
+      method.identity.plot_style = methods::density_equation_style(method.identity);
+      method.fd->accuracy = options.accuracy;
+      method.fd->max_seconds = options.max_seconds;
+    } else if (method.mcs) {
+      method.identity = mcs::identity(*method.mcs);
+      method.identity.plot_style = methods::simulation_style(method.identity);
+      method.mcs->time = options.time;
+      method.mcs->seed = options.seed;
+      method.mcs->threads = options.threads;
+    } else {
+      throw InputError(fmt::format(
+          "--methods: {} is no method of this command; use fd-kf, fd-white, fd-km4, mcs or "
+          "mcs-white",
+          base::in_quotes(item)));
+    }
+    const auto has_same_id = [&](const SelectedMethod& other) {
+      return other.identity.id == method.identity.id;
+    };
+    if (std::ranges::none_of(methods, has_same_id)) methods.push_back(std::move(method));
+  }
+  if (methods.empty()) throw InputError("--methods: empty list; use e.g. fd-kf,mcs");
+  return methods;
+}
+
+void for_each_selected_method(const problem::Problem& problem, const FunctionalOptions& options,
+                              const methods::ProgressListener& listener,
+                              const std::function<void(const SelectedMethod&)>& compute) {
+  auto selected = select_methods(options);
+  for (std::size_t k = 0; k < selected.size(); ++k) {
+    const auto progress = [&](double fraction) {
+      if (!listener) return;
+      listener({.done = k,
+                .total = selected.size(),
+                .case_name = problem.name,
+                .method = selected[k].identity.id,
+                .fraction = fraction});
+    };
+    if (selected[k].mcs) {
+      selected[k].mcs->progress = [&](const mcs::Progress& now) { progress(now.fraction); };
+    }
+    progress(0);
+    compute(selected[k]);
+  }
+}
+
+std::string functional_json(const problem::Problem& problem, const std::string& key,
+                            const results::Json& list, const std::string& command) {
+  results::Json of_case = results::problem_to_json(problem);
+  of_case[key] = list;
+  const results::Json json{{"schema", results::kSummarySchema},
+                           {"program", results::program_to_json(results::current_program(command))},
+                           {"cases", results::Json::array({of_case})}};
+  return results::serialise_json(results::replace_non_finite_by_null(json));
+}
+
+std::string solution_line(const std::string& id, Status status, const std::string& reason) {
+  return status == Status::ok ? fmt::format("{}: ", id)
+                              : fmt::format("{}: {}: {}; ", id, transform::name(status), reason);
+}
+
+bool are_converged(const std::vector<Status>& statuses) {
+  const auto is_ok = [](Status status) { return status == Status::ok; };
+  const auto is_acceptable = [](Status status) {
+    return status == Status::ok || status == Status::not_offered;
+  };
+  return std::ranges::all_of(statuses, is_acceptable) && std::ranges::any_of(statuses, is_ok);
+}
+
+}  // namespace fpkcheck::study

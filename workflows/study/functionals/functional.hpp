@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/options/description.hpp"
+#include "fd_fpk/options.hpp"
+#include "mcs/options.hpp"
+#include "methods/run_cases.hpp"
+#include "report/text/format.hpp"
+#include "results/json.hpp"
+#include "transform/solution.hpp"
+
+/// Functionals of the generator: what the commands spectrum, sensitivity and passage share.
+namespace fpkcheck::study {
+
+/// Options that all commands of functionals have.
+struct FunctionalOptions {
+  std::string methods = "fd-kf,mcs";
+  double accuracy = 1e-2;
+  double max_seconds = 20;
+  std::optional<double> time{};
+  std::uint64_t seed = 1;
+  std::optional<int> threads{};
+};
+
+/// Returns the description of the options of a functional, with those of FunctionalOptions.
+/// @tparam Options a struct derived from FunctionalOptions
+/// @param accuracy_help meaning of the option --accuracy
+/// @param time_help meaning of the option --time
+template <class Options>
+base::Description<Options> with_functional_options(base::Description<Options> own,
+                                                   const std::string& accuracy_help,
+                                                   const std::string& time_help) {
+  using namespace base;
+  const Options defaults;
+  const auto member = [](auto FunctionalOptions::*of_base) {
+    return static_cast<
+        std::remove_reference_t<decltype(std::declval<Options>().*of_base)> Options::*>(of_base);
+  };
+  return std::move(own)
+      .add("methods", member(&FunctionalOptions::methods),
+           {"LIST", "ids of methods: fd-kf, fd-white, fd-km4, .., mcs, mcs-white"})
+      .with_default(defaults.methods)
+      .add("accuracy", member(&FunctionalOptions::accuracy), {"A", accuracy_help},
+           positive_numbers())
+      .with_default(defaults.accuracy)
+      .add("max_seconds", member(&FunctionalOptions::max_seconds),
+           {"S", "time limit of the finite volumes in seconds"}, positive_numbers())
+      .with_default(defaults.max_seconds)
+      .add("time", member(&FunctionalOptions::time), {"T", time_help}, positive_numbers())
+      .add("seed", member(&FunctionalOptions::seed), {"N", "seed of the simulation"},
+           closed_interval(0, 9.2e18))
+      .with_default(static_cast<std::int64_t>(defaults.seed))
+      .add("threads", member(&FunctionalOptions::threads),
+           {"N", "threads of the simulation (default: one per processor)"},
+           closed_interval(1, 4096));
+}
+
+/// A method of finite volumes or a simulation with its options; one of `fd` and `mcs` is present.
+struct SelectedMethod {
+  transform::SolutionIdentity identity;  ///< with the plot style of the method
+  std::optional<fd_fpk::Options> fd = {};
+  std::optional<mcs::Options> mcs = {};
+};
+
+/// Returns the methods of the comma-separated list FunctionalOptions::methods. The item "fd" selects
+/// "fd-kf".
+/// @throws InputError if an item selects no method
+std::vector<SelectedMethod> select_methods(const FunctionalOptions& options);
+
+/// Calls `compute` with each selected method. The options of a simulation report its progress.
+/// @throws InputError as select_methods()
+void for_each_selected_method(const problem::Problem& problem, const FunctionalOptions& options,
+                              const methods::ProgressListener& listener,
+                              const std::function<void(const SelectedMethod&)>& compute);
+
+/// Returns the JSON text of one case with a list of results under `key`, as in summary.json.
+std::string functional_json(const problem::Problem& problem, const std::string& key,
+                            const results::Json& list, const std::string& command);
+
+/// Returns "ID: " and the status and reason of a result other than `ok`.
+std::string solution_line(const std::string& id, transform::Status status,
+                          const std::string& reason);
+
+/// Returns whether the statuses of all methods that support the problem are `ok`, and a method
+/// supports the problem.
+bool are_converged(const std::vector<transform::Status>& statuses);
+
+}  // namespace fpkcheck::study

@@ -1,0 +1,268 @@
+#include "workflows/study/functionals/passage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
+#include "fd_fpk/functionals/passage.hpp"
+#include "mcs/passage.hpp"
+#include "report/figure/layout.hpp"
+#include "report/table.hpp"
+#include "report/text/wrap_text.hpp"
+#include "workflows/study/record.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using transform::Passage;
+using transform::Status;
+using transform::ValueWithError;
+using Quantity = std::optional<ValueWithError> Passage::*;
+
+struct NamedQuantity {
+  const char* key;   // key in JSON
+  const char* name;  // name in tables
+  Quantity quantity;
+};
+constexpr NamedQuantity kQuantities[] = {
+    {"hazard", "hazard", &Passage::hazard},
+    {"mean_from_rest", "mean time from rest", &Passage::mean_from_rest},
+    {"mean_from_stationary", "mean time, stationary start", &Passage::mean_from_stationary},
+    {"rice_rate", "rate of upcrossings (Rice)", &Passage::rice_rate},
+    {"probability_below", "probability below the barrier", &Passage::probability_below}};
+
+std::vector<double> parse_times(const PassageOptions& options) {
+  std::vector<double> times;
+  if (!options.times) return times;
+  std::istringstream items(*options.times);
+  for (std::string item; std::getline(items, item, ',');) {
+    const auto value = base::Parameter{.name = "times", .help = {}}.parse(item);
+    const double* number = value ? std::get_if<double>(&*value) : nullptr;
+    if (number == nullptr || !std::isfinite(*number) || *number < 0) {
+      throw InputError(fmt::format("--times {} (must be numbers >= 0, separated by commas)",
+                                   base::in_quotes(item)));
+    }
+    times.push_back(*number);
+  }
+  return times;
+}
+
+// Returns the approximation by independent upward crossings at Rice's rate: the hazard nu / P, and
+// exponential passage times.
+Passage rice_approximation(const Passage& of) {
+  Passage rice{.id = "rice"};
+  const double rate = of.rice_rate->value / of.probability_below->value;
+  rice.hazard = {rate, 0};
+  rice.mean_from_stationary = {1 / rate, 0};
+  rice.times = of.times;
+  for (const double t : of.times) rice.survival_from_stationary.push_back({std::exp(-rate * t), 0});
+  rice.status = Status::ok;
+  rice.details = "independent upward crossings, an approximation without an error estimate";
+  return rice;
+}
+
+bool is_rice(const Passage& passage) { return passage.id == "rice"; }
+
+}  // namespace
+
+const base::Description<PassageOptions>& passage_option_descriptions() {
+  static const auto description = with_functional_options(
+      base::Description<PassageOptions>("passage ")
+          .add("displacement", &PassageOptions::displacement,
+               {"B", "barrier: first passage of y above B"}, base::finite_numbers())
+          .add("times", &PassageOptions::times,
+               {"LIST",
+                "times of the survival probabilities (default: ten times up to three mean times)"}),
+      "largest relative error of the finite volumes, for status ok",
+      "simulated time of the stationary process (default: until the standard error of the mean is "
+      "1 %, at most about 15 s of computing)");
+  return description;
+}
+
+PassageStudy study_passage(const problem::Problem& problem, const PassageOptions& options,
+                           const methods::ProgressListener& listener) {
+  if (!options.displacement) {
+    throw InputError("no barrier; give one, e.g. --displacement 1.5");
+  }
+  const double barrier = *options.displacement;
+  std::vector<double> times = parse_times(options);
+  PassageStudy study{problem, options, {}};
+  for_each_selected_method(problem, options, listener, [&](const SelectedMethod& method) {
+    study.passages.push_back(method.fd
+                                 ? fd_fpk::solve_passage(problem, *method.fd, barrier, times)
+                                 : mcs::estimate_passage(problem, *method.mcs, barrier, times));
+    // The automatic times of the finite volumes are those of the simulation.
+    if (times.empty()) times = study.passages.back().times;
+  });
+  const auto with_rate = std::ranges::find_if(
+      study.passages, [](const Passage& p) { return p.rice_rate && p.probability_below; });
+  if (with_rate != study.passages.end()) study.passages.push_back(rice_approximation(*with_rate));
+  return study;
+}
+
+bool has_converged(const PassageStudy& study) {
+  std::vector<Status> statuses;
+  for (const Passage& p : study.passages) {
+    if (!is_rice(p)) statuses.push_back(p.status);
+  }
+  return are_converged(statuses);
+}
+
+std::string json(const PassageStudy& study, const std::string& command) {
+  using results::Json;
+  Json solutions = Json::array();
+  for (const Passage& p : study.passages) {
+    Json one{{"solution", p.id},
+             {"status", name(p.status)},
+             {"reason", p.reason},
+             {"seconds", p.seconds}};
+    Json error = Json::object();
+    for (const auto& [key, label, quantity] : kQuantities) {
+      const auto& value = p.*quantity;
+      one[key] = value ? Json(value->value) : Json();
+      error[key] = value && !is_rice(p) ? Json(value->error) : Json();
+    }
+    Json survival = Json::array(), survival_error = Json::array();
+    for (std::size_t k = 0; k < p.times.size(); ++k) {
+      const auto at = [&](const std::vector<ValueWithError>& all, double ValueWithError::*part) {
+        return k < all.size() ? Json(all[k].*part) : Json();
+      };
+      survival.push_back(
+          {{"time", p.times[k]},
+           {"from_rest", at(p.survival_from_rest, &ValueWithError::value)},
+           {"from_stationary", at(p.survival_from_stationary, &ValueWithError::value)}});
+      survival_error.push_back(
+          {{"time", p.times[k]},
+           {"from_rest", at(p.survival_from_rest, &ValueWithError::error)},
+           {"from_stationary", at(p.survival_from_stationary, &ValueWithError::error)}});
+    }
+    one["survival"] = std::move(survival);
+    if (!is_rice(p)) error["survival"] = std::move(survival_error);
+    one["error"] = std::move(error);
+    one["error_is"] = is_rice(p)              ? Json()
+                      : p.has_standard_errors ? Json("standard error")
+                                              : Json("discretisation error");
+    solutions.push_back(std::move(one));
+  }
+  const Json passage{{"barrier", {{"displacement", *study.options.displacement}}},
+                     {"solutions", std::move(solutions)}};
+  return functional_json(study.problem, "passage", passage, command);
+}
+
+std::string csv(const PassageStudy& study) {
+  std::vector<StudyRecord> rows;
+  for (const Passage& p : study.passages) {
+    const auto add = [&](const std::string& quantity, base::Value time,
+                         const ValueWithError& value) {
+      rows.push_back({{"case", study.problem.name},
+                      {"solution", p.id},
+                      {"quantity", quantity},
+                      {"time", time},
+                      {"value", value.value},
+                      {"error", is_rice(p) ? base::Value() : base::Value(value.error)}});
+    };
+    for (const auto& [key, label, quantity] : kQuantities) {
+      if (p.*quantity) add(key, {}, *(p.*quantity));
+    }
+    for (std::size_t k = 0; k < p.survival_from_rest.size(); ++k) {
+      add("survival_from_rest", p.times[k], p.survival_from_rest[k]);
+    }
+    for (std::size_t k = 0; k < p.survival_from_stationary.size(); ++k) {
+      add("survival_from_stationary", p.times[k], p.survival_from_stationary[k]);
+    }
+  }
+  return csv_text(rows, "case solution quantity time value error");
+}
+
+std::string table(const PassageStudy& study, const report::TextFormat& format) {
+  std::string text = report::wrap_text(report::case_title(study.problem), format.width);
+  text += report::wrap_text(
+      fmt::format("first passage of y above {:g}; survival: probability that y has stayed below",
+                  *study.options.displacement),
+      format.width);
+  std::vector<TableColumn> columns{{"", "", "what", "", report::kAlwaysShown, true}};
+  std::vector<StudyRecord> rows;
+  for (const auto& named : kQuantities) rows.push_back({{"what", std::string(named.name)}});
+  const auto with_times =
+      std::ranges::find_if(study.passages, [](const Passage& p) { return !p.times.empty(); });
+  const std::vector<double> times =
+      with_times == study.passages.end() ? std::vector<double>{} : with_times->times;
+  for (const char* start : {"rest", "stationary"}) {
+    for (const double t : times) {
+      rows.push_back({{"what", fmt::format("survival from {}, t = {:g}", start, t)}});
+    }
+  }
+  for (const Passage& p : study.passages) {
+    if (!p.hazard) continue;
+    columns.push_back({p.id, "value", p.id, "{:.6g}"});
+    if (!is_rice(p)) {
+      columns.push_back(
+          {p.id, p.has_standard_errors ? "std err" : "error", p.id + "-error", "{:.1e}"});
+    }
+    std::size_t row = 0;
+    const auto add = [&](const ValueWithError* value) {
+      if (value != nullptr) {
+        rows[row].push_back({p.id, value->value});
+        rows[row].push_back({p.id + "-error", value->error});
+      }
+      ++row;
+    };
+    for (const auto& named : kQuantities) {
+      const auto& value = p.*(named.quantity);
+      add(value ? &*value : nullptr);
+    }
+    for (const auto* survival : {&p.survival_from_rest, &p.survival_from_stationary}) {
+      for (std::size_t k = 0; k < times.size(); ++k) {
+        add(k < survival->size() ? &(*survival)[k] : nullptr);
+      }
+    }
+  }
+  if (columns.size() > 1) text += table_text(rows, columns, format);
+  for (const Passage& p : study.passages) {
+    const std::string seconds = is_rice(p) ? "" : fmt::format(" ({:.1f} s)", p.seconds);
+    text += report::wrap_text(solution_line(p.id, p.status, p.reason) + p.details + seconds,
+                              format.width, 2);
+  }
+  return text;
+}
+
+report::Figure figure(const PassageStudy& study) {
+  std::vector<report::FigureSeries> series;
+  const auto methods = select_methods(study.options);
+  for (const Passage& p : study.passages) {
+    if (p.survival_from_stationary.empty()) continue;
+    const auto method = std::ranges::find_if(
+        methods, [&](const SelectedMethod& m) { return m.identity.id == p.id; });
+    report::FigureSeries one = report::make_series(
+        p.id, method == methods.end()
+                  ? transform::PlotStyle{.colour = "#D55E00", .dash = "(6,3)", .symbol = ""}
+                  : method->identity.plot_style);
+    one.points.push_back({.x = 0, .y = 1});
+    for (std::size_t k = 0; k < p.times.size(); ++k) {
+      const auto& [value, error] = p.survival_from_stationary[k];
+      report::FigurePoint point{.x = p.times[k], .y = value};
+      if (p.has_standard_errors) {
+        point.lower = value - 2 * error;
+        point.upper = value + 2 * error;
+      }
+      one.points.push_back(point);
+    }
+    series.push_back(std::move(one));
+  }
+  if (series.empty()) return {};
+  report::FigurePanel panel{
+      .title = fmt::format("probability that y stays below {:g}, stationary start",
+                           *study.options.displacement),
+      .x = report::linear_axis("{/:Italic t}", series, &report::FigurePoint::x),
+      .y = report::logarithmic_axis("survival probability", series, &report::FigurePoint::y),
+      .series = series};
+  return {.title = report::problem_title(study.problem), .panels = {panel}, .columns = 1};
+}
+
+}  // namespace fpkcheck::study

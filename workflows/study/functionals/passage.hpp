@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/options/description.hpp"
+#include "methods/run_cases.hpp"
+#include "problem/problem.hpp"
+#include "report/figure/figure.hpp"
+#include "report/text/format.hpp"
+#include "transform/passage.hpp"
+#include "workflows/study/functionals/functional.hpp"
+
+/// The command `passage`: first passage of the displacement above a barrier.
+namespace fpkcheck::study {
+
+struct PassageOptions : FunctionalOptions {
+  std::optional<double> displacement{};
+  /// Times of the survival probabilities, comma-separated
+  std::optional<std::string> times{};
+};
+
+const base::Description<PassageOptions>& passage_option_descriptions();
+
+struct PassageStudy {
+  static constexpr const char* kFileStem = "passage";
+  problem::Problem problem;
+  PassageOptions options;
+  /// Passages by the selected methods, and by Rice's rate if finite volumes have it
+  std::vector<transform::Passage> passages;
+};
+
+/// @throws InputError for invalid options
+PassageStudy study_passage(const problem::Problem& problem, const PassageOptions& options,
+                           const methods::ProgressListener& listener);
+
+/// Returns whether every method that supports the problem gave a passage within the accuracy.
+bool has_converged(const PassageStudy& study);
+
+std::string json(const PassageStudy& study, const std::string& command);
+std::string csv(const PassageStudy& study);
+std::string table(const PassageStudy& study, const report::TextFormat& format);
+/// Returns a figure of the survival probabilities.
+report::Figure figure(const PassageStudy& study);
+
+}  // namespace fpkcheck::study

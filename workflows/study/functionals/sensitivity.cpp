@@ -1,0 +1,221 @@
+#include "workflows/study/functionals/sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+
+#include "fd_fpk/functionals/sensitivities.hpp"
+#include "mcs/sensitivities.hpp"
+#include "problem/parameter_derivative.hpp"
+#include "report/figure/layout.hpp"
+#include "report/table.hpp"
+#include "report/text/wrap_text.hpp"
+#include "results/json.hpp"
+#include "workflows/study/record.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using transform::ExpectationDerivatives;
+using transform::Sensitivities;
+using transform::Status;
+
+// Steps of the difference quotients, relative to the parameter. The quotients of the matrix of the
+// finite volumes have errors of about 1e-8; a simulation needs a step that changes the moments by
+// more than its rounding errors and by less than a tenth.
+constexpr double kMatrixStep = 1e-4, kSimulationStep = 0.02;
+
+std::vector<std::string> selected_parameters(const problem::Problem& problem,
+                                             const SensitivityOptions& options) {
+  if (!options.parameters) return problem::differentiable_parameters(problem);
+  std::vector<std::string> keys;
+  std::istringstream items(*options.parameters);
+  for (std::string key; std::getline(items, key, ',');) keys.push_back(key);
+  return keys;
+}
+
+double elasticity(const Sensitivities& s, const ExpectationDerivatives& one, std::size_t k) {
+  return one.derivatives[k] * s.parameter_values[k] / one.value;
+}
+double elasticity_error(const Sensitivities& s, const ExpectationDerivatives& one, std::size_t k) {
+  return std::abs(one.errors[k] * s.parameter_values[k] / one.value);
+}
+
+bool has_derivatives(const Sensitivities& s) { return !s.expectations.empty(); }
+
+}  // namespace
+
+const base::Description<SensitivityOptions>& sensitivity_option_descriptions() {
+  static const auto description = with_functional_options(
+      base::Description<SensitivityOptions>("sensitivity ")
+          .add("parameters", &SensitivityOptions::parameters,
+               {"LIST",
+                "keys of parameters, such as system.damping,impulse.rate (default: all numbers of "
+                "the case)"}),
+      "largest error of an elasticity by the finite volumes, for status ok",
+      "simulated time of each changed problem (default: a sixteenth of that of `fpkcheck mcs`)");
+  return description;
+}
+
+SensitivityStudy study_sensitivity(const problem::Problem& problem,
+                                   const SensitivityOptions& options,
+                                   const methods::ProgressListener& listener) {
+  const auto keys = selected_parameters(problem, options);
+  SensitivityStudy study{problem, options, {}};
+  for_each_selected_method(problem, options, listener, [&](const SelectedMethod& method) {
+    std::vector<problem::ParameterDerivative> parameters;
+    for (const std::string& key : keys) {
+      parameters.push_back(
+          problem::parameter_derivative(problem, key, method.fd ? kMatrixStep : kSimulationStep));
+    }
+    study.solutions.push_back(method.fd
+                                  ? fd_fpk::solve_sensitivities(problem, *method.fd, parameters)
+                                  : mcs::estimate_sensitivities(problem, *method.mcs, parameters));
+  });
+  return study;
+}
+
+bool has_converged(const SensitivityStudy& study) {
+  std::vector<Status> statuses;
+  for (const Sensitivities& s : study.solutions) statuses.push_back(s.status);
+  return are_converged(statuses);
+}
+
+std::string json(const SensitivityStudy& study, const std::string& command) {
+  using results::Json;
+  Json list = Json::array();
+  for (const Sensitivities& s : study.solutions) {
+    const Json of_solution{{"solution", s.id},
+                           {"status", name(s.status)},
+                           {"reason", s.reason},
+                           {"seconds", s.seconds}};
+    if (!has_derivatives(s)) list.push_back(of_solution);
+    for (const ExpectationDerivatives& one : s.expectations) {
+      Json entry = of_solution;
+      entry["of"] = one.expectation;
+      entry["value"] = one.value;
+      for (std::size_t k = 0; k < s.parameters.size(); ++k) {
+        entry["derivatives"][s.parameters[k]] = one.derivatives[k];
+        entry["elasticities"][s.parameters[k]] = elasticity(s, one, k);
+        entry["error"][s.parameters[k]] = one.errors[k];
+      }
+      entry["error_is"] = s.has_standard_errors ? "standard error" : "discretisation error";
+      list.push_back(std::move(entry));
+    }
+  }
+  return functional_json(study.problem, "sensitivities", list, command);
+}
+
+std::string csv(const SensitivityStudy& study) {
+  std::vector<StudyRecord> rows;
+  for (const Sensitivities& s : study.solutions) {
+    for (const ExpectationDerivatives& one : s.expectations) {
+      for (std::size_t k = 0; k < s.parameters.size(); ++k) {
+        rows.push_back({{"case", study.problem.name},
+                        {"solution", s.id},
+                        {"of", one.expectation},
+                        {"parameter", s.parameters[k]},
+                        {"derivative", one.derivatives[k]},
+                        {"elasticity", elasticity(s, one, k)},
+                        {"error", one.errors[k]}});
+      }
+    }
+  }
+  return csv_text(rows, "case solution of parameter derivative elasticity error");
+}
+
+std::string table(const SensitivityStudy& study, const report::TextFormat& format) {
+  std::string text = report::wrap_text(report::case_title(study.problem), format.width);
+  text += report::wrap_text(
+      "derivative of each moment with respect to each parameter, all other parameters fixed, and "
+      "elasticity: relative change of the moment by a relative change of the parameter",
+      format.width);
+  const Sensitivities* first = nullptr;
+  std::vector<TableColumn> columns{{"", "moment", "of", "", report::kAlwaysShown, true},
+                                   {"", "parameter", "parameter", "", report::kAlwaysShown, true}};
+  std::vector<StudyRecord> rows;
+  for (const Sensitivities& s : study.solutions) {
+    if (!has_derivatives(s)) continue;
+    if (first == nullptr) {
+      first = &s;
+      columns.push_back({"", "elasticity", "elasticity", "{:.4f}"});
+    }
+    columns.push_back({s.id, "derivative", s.id, "{:.6g}"});
+    columns.push_back(
+        {s.id, s.has_standard_errors ? "std err" : "error", s.id + "-error", "{:.1e}"});
+    std::size_t row = 0;
+    for (const ExpectationDerivatives& one : s.expectations) {
+      for (std::size_t k = 0; k < s.parameters.size(); ++k, ++row) {
+        if (row == rows.size()) {
+          rows.push_back({{"of", k == 0 ? one.expectation : std::string()},
+                          {"parameter", s.parameters[k]},
+                          {"elasticity", elasticity(s, one, k)}});
+        }
+        rows[row].push_back({s.id, one.derivatives[k]});
+        rows[row].push_back({s.id + "-error", one.errors[k]});
+      }
+    }
+  }
+  if (first != nullptr) {
+    for (auto& row : rows) {
+      if (std::get<std::string>(row.front().value).empty()) row.front().value = " ";
+    }
+    text += table_text(rows, columns, format);
+  }
+  for (const Sensitivities& s : study.solutions) {
+    std::string line = solution_line(s.id, s.status, s.reason);
+    if (has_derivatives(s)) line += fmt::format("{} ({:.1f} s)", s.details, s.seconds);
+    text += report::wrap_text(line, format.width, 2);
+  }
+  return text;
+}
+
+report::Figure figure(const SensitivityStudy& study) {
+  report::Figure figure{.title = report::problem_title(study.problem), .columns = 1};
+  const auto with_values = std::ranges::find_if(study.solutions, has_derivatives);
+  if (with_values == study.solutions.end()) return {};
+  const Sensitivities& reference = *with_values;
+  for (const std::string& wanted : {std::string("E[y^2]"), std::string("E[y'^2]")}) {
+    std::vector<report::FigureSeries> series;
+    const auto methods = select_methods(study.options);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const SelectedMethod& method = methods[m];
+      const auto found = std::ranges::find(study.solutions, method.identity.id, &Sensitivities::id);
+      if (found == study.solutions.end() || !has_derivatives(*found)) continue;
+      const auto one =
+          std::ranges::find(found->expectations, wanted, &ExpectationDerivatives::expectation);
+      report::FigureSeries points = report::make_series(found->id, method.identity.plot_style);
+      points.dash = "";
+      // The marks of a parameter stand side by side.
+      const double shift =
+          0.15 * (static_cast<double>(m) - (static_cast<double>(methods.size()) - 1) / 2);
+      for (std::size_t k = 0; k < found->parameters.size(); ++k) {
+        const double value = elasticity(*found, *one, k);
+        const double half =
+            (found->has_standard_errors ? 2 : 1) * elasticity_error(*found, *one, k);
+        points.points.push_back({.x = static_cast<double>(k + 1) + shift,
+                                 .y = value,
+                                 .lower = value - half,
+                                 .upper = value + half});
+      }
+      series.push_back(std::move(points));
+    }
+    report::FigureAxis parameters{
+        .label = "", .from = 0.5, .to = static_cast<double>(reference.parameters.size()) + 0.5};
+    for (std::size_t k = 0; k < reference.parameters.size(); ++k) {
+      parameters.tics.push_back({reference.parameters[k], static_cast<double>(k + 1)});
+    }
+    figure.panels.push_back(
+        {.title = fmt::format("elasticities of {}", wanted == "E[y^2]" ? "E[y²]" : "E[y'²]"),
+         .x = parameters,
+         .y = report::linear_axis("elasticity", series, &report::FigurePoint::y),
+         .series = series});
+  }
+  return figure;
+}
+
+}  // namespace fpkcheck::study

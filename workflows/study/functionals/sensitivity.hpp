@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/options/description.hpp"
+#include "methods/run_cases.hpp"
+#include "problem/problem.hpp"
+#include "report/figure/figure.hpp"
+#include "report/text/format.hpp"
+#include "transform/sensitivities.hpp"
+#include "workflows/study/functionals/functional.hpp"
+
+/// The command `sensitivity`: derivatives of stationary moments with respect to parameters.
+namespace fpkcheck::study {
+
+struct SensitivityOptions : FunctionalOptions {
+  /// Comma-separated keys; the default is differentiable_parameters()
+  std::optional<std::string> parameters{};
+};
+
+const base::Description<SensitivityOptions>& sensitivity_option_descriptions();
+
+struct SensitivityStudy {
+  static constexpr const char* kFileStem = "sensitivity";
+  problem::Problem problem;
+  SensitivityOptions options;
+  std::vector<transform::Sensitivities> solutions;
+};
+
+/// @throws InputError for invalid options and parameters
+SensitivityStudy study_sensitivity(const problem::Problem& problem,
+                                   const SensitivityOptions& options,
+                                   const methods::ProgressListener& listener);
+
+/// Returns whether every method that supports the problem gave derivatives within the accuracy.
+bool has_converged(const SensitivityStudy& study);
+
+std::string json(const SensitivityStudy& study, const std::string& command);
+std::string csv(const SensitivityStudy& study);
+std::string table(const SensitivityStudy& study, const report::TextFormat& format);
+/// Returns a figure with the elasticities as bars.
+report::Figure figure(const SensitivityStudy& study);
+
+}  // namespace fpkcheck::study

@@ -1,0 +1,242 @@
+#include "workflows/study/functionals/spectrum.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
+#include "fd_fpk/functionals/spectrum.hpp"
+#include "mcs/spectrum.hpp"
+#include "problem/motion_scales.hpp"
+#include "report/figure/layout.hpp"
+#include "report/table.hpp"
+#include "report/text/wrap_text.hpp"
+#include "results/json.hpp"
+#include "workflows/study/record.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using transform::Spectrum;
+using transform::StateVariable;
+using transform::Status;
+
+constexpr int kAutomaticIntervals = 200, kMostIntervals = 10000;
+
+double number_of(const std::string& text, const std::string& whole) {
+  const auto value = base::Parameter{.name = "frequencies", .help = {}}.parse(text);
+  const double* number = value ? std::get_if<double>(&*value) : nullptr;
+  if (number == nullptr || !std::isfinite(*number)) {
+    throw InputError(
+        fmt::format("--frequencies {} (must be FROM:TO:N, as 0:4:200)", base::in_quotes(whole)));
+  }
+  return *number;
+}
+
+std::vector<double> evenly_spaced(double from, double to, int intervals) {
+  std::vector<double> values;
+  for (int k = 0; k <= intervals; ++k) values.push_back(from + (to - from) * k / intervals);
+  return values;
+}
+
+std::vector<double> frequencies(const problem::Problem& problem, const SpectrumOptions& options) {
+  if (!options.frequencies) {
+    const auto scales =
+        problem::scales(problem::to_wall_coordinates(problem::wall_frame(problem.system), problem));
+    const double last = 4 * scales.velocity_deviation / scales.displacement_deviation;
+    const double unit = std::pow(10, std::floor(std::log10(last)) - 1);
+    return evenly_spaced(0, std::ceil(last / unit) * unit, kAutomaticIntervals);
+  }
+  const std::string& text = *options.frequencies;
+  const auto first = text.find(':'), second = text.find(':', first + 1);
+  if (first == std::string::npos || second == std::string::npos) number_of("", text);
+  const double from = number_of(text.substr(0, first), text);
+  const double to = number_of(text.substr(first + 1, second - first - 1), text);
+  const double intervals = number_of(text.substr(second + 1), text);
+  const bool valid = 0 <= from && from < to && 1 <= intervals && intervals <= kMostIntervals &&
+                     intervals == std::floor(intervals);
+  if (!valid) {
+    throw InputError(fmt::format("--frequencies {} (must satisfy 0 <= FROM < TO and 1 <= N <= {})",
+                                 base::in_quotes(text), kMostIntervals));
+  }
+  return evenly_spaced(from, to, static_cast<int>(intervals));
+}
+
+// Distance of two spectra over all frequencies.
+struct SpectrumDistance {
+  double largest_in_errors;  // largest |difference| / combined error
+  double root_mean_square;   // root mean square of |difference| / combined error
+};
+SpectrumDistance distance(const Spectrum& a, const Spectrum& b) {
+  SpectrumDistance result{0, 0};
+  for (std::size_t k = 0; k < a.density.size(); ++k) {
+    const double error = std::hypot(a.error[k], b.error[k]);
+    const double ratio = error > 0 ? std::abs(a.density[k] - b.density[k]) / error : 0;
+    result.largest_in_errors = std::max(result.largest_in_errors, ratio);
+    result.root_mean_square += ratio * ratio;
+  }
+  result.root_mean_square =
+      std::sqrt(result.root_mean_square / static_cast<double>(a.density.size()));
+  return result;
+}
+
+bool has_density(const Spectrum& spectrum) { return !spectrum.density.empty(); }
+
+std::string symbol(StateVariable variable) { return variable == StateVariable::y ? "y" : "y'"; }
+
+}  // namespace
+
+const base::Description<SpectrumOptions>& spectrum_option_descriptions() {
+  static const auto description = with_functional_options(
+      base::Description<SpectrumOptions>("spectrum ")
+          .add("of", &SpectrumOptions::variable, {"V", "y (displacement) or ydot (velocity)"})
+          .add("frequencies", &SpectrumOptions::frequencies,
+               {"FROM:TO:N",
+                "angular frequencies FROM .. TO in N intervals (default: 0 to four mean "
+                "frequencies in 200 intervals)"}),
+      "largest error of the finite volumes, relative to the largest density, for status ok",
+      "simulated time (default: standard errors of about 1.5 % of the density)");
+  return description;
+}
+
+SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOptions& options,
+                             const methods::ProgressListener& listener) {
+  const std::vector<double> at = frequencies(problem, options);
+  SpectrumStudy study{problem, options, {}};
+  for_each_selected_method(problem, options, listener, [&](const SelectedMethod& method) {
+    study.spectra.push_back(
+        method.fd ? fd_fpk::solve_spectrum(problem, *method.fd, options.variable, at)
+                  : mcs::estimate_spectrum(problem, *method.mcs, options.variable, at));
+  });
+  return study;
+}
+
+bool has_converged(const SpectrumStudy& study) {
+  std::vector<Status> statuses;
+  for (const Spectrum& s : study.spectra) statuses.push_back(s.status);
+  return are_converged(statuses);
+}
+
+std::string json(const SpectrumStudy& study, const std::string& command) {
+  using results::Json;
+  Json spectra = Json::array();
+  for (const Spectrum& s : study.spectra) {
+    Json one{{"solution", s.id},
+             {"of", name(s.variable)},
+             {"status", name(s.status)},
+             {"reason", s.reason},
+             {"seconds", s.seconds},
+             {"frequency", has_density(s) ? Json(s.frequencies) : Json::array()},
+             {"density", s.density},
+             {"error", s.error},
+             {"error_is", s.has_standard_errors ? "standard error" : "discretisation error"},
+             {"variance", s.variance},
+             {"variance_error", s.variance_error},
+             {"peak", nullptr}};
+    if (s.peak) {
+      one["peak"] = {{"frequency", s.peak->frequency}, {"density", s.peak->density}};
+      one["peak"]["half_width"] = s.peak->half_width ? Json(*s.peak->half_width) : Json();
+    }
+    spectra.push_back(std::move(one));
+  }
+  return functional_json(study.problem, "spectra", spectra, command);
+}
+
+std::string csv(const SpectrumStudy& study) {
+  std::vector<StudyRecord> rows;
+  for (const Spectrum& s : study.spectra) {
+    for (std::size_t k = 0; k < s.density.size(); ++k) {
+      rows.push_back({{"case", study.problem.name},
+                      {"solution", s.id},
+                      {"variable", std::string(name(s.variable))},
+                      {"frequency", s.frequencies[k]},
+                      {"density", s.density[k]},
+                      {"error", s.error[k]}});
+    }
+  }
+  return csv_text(rows, "case solution variable frequency density error");
+}
+
+std::string table(const SpectrumStudy& study, const report::TextFormat& format) {
+  constexpr std::size_t kRows = 16;
+  std::string text = report::wrap_text(report::case_title(study.problem), format.width);
+  text += report::wrap_text(
+      fmt::format("one-sided spectral density of {}; its integral over w >= 0 is the variance",
+                  symbol(study.options.variable)),
+      format.width);
+  std::vector<TableColumn> columns{{"", "w", "w", "{:.4g}"}};
+  std::vector<StudyRecord> rows;
+  const Spectrum* first = nullptr;
+  for (const Spectrum& s : study.spectra) {
+    if (!has_density(s)) continue;
+    if (first == nullptr) first = &s;
+    columns.push_back({s.id, "density", s.id, "{:.6g}"});
+    columns.push_back(
+        {s.id, s.has_standard_errors ? "std err" : "error", s.id + "-error", "{:.1e}"});
+    const std::size_t last = s.density.size() - 1, step = (last + kRows - 1) / kRows;
+    for (std::size_t k = 0, row = 0; k <= last; k += step, ++row) {
+      if (row == rows.size()) rows.push_back({{"w", s.frequencies[k]}});
+      rows[row].push_back({s.id, s.density[k]});
+      rows[row].push_back({s.id + "-error", s.error[k]});
+    }
+  }
+  if (first != nullptr) text += table_text(rows, columns, format);
+  for (const Spectrum& s : study.spectra) {
+    std::string line = solution_line(s.id, s.status, s.reason);
+    if (has_density(s)) {
+      line += fmt::format("variance {:.6g} +- {:.1e}", s.variance, s.variance_error);
+      if (s.peak) {
+        line += fmt::format(", peak {:.5g} at w = {:.5g}", s.peak->density, s.peak->frequency);
+        if (s.peak->half_width) line += fmt::format(" of half-width {:.3g}", *s.peak->half_width);
+      }
+      line += fmt::format("; {}", s.details);
+      if (&s != first) {
+        const auto [largest, mean] = distance(*first, s);
+        line += fmt::format(
+            "; differs from {} by {:.1f} combined errors at most, {:.1f} in root "
+            "mean square",
+            first->id, largest, mean);
+      }
+      line += fmt::format(" ({:.1f} s)", s.seconds);
+    }
+    text += report::wrap_text(line, format.width, 2);
+  }
+  return text;
+}
+
+report::Figure figure(const SpectrumStudy& study) {
+  std::vector<report::FigureSeries> series;
+  for (const auto& method : select_methods(study.options)) {
+    const auto found = std::ranges::find(study.spectra, method.identity.id, &Spectrum::id);
+    if (found == study.spectra.end() || !has_density(*found)) continue;
+    const Spectrum& s = *found;
+    report::FigureSeries one = report::make_series(s.id, method.identity.plot_style);
+    const std::size_t step =
+        s.has_standard_errors ? std::max<std::size_t>(s.density.size() / 50, 1) : 1;
+    for (std::size_t k = 0; k < s.density.size(); k += step) {
+      report::FigurePoint point{.x = s.frequencies[k], .y = s.density[k]};
+      if (s.has_standard_errors) {
+        point.lower = s.density[k] - 2 * s.error[k];
+        point.upper = s.density[k] + 2 * s.error[k];
+      }
+      one.points.push_back(point);
+    }
+    series.push_back(std::move(one));
+  }
+  if (series.empty()) return {};
+  const std::string of = study.options.variable == StateVariable::y ? "y" : "y'";
+  report::FigurePanel panel{
+      .title = fmt::format("one-sided spectral density of {}", of),
+      .x = {"{/:Italic w}", study.spectra.front().frequencies.front(),
+            study.spectra.front().frequencies.back()},
+      .y = report::logarithmic_axis(fmt::format("{{/:Italic G}}({{/:Italic w}})"), series,
+                                    &report::FigurePoint::y),
+      .series = series};
+  return {.title = report::problem_title(study.problem), .panels = {panel}, .columns = 1};
+}
+
+}  // namespace fpkcheck::study

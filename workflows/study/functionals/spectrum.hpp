@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/options/description.hpp"
+#include "methods/run_cases.hpp"
+#include "problem/problem.hpp"
+#include "report/figure/figure.hpp"
+#include "report/text/format.hpp"
+#include "transform/spectrum.hpp"
+#include "workflows/study/functionals/functional.hpp"
+
+/// The command `spectrum`: spectral densities of y or y' by finite volumes and by simulation.
+namespace fpkcheck::study {
+
+struct SpectrumOptions : FunctionalOptions {
+  transform::StateVariable variable = transform::StateVariable::y;
+  /// Frequencies FROM:TO:N; the default is 0 to four mean frequencies in 200 intervals
+  std::optional<std::string> frequencies{};
+};
+
+const base::Description<SpectrumOptions>& spectrum_option_descriptions();
+
+struct SpectrumStudy {
+  static constexpr const char* kFileStem = "spectrum";
+  problem::Problem problem;
+  SpectrumOptions options;
+  std::vector<transform::Spectrum> spectra;
+};
+
+/// @throws InputError for invalid options
+SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOptions& options,
+                             const methods::ProgressListener& listener);
+
+/// Returns whether every method that supports the problem gave a spectrum within the accuracy.
+bool has_converged(const SpectrumStudy& study);
+
+std::string json(const SpectrumStudy& study, const std::string& command);
+std::string csv(const SpectrumStudy& study);
+std::string table(const SpectrumStudy& study, const report::TextFormat& format);
+report::Figure figure(const SpectrumStudy& study);
+
+}  // namespace fpkcheck::study
