@@ -20,15 +20,20 @@ struct Level : LevelValues {
   double seconds = 0;
 };
 
-// Sets the error estimates from the differences between the last three levels.
+// Sets the error estimates from the differences between the last three levels, or between the last
+// two levels if there are only two; the order of convergence is then assumed to be 1.
 void estimate_errors(const std::vector<Level>& levels, const Eigen::VectorXd& scales, int order,
                      ConvergedValues& result) {
   const std::size_t n = levels.size();
-  const Eigen::VectorXd last = levels[n - 1].values - levels[n - 2].values;
-  const Eigen::VectorXd before = levels[n - 2].values - levels[n - 3].values;
   const double q = transform::kRefinementRatio;
+  const Eigen::VectorXd last = (levels[n - 1].values - levels[n - 2].values).cwiseAbs();
+  if (n == 2) {
+    result.errors = last * (transform::kErrorSafetyFactor / (q - 1));
+    return;
+  }
+  const Eigen::VectorXd before = (levels[n - 2].values - levels[n - 3].values).cwiseAbs();
   const auto total = [&](const Eigen::VectorXd& difference) {
-    return difference.cwiseAbs().cwiseQuotient(scales).sum();
+    return difference.cwiseQuotient(scales).sum();
   };
   result.observed_order = std::log(total(before) / total(last)) / std::log(q);
   const double credible = std::isfinite(result.observed_order)
@@ -37,8 +42,8 @@ void estimate_errors(const std::vector<Level>& levels, const Eigen::VectorXd& sc
   const double reduction = std::pow(q, credible);
   // A difference may be small by chance; the previous difference, reduced by the order, is the other
   // estimate.
-  result.errors = last.cwiseAbs().cwiseMax(before.cwiseAbs() / reduction) *
-                  (transform::kErrorSafetyFactor / (reduction - 1));
+  result.errors =
+      last.cwiseMax(before / reduction) * (transform::kErrorSafetyFactor / (reduction - 1));
 }
 
 }  // namespace
@@ -67,33 +72,32 @@ ConvergedValues converge_on_grids(const std::function<LevelValues(double refinem
   std::vector<Level> levels(2);
   base::parallel_for(2, base::kOneThreadPerProcessor,
                      [&](std::size_t k) { levels[k] = timed(k == 0 ? 1 / (q * q) : 1 / q); });
+  const auto failed =
+      std::ranges::find_if(levels, [](const Level& level) { return level.values.size() == 0; });
+  if (failed != levels.end()) {
+    result.failure = failed->failure;
+    return result;
+  }
   for (double refinement = 1;; refinement *= q) {
-    const auto failed =
-        std::ranges::find_if(levels, [](const Level& level) { return level.values.size() == 0; });
-    if (failed != levels.end()) {
-      result.failure = failed->failure;
+    const Level& finest = levels.back();
+    result.values = finest.values;
+    result.nx = finest.nx;
+    result.nv = finest.nv;
+    const Eigen::VectorXd scales = magnitudes(finest.values);
+    estimate_errors(levels, scales, order, result);
+    result.reached =
+        levels.size() >= 3 && (result.errors.array() <= tolerance * scales.array()).all();
+    if (result.reached) return result;
+    if (levels.size() >= 3 && !deadline.has_time_for(kTimeRatio * finest.seconds)) {
+      result.failure = "max_seconds would expire on a finer grid; increase max-seconds";
       return result;
     }
-    if (levels.size() >= 3) {
-      const Level& finest = levels.back();
-      result.values = finest.values;
-      result.nx = finest.nx;
-      result.nv = finest.nv;
-      const Eigen::VectorXd scales = magnitudes(finest.values);
-      estimate_errors(levels, scales, order, result);
-      result.reached = (result.errors.array() <= tolerance * scales.array()).all();
-      if (result.reached) return result;
-      if (!deadline.has_time_for(kTimeRatio * finest.seconds)) {
-        result.failure = "max_seconds would expire on a finer grid; increase max-seconds";
-        return result;
-      }
-    }
-    levels.push_back(timed(refinement));
-    // A finer grid may be too large; the result of the coarser grids remains.
-    if (levels.size() > 3 && levels.back().values.size() == 0) {
-      result.failure = levels.back().failure;
+    Level next = timed(refinement);
+    if (next.values.size() == 0) {  // the result of the coarser grids remains
+      result.failure = next.failure;
       return result;
     }
+    levels.push_back(std::move(next));
   }
 }
 

@@ -33,9 +33,9 @@ struct LevelValues {
 /// Function that returns the magnitudes of values, to which the tolerance is relative.
 using Magnitudes = std::function<Eigen::VectorXd(const Eigen::VectorXd& values)>;
 
-/// Computes functionals on grids whose cells become narrower by transform::kRefinementRatio, at least
-/// on three grids. The errors follow from the differences between the last three grids, as in
-/// transform/richardson.hpp. The first two grids are solved in parallel.
+/// Computes functionals on grids whose cells become narrower by transform::kRefinementRatio, on three
+/// grids at least if the time limit permits. The errors follow from the differences between the last
+/// three grids, as in transform/richardson.hpp. The first two grids are solved in parallel.
 /// @param evaluate function that computes the values on the grid with automatic cells divided by
 /// `refinement`; two threads may call it at the same time
 /// @param order order of the scheme

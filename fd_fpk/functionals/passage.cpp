@@ -235,15 +235,9 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
   const FokkerPlanckOperator op = fokker_planck_operator(problem, options, of_below);
   Preconditioner preconditioner(problem.system, passage.scales.slowest_decay_rate,
                                 of_below.excitation, options.impact, below, order);
-  if (!preconditioner.factorise(1 / shift)) {
-    level.failure = preconditioner.failure_reason();
-    return level;
-  }
   // The vector z with exp(L^T t) areas = z is the survival probability times the areas.
-  ReducedResolvent model(
-      [&](const Eigen::VectorXd& x) { return op.transposed_product(x); },
-      [&](Eigen::Ref<Eigen::VectorXd> x) { preconditioner.solve_transposed_in_place(x); },
-      areas.cwiseInverse(), shift, areas);
+  const ShiftedSystem system(op, preconditioner, below.nv(), order, shift, Transposed::yes);
+  ReducedResolvent model(system, areas);
   const Eigen::VectorXd from_rest = start_at_rest(passage, below, order).cwiseQuotient(areas);
   const Eigen::VectorXd from_stationary = p / probability;
   Eigen::VectorXd last;

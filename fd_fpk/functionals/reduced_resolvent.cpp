@@ -14,29 +14,22 @@ constexpr double kTolerance = 1e-8, kLargestTolerance = 1e-4;
 
 }  // namespace
 
-ReducedResolvent::ReducedResolvent(LinearMap times, ApproximateSolve approximate_solve,
-                                   Eigen::VectorXd weights, double shift, const Eigen::VectorXd& b)
-    : times_(std::move(times)),
-      approximate_solve_(std::move(approximate_solve)),
-      weights_(std::move(weights)),
-      shift_(shift),
+ReducedResolvent::ReducedResolvent(const ShiftedSystem& system, const Eigen::VectorXd& b,
+                                   Eigen::VectorXd stationary)
+    : system_(system),
+      stationary_(std::move(stationary)),
+      shift_(system.shift()),
       norm_(b.norm()),
       basis_(b / norm_) {}
 
 bool ReducedResolvent::extend(int count, const Deadline& deadline) {
-  const auto shifted = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-    return x - times_(x) / shift_;
-  };
   basis_.conservativeResize(Eigen::NoChange, size_ + count + 1);
   hessenberg_.conservativeResize(size_ + count + 1, size_ + count);
   const double tolerance = std::min(kTolerance / weight_of_last_, kLargestTolerance);
   for (const int end = size_ + count; size_ < end; ++size_) {
-    auto [solution, iterations, failure] = gmres(
-        shifted, approximate_solve_, basis_.col(size_) / shift_, weights_, tolerance, deadline);
-    if (!solution) {
-      failure_ = failure;
-      return false;
-    }
+    auto solution = system_.solve(basis_.col(size_), tolerance, deadline, failure_);
+    if (!solution) return false;
+    if (stationary_.size() > 0) *solution -= system_.op().total_mass(*solution) * stationary_;
     hessenberg_.col(size_).setZero();
     hessenberg_.row(size_ + 1).setZero();
     // Classical Gram-Schmidt orthogonalisation, twice for orthogonality to rounding

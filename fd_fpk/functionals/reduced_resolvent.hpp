@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "fd_fpk/linear/gmres.hpp"
+#include "fd_fpk/functionals/shifted_system.hpp"
 #include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -18,15 +18,14 @@ namespace fpkcheck::fd_fpk {
 ///     (s - L)^-1 = (1 - (sigma - s) B)^-1 B,    h(s) ~ <w, V (1 - (sigma - s) H)^-1 H V^T b>.
 ///
 /// One factorisation serves all s. If b has mass 0 and L conserves mass, all vectors of the Krylov
-/// space have mass 0: the stationary density is deflated, and s = 0 is not singular.
+/// space have mass 0, and s = 0 is not singular. Rounding errors of the mass, which the iteration would
+/// amplify, are removed with the stationary density.
 class ReducedResolvent {
  public:
-  /// @param times function that returns L x
-  /// @param approximate_solve function that solves (1 - L/sigma) x = b approximately
-  /// @param weights weights of residuals
-  /// @param shift sigma > 0
-  ReducedResolvent(LinearMap times, ApproximateSolve approximate_solve, Eigen::VectorXd weights,
-                   double shift, const Eigen::VectorXd& b);
+  /// @param system linear systems of sigma - L, which must outlive this object
+  /// @param stationary stationary density of mass 1 if b has mass 0; otherwise empty
+  ReducedResolvent(const ShiftedSystem& system, const Eigen::VectorXd& b,
+                   Eigen::VectorXd stationary = {});
 
   /// Adds `count` vectors to the basis.
   /// @return whether the linear systems were solved; otherwise failure_reason() gives the reason
@@ -49,9 +48,8 @@ class ReducedResolvent {
   Modes modes(const Eigen::VectorXd& w) const;
 
  private:
-  LinearMap times_;
-  ApproximateSolve approximate_solve_;
-  Eigen::VectorXd weights_;
+  const ShiftedSystem& system_;
+  Eigen::VectorXd stationary_;
   double shift_;
   double norm_;            // norm of b
   int size_ = 0;           // number of columns of H

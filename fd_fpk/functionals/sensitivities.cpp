@@ -8,6 +8,7 @@
 
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/functionals/grid_sequence.hpp"
+#include "fd_fpk/functionals/shifted_system.hpp"
 #include "fd_fpk/linear/gmres.hpp"
 #include "fd_fpk/operator/observables.hpp"
 
@@ -45,13 +46,20 @@ Eigen::VectorXd sensitivities_on_grid(const problem::Problem& problem, const Opt
   const Eigen::VectorXd& p = *on.averages;
   Eigen::VectorXd values(kMomentCount * static_cast<Eigen::Index>(1 + parameters.size()));
   values.head(kMomentCount) = moment_values(problem, grid, p, order);
-  if (!on.preconditioner->factorise_stationary()) {
+  // The factors of s - L with a small shift s solve the singular systems of L in a few iterations.
+  constexpr double kSmallShift = 1e-3;  // in decay rates of the slowest mode
+  const ShiftedSystem system(on.op, *on.preconditioner, grid.nv(), order,
+                             kSmallShift * on.scales.slowest_decay_rate);
+  const numerics::BlockBandedLu* factors = system.factors();
+  if (factors == nullptr && !on.preconditioner->factorise_stationary()) {
     failure = on.preconditioner->failure_reason();
     return {};
   }
   const auto times = [&](const Eigen::VectorXd& x) { return on.op * x; };
   const auto approximate_solve = [&](Eigen::Ref<Eigen::VectorXd> x) {
-    on.preconditioner->solve_in_place(x);
+    if (factors == nullptr) return on.preconditioner->solve_in_place(x);
+    factors->solve_in_place(x);
+    x = -x;
   };
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     Eigen::VectorXd rate = Eigen::VectorXd::Zero(p.size());  // dL p

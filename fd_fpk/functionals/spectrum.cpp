@@ -37,14 +37,8 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
   const Eigen::VectorXd functional = coordinate_functional(grid, variable, order);
   const double mean = functional.dot(p) / on.op.total_mass(p);
   const Eigen::VectorXd b = multiply_by_coordinate(grid, p, variable, order) - mean * p;
-  if (!on.preconditioner->factorise(1 / shift)) {
-    failure = on.preconditioner->failure_reason();
-    return {};
-  }
-  ReducedResolvent model(
-      [&](const Eigen::VectorXd& x) { return on.op * x; },
-      [&](Eigen::Ref<Eigen::VectorXd> x) { on.preconditioner->solve_in_place(x); }, on.op.areas,
-      shift, b);
+  const ShiftedSystem system(on.op, *on.preconditioner, grid.nv(), order, shift);
+  ReducedResolvent model(system, b, p);
   Eigen::VectorXcd points(frequencies.size());
   for (std::size_t k = 0; k < frequencies.size(); ++k) points(k) = {0, frequencies[k]};
 

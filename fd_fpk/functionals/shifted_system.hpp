@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "fd_fpk/linear/preconditioner.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
+#include "fd_fpk/stopwatch.hpp"
+#include "numerics/linear_algebra/block_banded_lu.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+enum class Transposed { no, yes };
+
+/// Linear systems (s - L) x = b of an operator L with a shift s > 0, or of the transposed operator.
+/// One matrix serves many right-hand sides: if memory permits, the whole matrix including the jumps is
+/// factored, in dense blocks for the cells at one x1. Otherwise GMRES solves each system.
+class ShiftedSystem {
+ public:
+  /// @param op,preconditioner must outlive this object
+  /// @param nv number of cells of x2
+  /// @param order order of the scheme
+  ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner& preconditioner, int nv, int order,
+                double shift, Transposed transposed = Transposed::no);
+
+  double shift() const { return shift_; }
+  const FokkerPlanckOperator& op() const { return op_; }
+  /// Returns the factors of s - L; null if GMRES solves the systems.
+  const numerics::BlockBandedLu* factors() const { return factors_ ? &*factors_ : nullptr; }
+
+  /// @param tolerance relative residual of GMRES
+  /// @return the solution; empty with a reason in `failure`
+  std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b, double tolerance,
+                                       const Deadline& deadline, std::string& failure) const;
+
+ private:
+  const FokkerPlanckOperator& op_;
+  const Preconditioner& preconditioner_;
+  double shift_;
+  Transposed transposed_;
+  std::optional<numerics::BlockBandedLu> factors_ = {};
+  std::string failure_ = {};  // reason why the preconditioner could not be factored
+};
+
+}  // namespace fpkcheck::fd_fpk
