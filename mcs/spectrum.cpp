@@ -29,8 +29,8 @@ constexpr double kPi = std::numbers::pi;
 // largest frequency is then 3e-5 of its density (alias()).
 constexpr double kOversampling = 8;
 // Length of the segments in decay times of the slowest mode. At the peak of a lightly damped
-// oscillator, of half-width decay/1, Hann's window then lowers the density by 4 pi^2/(3 kLength^2),
-// 0.13 %.
+// oscillator, whose half-width is the decay rate, Hann's window then lowers the density by
+// 4 pi^2/(3 kLength^2), 0.13 %.
 constexpr double kLength = 100;
 constexpr std::size_t kShortest = 256, kLongest = 1 << 18;  // samples of a segment
 // Length of all segments in a run with automatic time, which gives standard errors of about 1.5 %

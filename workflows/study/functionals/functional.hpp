@@ -22,7 +22,7 @@ namespace fpkcheck::study {
 struct FunctionalOptions {
   std::string methods = "fd-kf,mcs";
   double accuracy = 1e-2;
-  double max_seconds = 20;
+  double max_seconds = 10;
   std::optional<double> time{};
   std::uint64_t seed = 1;
   std::optional<int> threads{};

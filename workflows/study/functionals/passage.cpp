@@ -243,7 +243,7 @@ report::Figure figure(const PassageStudy& study) {
         p.id, method == methods.end()
                   ? transform::PlotStyle{.colour = "#D55E00", .dash = "(6,3)", .symbol = ""}
                   : method->identity.plot_style);
-    one.points.push_back({.x = 0, .y = 1});
+    one.points.push_back({.x = 0, .y = 1, .lower = 1, .upper = 1});
     for (std::size_t k = 0; k < p.times.size(); ++k) {
       const auto& [value, error] = p.survival_from_stationary[k];
       report::FigurePoint point{.x = p.times[k], .y = value};
