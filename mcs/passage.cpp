@@ -338,7 +338,8 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
       simulate_from_rest(restarted, level, rest, mean, sums.front().whole * plan.streams, times,
                          passage.survival_from_rest, options);
   passage.details = fmt::format("{:.0f} stays below the barrier", stays);
-  passage.status = Status::ok;
+  passage.reason = short_burn_in_reason(plan, options);
+  passage.status = passage.reason.empty() ? Status::ok : Status::not_converged;
   passage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return passage;
 }

@@ -109,7 +109,8 @@ transform::Sensitivities estimate_sensitivities(
   result.details =
       fmt::format("simulated time {:.2g} for each changed problem",
                   static_cast<double>(nominal.rounds) * nominal.round_time() * nominal.streams);
-  result.status = Status::ok;
+  result.reason = short_burn_in_reason(nominal, options);
+  result.status = result.reason.empty() ? Status::ok : Status::not_converged;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

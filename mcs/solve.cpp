@@ -326,30 +326,6 @@ std::vector<StreamDeposit> deposits(const Simulation& simulation) {
   return all;
 }
 
-std::string burn_in_reason(const SimulationPlan& plan, const Options& options) {
-  const auto text = [&](const std::string& cause, const char* action) {
-    return fmt::format("the burn-in of {:.2g} is below 5 decay times: {}; {}", plan.burn_in, cause,
-                       action);
-  };
-  switch (plan.short_burn_in_cause) {
-    case ShortBurnInCause::impulses:
-      return text(fmt::format("impulses are frequent relative to the decay ({:.2g} per unit time)",
-                              1 / plan.excitation.interval),
-                  options.tails ? "increase --time"
-                                : "increase --time, or use white noise (--equation white)");
-    case ShortBurnInCause::wells:
-      return text(
-          "transitions between the wells are rare, and their masses may still be the "
-          "initial ones",
-          "increase --time");
-    case ShortBurnInCause::decay:
-      return text("the energy decays slowly", "increase --time");
-    case ShortBurnInCause::none:
-      break;
-  }
-  return "";
-}
-
 /// @param unreached_reason reason why the simulation did not reach its goal, or empty
 void set_status(const SimulationPlan& plan, const Options& options, const Summary& summary,
                 transform::Solution& solution, const std::string& unreached_reason) {
@@ -362,7 +338,7 @@ void set_status(const SimulationPlan& plan, const Options& options, const Summar
   const auto streams = static_cast<std::uint64_t>(summary.streams);
   if (plan.short_burn_in_cause != ShortBurnInCause::none) {
     solution.status = transform::Status::not_converged;
-    solution.reason = burn_in_reason(plan, options);
+    solution.reason = short_burn_in_reason(plan, options);
   }
   const bool has_impulses = std::isfinite(plan.excitation.interval);
   if (has_impulses && summary.impulses < kFewestImpulses * streams) {

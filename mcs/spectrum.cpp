@@ -231,7 +231,8 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
   spectrum.details = fmt::format("{} segments of {:.4g}", segments,
                                  static_cast<double>(length) * plan.sampling_interval);
   spectrum.peak = transform::find_spectral_peak(frequencies, spectrum.density);
-  spectrum.status = Status::ok;
+  spectrum.reason = short_burn_in_reason(plan, options);
+  spectrum.status = spectrum.reason.empty() ? Status::ok : Status::not_converged;
   spectrum.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return spectrum;

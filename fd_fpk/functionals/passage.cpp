@@ -75,12 +75,17 @@ std::optional<PassageGrids> make_grids(const PassageProblem& passage, const Opti
   }
   const Axis& x1 = below.grid.x1;
   std::vector<double> faces = x1.faces();
-  const double width = x1.cell_width(x1.cell_count() - 1);
+  // Beyond the barrier the cells widen by 15 % from cell to cell, up to the cells of a density.
+  constexpr double kWidening = 1.15;
+  double width = x1.cell_width(x1.cell_count() - 1);
+  const double widest =
+      std::max(width, automatic_cell_widths(passage.problem, options, box.lengths).x1);
   const double end = passage.box.x1_max;
-  const int more = std::max(1, static_cast<int>(std::ceil((end - passage.barrier) / width)));
-  for (int k = 1; k <= more; ++k) {
-    faces.push_back(passage.barrier + (end - passage.barrier) * k / more);
+  while (end - faces.back() > 1.5 * width) {
+    faces.push_back(faces.back() + width);
+    width = std::min(kWidening * width, widest);
   }
+  faces.push_back(end);
   const auto right =
       passage.problem.system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum;
   return PassageGrids{{x1.with_right_end(AxisEndCondition::barrier), below.grid.x2},
@@ -255,7 +260,15 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
   }
   if (!agree) {
     level.failure = fmt::format(
-        "the Krylov space of {} vectors does not determine the passage; omit short times", kMost);
+        "the Krylov space of {} vectors does not determine the passage; choose a barrier that is "
+        "crossed more often, or omit short times",
+        kMost);
+    return level;
+  }
+  if (!(last(kHazard) > 0 && last(kFromRest) > 0 && last(kFromStationary) > 0)) {
+    level.failure =
+        "the operator below the barrier has a growing mode: the cells do not resolve the motion "
+        "there; choose a barrier farther from the wall, or use mcs";
     return level;
   }
   // Rice's rate is the flux of the stationary density through the barrier.

@@ -293,4 +293,28 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
       .deposit = deposit};
 }
 
+std::string short_burn_in_reason(const SimulationPlan& plan, const Options& options) {
+  const auto text = [&](const std::string& cause, const char* action) {
+    return fmt::format("the burn-in of {:.2g} is below 5 decay times: {}; {}", plan.burn_in, cause,
+                       action);
+  };
+  switch (plan.short_burn_in_cause) {
+    case ShortBurnInCause::impulses:
+      return text(fmt::format("impulses are frequent relative to the decay ({:.2g} per unit time)",
+                              1 / plan.excitation.interval),
+                  options.tails ? "increase --time"
+                                : "increase --time, or use white noise (--equation white)");
+    case ShortBurnInCause::wells:
+      return text(
+          "transitions between the wells are rare, and their masses may still be the "
+          "initial ones",
+          "increase --time");
+    case ShortBurnInCause::decay:
+      return text("the energy decays slowly", "increase --time");
+    case ShortBurnInCause::none:
+      break;
+  }
+  return "";
+}
+
 }  // namespace fpkcheck::mcs

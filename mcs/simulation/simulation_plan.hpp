@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "mcs/impulses/excitation.hpp"
 #include "mcs/motion/oscillator.hpp"
@@ -55,5 +56,8 @@ struct SimulationPlan {
 
 /// @throws InputError for invalid options, and for options that are not supported for the problem
 SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options);
+
+/// Returns why the burn-in is below 5 decay times, and what to do; empty for a long burn-in.
+std::string short_burn_in_reason(const SimulationPlan& plan, const Options& options);
 
 }  // namespace fpkcheck::mcs
