@@ -17,6 +17,14 @@ struct SpectralPeak {
   std::optional<double> half_width = {};
 };
 
+/// A mode of the autocovariance, a decaying exponential: an eigenvalue -(decay_rate +- i frequency) of
+/// the generator, and its share R_mode(0) / R(0) of the variance.
+struct CovarianceMode {
+  double decay_rate = 0, frequency = 0;
+  double decay_rate_error = 0, frequency_error = 0;  ///< absolute errors
+  double share = 0;  ///< the shares of all modes sum to 1; a share may be negative
+};
+
 /// One-sided spectral density G of the stationary process y or y' about its mean,
 ///
 ///     G(w) = (2/pi) int_0^inf R(t) cos(w t) dt,   int_0^inf G(w) dw = R(0) = Var,
@@ -36,7 +44,9 @@ struct Spectrum {
   double variance = 0;               ///< variance of the variable, from the same solution
   double variance_error = 0;
   std::optional<SpectralPeak> peak = {};  ///< highest local maximum; absent without a maximum
-  std::string details = {};               ///< grid or simulated time, for tables
+  /// Modes with the largest shares of the variance; empty for a simulation
+  std::vector<CovarianceMode> modes = {};
+  std::string details = {};  ///< grid or simulated time, for tables
 };
 
 /// Returns the highest local maximum of the density between its ends, by a parabola through three

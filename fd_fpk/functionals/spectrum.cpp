@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/functionals/grid_sequence.hpp"
 #include "fd_fpk/functionals/reduced_resolvent.hpp"
 #include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/selection_policy.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -25,8 +29,32 @@ constexpr double kFloor = 1e-3;
 // errors
 constexpr double kAgreement = 1e-5;
 
-// Returns the densities at the frequencies and then the variance. The Krylov space grows until the
-// densities of two successive spaces agree.
+constexpr int kModes = 2;  // number of modes in the result
+// Numbers after the densities: the variance, and for each mode decay rate, frequency and share
+constexpr Eigen::Index kFurtherValues = 1 + 3 * kModes;
+
+// Returns the modes with the largest coefficients: for each its decay rate, frequency and share of the
+// variance. A conjugate pair is one mode.
+Eigen::VectorXd largest_modes(const ReducedResolvent::Modes& modes, double variance) {
+  std::vector<Eigen::Index> upper;
+  for (Eigen::Index j = 0; j < modes.rates.size(); ++j) {
+    if (modes.rates(j).imag() >= 0) upper.push_back(j);
+  }
+  const auto share = [&](Eigen::Index j) {
+    const int conjugates = modes.rates(j).imag() > 0 ? 2 : 1;
+    return conjugates * modes.coefficients(j).real() / variance;
+  };
+  std::ranges::sort(upper, std::ranges::greater{}, [&](Eigen::Index j) { return share(j); });
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(3 * kModes);
+  for (int m = 0; m < std::min(kModes, static_cast<int>(upper.size())); ++m) {
+    const Eigen::Index j = upper[m];
+    values.segment(3 * m, 3) << -modes.rates(j).real(), modes.rates(j).imag(), share(j);
+  }
+  return values;
+}
+
+// Returns the densities at the frequencies and then the further values. The Krylov space grows until
+// the densities of two successive spaces agree.
 Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
                                  transform::StateVariable variable, double shift, int order,
                                  DirectSolution& on, const Deadline& deadline,
@@ -42,8 +70,9 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
   Eigen::VectorXcd points(frequencies.size());
   for (std::size_t k = 0; k < frequencies.size(); ++k) points(k) = {0, frequencies[k]};
 
-  Eigen::VectorXd values(frequencies.size() + 1), last = Eigen::VectorXd::Zero(frequencies.size());
-  values.tail(1)(0) = functional.dot(b);
+  const auto n = static_cast<Eigen::Index>(frequencies.size());
+  Eigen::VectorXd values(n + kFurtherValues), last = Eigen::VectorXd::Zero(n);
+  values(n) = functional.dot(b);
   while (model.size() < kMost) {
     if (!model.extend(kStep, deadline)) {
       failure = model.failure_reason();
@@ -56,7 +85,8 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
         ((density - last).array().abs() <= kAgreement * density.array().abs().max(floor)).all();
     last = density;
     if (agree) {
-      values.head(density.size()) = density;
+      values.head(n) = density;
+      values.tail(3 * kModes) = largest_modes(model.modes(functional), values(n));
       return values;
     }
   }
@@ -85,14 +115,15 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
   }
   const problem::MotionScales scales = problem::scales(seen);
   const double shift = 2 * scales.velocity_deviation / scales.displacement_deviation;
+  const int order = options.order.value_or(automatic_order(seen));
   const double target = kTargetFraction * options.accuracy;
   const auto on_grid = [&](DirectSolution& on, const Deadline& deadline, std::string& failure) {
-    return spectrum_on_grid(frequencies, variable, shift, transport_order(options), on, deadline,
-                            failure);
+    return spectrum_on_grid(frequencies, variable, shift, order, on, deadline, failure);
   };
   const auto scale = [](const Eigen::VectorXd& values) -> Eigen::VectorXd {
     Eigen::VectorXd magnitude = values.cwiseAbs();
-    const auto n = values.size() - 1;
+    const auto n = values.size() - kFurtherValues;
+    magnitude.tail(3 * kModes).setConstant(HUGE_VAL);  // the modes do not determine the grid
     magnitude.head(n) = magnitude.head(n).cwiseMax(kFloor * magnitude.head(n).maxCoeff());
     return magnitude;
   };
@@ -111,6 +142,14 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
   spectrum.error.assign(errors.begin(), errors.end());
   spectrum.variance = converged.values(n);
   spectrum.variance_error = converged.errors(n);
+  for (Eigen::Index m = n + 1; m + 2 < converged.values.size(); m += 3) {
+    const auto &v = converged.values, &e = converged.errors;
+    spectrum.modes.push_back({.decay_rate = v(m),
+                              .frequency = v(m + 1),
+                              .decay_rate_error = e(m),
+                              .frequency_error = e(m + 1),
+                              .share = v(m + 2)});
+  }
   spectrum.details = fmt::format("{} x {} cells", converged.nx, converged.nv);
   const double error = errors.maxCoeff() / largest;
   spectrum.peak = transform::find_spectral_peak(frequencies, spectrum.density);

@@ -47,6 +47,11 @@ TEST(Spectrum, IsThatOfTheLinearOscillatorUnderImpulsesAndNoise) {
       solve_spectrum(p, kCoarse, StateVariable::ydot, {frequencies.begin() + 1, frequencies.end()});
   expect_within_errors(velocity, {of_v.begin() + 1, of_v.end()}, 1e-4);
   EXPECT_NEAR(velocity.variance, 0.15 / (2 * 0.3), 1e-5);
+  // The eigenvalues are -(c +- sqrt(c^2 - 4k)) / 2, and no other mode has a share of the variance.
+  ASSERT_FALSE(velocity.modes.empty());
+  EXPECT_NEAR(velocity.modes[0].decay_rate, 0.15, 1e-5);
+  EXPECT_NEAR(velocity.modes[0].frequency, std::sqrt(1.44 - 0.0225), 1e-5);
+  EXPECT_NEAR(velocity.modes[0].share, 1, 1e-4);
 }
 
 // With an elastic wall at the equilibrium, y = |z| of the linear oscillator without a wall, with the

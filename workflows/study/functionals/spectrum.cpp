@@ -141,6 +141,14 @@ std::string json(const SpectrumStudy& study, const std::string& command) {
       one["peak"] = {{"frequency", s.peak->frequency}, {"density", s.peak->density}};
       one["peak"]["half_width"] = s.peak->half_width ? Json(*s.peak->half_width) : Json();
     }
+    one["modes"] = Json::array();
+    for (const auto& mode : s.modes) {
+      one["modes"].push_back({{"decay_rate", mode.decay_rate},
+                              {"frequency", mode.frequency},
+                              {"decay_rate_error", mode.decay_rate_error},
+                              {"frequency_error", mode.frequency_error},
+                              {"share", mode.share}});
+    }
     spectra.push_back(std::move(one));
   }
   return functional_json(study.problem, "spectra", spectra, command);
@@ -192,6 +200,13 @@ std::string table(const SpectrumStudy& study, const report::TextFormat& format) 
       if (s.peak) {
         line += fmt::format(", peak {:.5g} at w = {:.5g}", s.peak->density, s.peak->frequency);
         if (s.peak->half_width) line += fmt::format(" of half-width {:.3g}", *s.peak->half_width);
+      }
+      for (const auto& mode : s.modes) {
+        constexpr double kSmallestShare = 0.01;
+        if (mode.share < kSmallestShare) continue;
+        line += fmt::format("; {:.0f} % of the variance decays with the rate {:.5g} +- {:.1e}",
+                            100 * mode.share, mode.decay_rate, mode.decay_rate_error);
+        if (mode.frequency > 0) line += fmt::format(" at the frequency {:.5g}", mode.frequency);
       }
       line += fmt::format("; {}", s.details);
       if (&s != first) {
