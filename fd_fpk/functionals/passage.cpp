@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <utility>
 
 #include "fd_fpk/applicability.hpp"
@@ -13,6 +14,7 @@
 #include "fd_fpk/functionals/reduced_resolvent.hpp"
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/observables.hpp"
+#include "numerics/roots/bracketed_root.hpp"
 #include "problem/effective_potential.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -104,6 +106,18 @@ Eigen::RowVectorXd value_at(const Axis& axis, int order, double x,
   return point_value_operator(axis, averaging_stencil_size(order), fraction, barrier).row(c);
 }
 
+// Returns the speed u of an impact that is followed by the speed v, u r(u) = v.
+double speed_before_impact(const problem::Wall& wall, double v) {
+  if (v <= 0) return 0;
+  // A law with bounded u r(u) may give no such speed; the last speed is then far beyond the box.
+  constexpr int kMostDoublings = 40;
+  double high = v;
+  for (int k = 0; k < kMostDoublings && high * wall.restitution_at(high) < v; ++k) high *= 2;
+  if (high == v || high * wall.restitution_at(high) < v) return high;
+  return numerics::bracketed_root([&](double u) { return u * wall.restitution_at(u) - v; }, v,
+                                  high);
+}
+
 // Returns the weights of the velocity cells in the mean of a function of the velocity right after the
 // first impulse on a mass at rest at x = rest. A wall there reflects impulses against it.
 Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis& x2, int order) {
@@ -114,12 +128,18 @@ Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis&
   const problem::ImpulseLaw& law = passage.problem.impulses.law();
   const auto& wall = passage.problem.system.left_wall();
   const bool on_wall = wall && passage.rest <= wall->position;
+  // An impulse Y changes the velocity by b Y, with b = 1 unless the impulses are parametric.
+  const auto& factor = passage.problem.impulse_factor;
+  const double b = factor ? (*factor)(passage.rest, 0) : 1;
+  const auto impulse_probability = [&](double v) {
+    const double probability = law.cumulative_probability(v / b);
+    return b > 0 ? probability : 1 - probability;
+  };
   // Returns the probability of velocities up to v.
   const auto cumulative = [&](double v) {
-    if (!on_wall) return law.cumulative_probability(v);
+    if (!on_wall) return impulse_probability(v);
     if (v <= 0) return 0.0;
-    const double r = wall->restitution_at(0);
-    return law.cumulative_probability(v) - law.cumulative_probability(r > 0 ? -v / r : -v);
+    return impulse_probability(v) - impulse_probability(-speed_before_impact(*wall, v));
   };
   Eigen::RowVectorXd weights = Eigen::RowVectorXd::Zero(x2.cell_count());
   for (int j = 0; j < x2.cell_count(); ++j) {
@@ -346,6 +366,11 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   with_order.order = options.order.value_or(automatic_order(seen));
   if (!has_linearised_scales(seen)) with_order.wall_density *= box_edge_density_factor(seen);
   const double rest = problem::rest_displacement(seen.system, in_frame);
+  if (seen.impulse_factor && (*seen.impulse_factor)(rest, 0) == 0) {
+    passage.status = Status::not_offered;
+    passage.reason = "impulse.factor is 0 at the rest point, which the mass never leaves";
+    return passage;
+  }
   const bool waits = seen.impulses.is_present() && !seen.noise.is_present() &&
                      options.equation == DensityEquation::kf;
   const PassageProblem below{
