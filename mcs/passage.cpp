@@ -27,12 +27,17 @@ constexpr double kSamplesPerPeriod = 60;
 // Relative standard error of the mean time at which the simulation ends, and its longest time in
 // periods of all streams, about 15 s of computing
 constexpr double kGoal = 0.01, kMostPeriods = 3e6;
+// Fewest stays for a result, and for the end of the simulation at the goal: the standard error of few
+// stays, which come in clumps, may be accidentally small.
+constexpr double kFewestStays = 100, kFewestStaysAtGoal = 1000;
+// Most samples of a stream in a round, since a round keeps its samples
+constexpr double kMostSamples = 1e5;
 constexpr int kRounds = 50;  // number of rounds of the longest simulation
 // Time after which the hazard is constant, in decay times of the slowest mode
 constexpr double kDecayTimes = 3;
 
-// Finds the crossings of a level in evenly spaced samples. Between samples the displacement is a
-// parabola, so that short excursions above the level are found.
+// Finds the crossings of a level in evenly spaced samples, by linear interpolation between samples. A
+// parabola through three samples finds excursions above the level between samples.
 class CrossingDetector {
  public:
   CrossingDetector(double level, double interval) : level_(level), interval_(interval) {}
@@ -108,9 +113,11 @@ SimulationPlan passage_plan(const problem::Problem& problem, const Options& opti
   const double period = 2 * std::numbers::pi / frequency;
   plan.sampling_interval = period / kSamplesPerPeriod;
   const double time = options.time.value_or(kMostPeriods * period);
+  const double samples = time / plan.streams / plan.sampling_interval;
   plan.samples_per_round =
-      static_cast<std::uint64_t>(std::ceil(time / kRounds / plan.streams / plan.sampling_interval));
-  plan.rounds = kRounds;
+      static_cast<std::uint64_t>(std::ceil(std::min(samples / kRounds, kMostSamples)));
+  plan.rounds =
+      static_cast<std::uint64_t>(std::ceil(samples / static_cast<double>(plan.samples_per_round)));
   return plan;
 }
 
@@ -177,9 +184,18 @@ class StayCounter {
   bool closing_ = false;
 };
 
-// Simulates the stationary process until the goal, and returns the sums of all streams.
-std::vector<StaySums> simulate_stays(Simulation& simulation, double barrier, double hazard_time,
-                                     const std::vector<double>& times, const Options& options) {
+double stay_count(const std::vector<StaySums>& streams) {
+  double stays = 0;
+  for (const StaySums& s : streams) stays += s.stays;
+  return stays;
+}
+
+// Simulates the stationary process until the goal, and returns the sums of all streams. If a stay lasts
+// as long as the simulation, the result is empty.
+std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, double barrier,
+                                                    double hazard_time,
+                                                    const std::vector<double>& times,
+                                                    const Options& options) {
   const SimulationPlan& plan = simulation.plan();
   const auto streams = static_cast<std::size_t>(plan.streams);
   std::vector<StayCounter> counters(streams, {barrier, plan.sampling_interval, hazard_time, times});
@@ -201,8 +217,12 @@ std::vector<StaySums> simulate_stays(Simulation& simulation, double barrier, dou
     if (options.progress) {
       options.progress({static_cast<double>(round + 1) / static_cast<double>(plan.rounds) / 2});
     }
-    const ValueWithError mean = mean_from_stationary(all_sums());
-    if (!options.time && mean.error <= kGoal * mean.value) break;
+    const auto sums = all_sums();
+    const ValueWithError mean = mean_from_stationary(sums);
+    if (!options.time && stay_count(sums) >= kFewestStaysAtGoal &&
+        mean.error <= kGoal * mean.value) {
+      break;
+    }
   }
   for (StayCounter& counter : counters) counter.close();
   const std::uint64_t most_rounds = plan.rounds;  // a stay may last as long as the simulation
@@ -210,6 +230,7 @@ std::vector<StaySums> simulate_stays(Simulation& simulation, double barrier, dou
        round < most_rounds && std::ranges::any_of(counters, &StayCounter::has_open_stay); ++round) {
     run_round();
   }
+  if (std::ranges::any_of(counters, &StayCounter::has_open_stay)) return std::nullopt;
   return all_sums();
 }
 
@@ -230,7 +251,16 @@ std::optional<ValueWithError> simulate_from_rest(Simulation& simulation, double 
   std::vector<std::vector<double>> found(streams);
   std::vector<CrossingDetector> detectors(streams, {barrier, plan.sampling_interval});
   for (std::size_t s = 0; s < streams; ++s) simulation.restart(s, rest);
+  // From rest the mean time may be far longer than from the stationary law.
+  constexpr double kMostRepetitions = 4;
+  const double most_rounds =
+      kMostRepetitions * most_time / static_cast<double>(streams) / plan.round_time();
+  double rounds = 0;
   for (std::size_t finished = 0; finished < streams;) {
+    if (++rounds > most_rounds) {
+      survival.clear();
+      return std::nullopt;
+    }
     simulation.run_round();
     finished = 0;
     for (std::size_t s = 0; s < streams; ++s) {
@@ -286,37 +316,39 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
   if (passage.reason.empty()) {
     passage.reason = problem::inelastic_collapse_reason(seen, options.equation);
   }
-  if (passage.reason.empty() && seen.frame.mirrored) {
-    passage.reason = "a passage above a barrier with a wall on the right alone: mirror the case";
-  }
+  const double level = seen.frame.wall_x(barrier);
+  if (passage.reason.empty()) passage.reason = problem::barrier_unsupported_reason(seen, level);
   if (!passage.reason.empty()) {
     passage.status = Status::not_offered;
     return passage;
   }
-  const double level = seen.frame.wall_x(barrier);
   const problem::MotionScales scales = problem::scales(seen);
   const SimulationPlan plan = passage_plan(seen, options, scales.frequency);
   Simulation stationary(seen, plan);
   stationary.keep_series();
-  const auto sums =
+  const auto found =
       simulate_stays(stationary, level, kDecayTimes / scales.slowest_decay_rate, times, options);
-  double stays = 0;
-  for (const StaySums& s : sums) stays += s.stays;
-  constexpr double kFewestStays = 100;
+  const double stays = found ? stay_count(*found) : 0;
   if (stays < kFewestStays) {
-    passage.reason = fmt::format(
-        "only {} passages in the simulated time: the barrier is too high; increase --time", stays);
+    passage.reason =
+        found ? fmt::format("only {} passages in the simulated time; increase --time", stays)
+              : "a stay below the barrier lasted longer than the simulation; increase --time";
     passage.status = Status::not_converged;
     passage.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return passage;
   }
+  const std::vector<StaySums>& sums = *found;
   const auto length = [](const StaySums& s) { return s.length; };
   const auto whole = [](const StaySums& s) { return s.whole; };
   passage.mean_from_stationary = mean_from_stationary(sums);
-  passage.hazard = ratio(
-      sums, [](const StaySums& s) { return s.long_stays; },
-      [](const StaySums& s) { return s.longer; });
+  double long_stays = 0;
+  for (const StaySums& s : sums) long_stays += s.long_stays;
+  if (long_stays >= kFewestStays) {
+    passage.hazard = ratio(
+        sums, [](const StaySums& s) { return s.long_stays; },
+        [](const StaySums& s) { return s.longer; });
+  }
   passage.rice_rate = ratio(
       sums, [](const StaySums& s) { return s.crossings; }, whole);
   passage.probability_below = ratio(
@@ -327,16 +359,17 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
         sums, [k](const StaySums& s) { return s.excess[k]; }, length));
   }
 
-  SimulationPlan from_rest = plan;
-  const double mean = passage.mean_from_stationary->value;
-  from_rest.samples_per_round =
-      static_cast<std::uint64_t>(std::ceil(mean / 10 / plan.sampling_interval));
-  Simulation restarted(seen, from_rest);
-  restarted.keep_series();
-  const double rest = problem::rest_displacement(seen.system, level);
-  passage.mean_from_rest =
-      simulate_from_rest(restarted, level, rest, mean, sums.front().whole * plan.streams, times,
-                         passage.survival_from_rest, options);
+  if (const auto rest = problem::rest_displacement(seen, level)) {
+    SimulationPlan from_rest = plan;
+    const double mean = passage.mean_from_stationary->value;
+    from_rest.samples_per_round = static_cast<std::uint64_t>(
+        std::ceil(std::min(mean / 10 / plan.sampling_interval, kMostSamples)));
+    Simulation restarted(seen, from_rest);
+    restarted.keep_series();
+    passage.mean_from_rest =
+        simulate_from_rest(restarted, level, *rest, mean, sums.front().whole * plan.streams, times,
+                           passage.survival_from_rest, options);
+  }
   passage.details = fmt::format("{:.0f} stays below the barrier", stays);
   passage.reason = short_burn_in_reason(plan, options);
   passage.status = passage.reason.empty() ? Status::ok : Status::not_converged;

@@ -13,8 +13,8 @@ namespace fpkcheck::mcs {
 /// quotients of simulations with common random numbers: the streams of all changed problems draw the
 /// same impulses in the same order, so that most of the sampling error cancels in the differences of
 /// a stream. The standard errors follow from the differences between streams.
-/// @param parameters derivatives with steps of about 2 %, whose error of second order is below usual
-/// standard errors
+/// The standard errors do not contain the error of second order of the difference quotients.
+/// @param parameters derivatives with steps of about 2 %
 /// @throws InputError as make_simulation_plan()
 transform::Sensitivities estimate_sensitivities(
     const problem::Problem& problem, const Options& options,

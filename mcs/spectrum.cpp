@@ -205,12 +205,11 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
     const double constant = std::pow(mean_y - centre, 2), step = periodogram.frequency_step();
     std::vector<double> values;
     for (const StreamSpectrum& s : sums) {
-      std::vector<double> density(s.*of);
       const double count = pieces * static_cast<double>(s.segments);
-      for (const std::size_t k : {0, 1}) {
-        density[k] -= count * constant * periodogram.density_of_constant(k);
-      }
-      values.push_back(interpolate(density, step, w) / count);
+      const double of_constant = constant * interpolate({periodogram.density_of_constant(0),
+                                                         periodogram.density_of_constant(1), 0, 0},
+                                                        step, std::min(w, 2 * step));
+      values.push_back(interpolate(s.*of, step, w) / count - of_constant);
     }
     return weights.estimate(values);
   };
@@ -232,6 +231,15 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
                                  static_cast<double>(length) * plan.sampling_interval);
   spectrum.peak = transform::find_spectral_peak(frequencies, spectrum.density);
   spectrum.reason = short_burn_in_reason(plan, options);
+  constexpr double kShortestLength = 20;  // in decay times
+  const double decay_times =
+      static_cast<double>(length) * plan.sampling_interval * scales.slowest_decay_rate;
+  if (spectrum.reason.empty() && decay_times < kShortestLength) {
+    spectrum.reason = fmt::format(
+        "the segments have {:.2g} decay times, fewer than {:g}, and do not resolve the peaks; reduce "
+        "the largest frequency",
+        decay_times, kShortestLength);
+  }
   spectrum.status = spectrum.reason.empty() ? Status::ok : Status::not_converged;
   spectrum.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -146,16 +146,25 @@ double EffectivePotential::integral(double y) const {
   return value < kLargestPotential ? value : kLargestPotential;
 }
 
-double rest_displacement(const System& system, double limit) {
+std::optional<double> rest_displacement(const Problem& problem, double limit) {
+  const System& system = problem.system;
+  const auto ends = [&](double rest) {
+    return problem.noise.is_present() || !problem.impulse_factor ||
+           (*problem.impulse_factor)(rest, 0) != 0;
+  };
   const auto& wall = system.left_wall();
-  if (wall && system.force(wall->position, 0) >= 0) return wall->position;
+  if (wall && system.force(wall->position, 0) >= 0) {
+    return ends(wall->position) ? std::optional(wall->position) : std::nullopt;
+  }
   const EffectivePotential potential(system);
-  double rest = wall ? wall->position : 0, lowest = std::numeric_limits<double>::infinity();
+  // Distance at which the slopes beside a minimum are compared, in units of the range of the extrema
+  constexpr double kBeside = 1e-4;
+  const double beside = kBeside * (potential.high() - potential.low());
+  std::optional<double> rest;
   for (const double y : potential.extrema()) {
-    if (y < limit && potential(y) < lowest) {
-      lowest = potential(y);
-      rest = y;
-    }
+    const bool is_minimum = potential.slope(y - beside) < 0 && potential.slope(y + beside) > 0;
+    if (y >= limit || !is_minimum || !ends(y)) continue;
+    if (!rest || potential(y) < potential(*rest)) rest = y;
   }
   return rest;
 }

@@ -53,8 +53,9 @@ class EffectivePotential {
   bool rises_on_left_ = false, rises_on_right_ = false;
 };
 
-/// Returns the displacement at which the mass rests without excitation: the left wall, if no force
-/// lifts the mass off it, or the lowest minimum of the spring's potential below `limit`.
-double rest_displacement(const System& system, double limit);
+/// Returns the displacement below `limit` at which the mass rests without excitation: the left wall, if
+/// no force lifts the mass off it, or the lowest minimum of the spring's potential. The result is empty
+/// if there is no such displacement, or if the excitation vanishes there, so that the rest never ends.
+std::optional<double> rest_displacement(const Problem& problem, double limit);
 
 }  // namespace fpkcheck::problem

@@ -60,10 +60,16 @@ ParameterDerivative parameter_derivative(const Problem& problem, const std::stri
                                  fmt::join(differentiable_parameters(problem), ", ")));
   }
   ParameterDerivative derivative{parameter, *value, {}};
-  const double step = relative_step * (*value == 0 ? 1 : std::abs(*value));
+  const double widest = relative_step * (*value == 0 ? 1 : std::abs(*value));
+  double step = widest;
   const auto at = [&](double steps) {
     return with_value(problem, parameter, *value + steps * step);
   };
+  // Close to an end of the range a function of the parameter may change strongly: the step is at most
+  // about a quarter of the distance to the end.
+  constexpr int kMostHalvings = 5;
+  for (int n = 0; n < kMostHalvings && (!at(4) || !at(-4)); ++n) step /= 2;
+  if (!at(1) || !at(-1)) step = widest;
   auto above = at(1), below = at(-1);
   if (above && below) {
     derivative.terms = {{1 / (2 * step), std::move(*above)}, {-1 / (2 * step), std::move(*below)}};

@@ -28,8 +28,8 @@ std::vector<std::string> differentiable_parameters(const Problem& problem);
 /// Returns a central difference quotient, or a one-sided one with three terms at an end of the range
 /// of the parameter, such as the restitution 1.
 /// @param problem problem in physical coordinates
-/// @param relative_step step relative to the value of the parameter; the absolute step for the value
-/// 0
+/// @param relative_step largest step relative to the value of the parameter; the absolute step for the
+/// value 0
 /// @throws InputError if the problem has no such parameter, or if no step leaves the problem valid
 ParameterDerivative parameter_derivative(const Problem& problem, const std::string& parameter,
                                          double relative_step);

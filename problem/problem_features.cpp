@@ -64,6 +64,19 @@ std::string inelastic_collapse_reason(const Problem& problem, DensityEquation eq
   return "";
 }
 
+std::string barrier_unsupported_reason(const Problem& problem, double barrier) {
+  if (problem.frame.mirrored) {
+    return "a passage above a barrier is not supported with a wall on the right alone; mirror the "
+           "case";
+  }
+  const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
+  if ((left && barrier <= left->position) || (right && barrier >= right->position)) {
+    return fmt::format("the barrier y = {:g} is not between the walls; choose another barrier",
+                       problem.frame.physical_y(barrier));
+  }
+  return "";
+}
+
 const std::vector<UnsupportedFeature>& unsupported_features() {
   static const std::vector<UnsupportedFeature> all{
       {"harmonic forcing", {"forcing", "harmonic", "periodic", "sinusoidal", "frequency"}},

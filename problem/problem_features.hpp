@@ -44,6 +44,10 @@ inline constexpr double kCollapseRestitution = 0.16303353482158048;
 /// separate the particle from the wall.
 std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation);
 
+/// Returns why a passage above a barrier is not defined or not supported; empty for a valid barrier.
+/// @param problem,barrier problem and barrier in wall coordinates
+std::string barrier_unsupported_reason(const Problem& problem, double barrier);
+
 struct UnsupportedFeature {
   std::string_view subject;
   /// Words in lower case that identify the feature in a key. A key is split into words at '.', '_'

@@ -14,9 +14,9 @@ struct ValueWithError {
   double error = 0;
 };
 
-/// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Times from rest
-/// begin at rest on the wall, or at the equilibrium; stationary times begin with the stationary law
-/// below the barrier. Absent values are not computed by the method.
+/// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Passage
+/// times from rest belong to a start at rest on the wall, or at the equilibrium; stationary ones to the
+/// stationary law below the barrier. Absent values are not computed by the method.
 struct Passage {
   std::string id;  ///< id of the solution, such as "fd-kf", "mcs" or "rice"
   Status status = Status::failed;

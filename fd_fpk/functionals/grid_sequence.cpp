@@ -104,7 +104,8 @@ ConvergedValues converge_on_grids(const std::function<LevelValues(double refinem
 ConvergedValues converge_on_grids(const problem::Problem& problem, const Options& options,
                                   double tolerance, const StationaryFunctionals& functionals,
                                   const Magnitudes& magnitudes) {
-  // All grids have the same box, so that their differences do not show the error by its ends. The box
+  // All grids have the same box, so that their differences do not show the error by the ends
+  // of the box. The box
   // is therefore wider than for a density. A still wider box changes E[y'^4] of case1 by 6e-7 and its
   // derivatives by 4e-6, relative; from the box of a density the changes would be 2e-5 and 1e-4.
   constexpr double kEdgeDensityFactor = 1e-2;
@@ -127,7 +128,9 @@ ConvergedValues converge_on_grids(const problem::Problem& problem, const Options
     DirectSolution on =
         solve_directly(problem, scales_and_box, with_refinement(on_grid, refinement), deadline);
     LevelValues level{.nx = on.discretisation.grid.nx(), .nv = on.discretisation.grid.nv()};
-    if (on.averages) {
+    if (on.averages && !on.converged) {
+      level.failure = "GMRES did not find the stationary density; use another grid";
+    } else if (on.averages) {
       level.values = functionals(on, deadline, level.failure);
     } else {
       level.failure = on.failure;

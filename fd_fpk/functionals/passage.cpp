@@ -14,8 +14,11 @@
 #include "fd_fpk/functionals/reduced_resolvent.hpp"
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/well_posedness.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "numerics/roots/bracketed_root.hpp"
 #include "problem/effective_potential.hpp"
+#include "problem/problem_features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -47,9 +50,9 @@ struct PassageProblem {
   const Options& options;
   const problem::MotionScales& scales;
   double barrier;
-  double rest;          // displacement of the start at rest
-  double waiting_rate;  // rate of the impulses that end the rest; 0 if noise ends it at once
-  Box box;              // box of the stationary density, whose right end is beyond the barrier
+  std::optional<double> rest;  // displacement of the start at rest, if there is one
+  double waiting_rate;         // rate of the impulses that end the rest; 0 if noise ends it at once
+  Box box;  // box of the stationary density, whose right end is beyond the barrier
 };
 
 // Returns the cells below the barrier, and the cells of the stationary density: the same cells,
@@ -127,10 +130,10 @@ Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis&
   const AxisOperator values = point_value_operator(x2, averaging_stencil_size(order), centres);
   const problem::ImpulseLaw& law = passage.problem.impulses.law();
   const auto& wall = passage.problem.system.left_wall();
-  const bool on_wall = wall && passage.rest <= wall->position;
+  const bool on_wall = wall && *passage.rest <= wall->position;
   // An impulse Y changes the velocity by b Y, with b = 1 unless the impulses are parametric.
   const auto& factor = passage.problem.impulse_factor;
-  const double b = factor ? (*factor)(passage.rest, 0) : 1;
+  const double b = factor ? (*factor)(*passage.rest, 0) : 1;
   const auto impulse_probability = [&](double v) {
     const double probability = law.cumulative_probability(v / b);
     return b > 0 ? probability : 1 - probability;
@@ -158,7 +161,7 @@ Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis&
 // Returns the functional of cell averages that evaluates the survival probability or the mean time
 // for the start at rest; under impulses after the first of them.
 Eigen::VectorXd start_at_rest(const PassageProblem& passage, const Grid& grid, int order) {
-  const Eigen::RowVectorXd of_x1 = value_at(grid.x1, order, passage.rest);
+  const Eigen::RowVectorXd of_x1 = value_at(grid.x1, order, *passage.rest);
   const Eigen::RowVectorXd of_x2 = passage.waiting_rate > 0
                                        ? mean_after_impulse(passage, grid.x2, order)
                                        : value_at(grid.x2, order, 0);
@@ -211,6 +214,7 @@ Eigen::VectorXd passage_values(ReducedResolvent& model, const Eigen::VectorXd& f
 // probabilities, since small probabilities have large relative errors.
 Eigen::VectorXd passage_magnitudes(const Eigen::VectorXd& values) {
   Eigen::VectorXd magnitudes = values.cwiseAbs();
+  if (magnitudes(kFromRest) == 0) magnitudes(kFromRest) = 1;  // without a start at rest
   magnitudes.tail(values.size() - kValueCount).setOnes();
   return magnitudes;
 }
@@ -242,6 +246,8 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
 
   const Discretisation of_whole =
       with_excitation_of(problem, options, {.grid = whole, .excitation = {}});
+  level.failure = check_well_posedness(problem, options, of_whole).ill_posed_reason;
+  if (!level.failure.empty()) return level;
   const FokkerPlanckOperator op_whole = fokker_planck_operator(problem, options, of_whole);
   Preconditioner for_whole(problem.system, passage.scales.slowest_decay_rate, of_whole.excitation,
                            options.impact, whole, order);
@@ -249,6 +255,12 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
       null_vector(op_whole, for_whole, initial_gaussian(whole, passage.scales), deadline);
   if (!stationary.averages) {
     level.failure = stationary.failure;
+    return level;
+  }
+  constexpr double kLargestResidual = 1e-8;  // in frequencies of the oscillator
+  if (!(op_whole.stationarity_residual(*stationary.averages) <
+        kLargestResidual * passage.scales.frequency)) {
+    level.failure = "GMRES did not find the stationary density; use another grid";
     return level;
   }
   const Eigen::VectorXd p = stationary.averages->head(below.size());
@@ -263,7 +275,9 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
   // The vector z with exp(L^T t) areas = z is the survival probability times the areas.
   const ShiftedSystem system(op, preconditioner, below.nv(), order, shift, Transposed::yes);
   ReducedResolvent model(system, areas);
-  const Eigen::VectorXd from_rest = start_at_rest(passage, below, order).cwiseQuotient(areas);
+  const Eigen::VectorXd from_rest =
+      passage.rest ? Eigen::VectorXd(start_at_rest(passage, below, order).cwiseQuotient(areas))
+                   : Eigen::VectorXd(Eigen::VectorXd::Zero(areas.size()));
   const Eigen::VectorXd from_stationary = p / probability;
   Eigen::VectorXd last;
   bool agree = false;
@@ -285,7 +299,8 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
         kMost);
     return level;
   }
-  if (!(last(kHazard) > 0 && last(kFromRest) > 0 && last(kFromStationary) > 0)) {
+  const bool is_from_rest_valid = !passage.rest || last(kFromRest) > 0;
+  if (!(last(kHazard) > 0 && last(kFromStationary) > 0 && is_from_rest_valid)) {
     level.failure =
         "the operator below the barrier has a growing mode: the cells do not resolve the motion "
         "there; choose a barrier farther from the wall, or use mcs";
@@ -301,13 +316,17 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
 // Returns the box of the stationary density, enlarged for the motion that reaches the barrier: it
 // impacts the wall with the speed w and comes from there with w/r.
 Box passage_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                const Options& options, double barrier, double rest, const Deadline& deadline) {
+                const Options& options, double barrier, const Deadline& deadline) {
   constexpr double kImpulseDeviations = 5.5;
   constexpr double kBeyond = 0.5;  // shortest part of the box beyond the barrier, in deviations
   Box box = stationary_box(problem, scales, options, deadline);
   const problem::EffectivePotential potential(problem.system);
-  const double speed = std::sqrt(2 * std::max(0.0, potential(barrier) - potential(rest)));
   const auto& wall = problem.system.left_wall();
+  double lowest = wall ? wall->position : 0;
+  for (const double y : potential.extrema()) {
+    if (y < barrier && potential(y) < potential(lowest)) lowest = y;
+  }
+  const double speed = std::sqrt(2 * std::max(0.0, potential(barrier) - potential(lowest)));
   const double restitution = wall ? std::max(0.1, wall->restitution_at(speed)) : 1;
   const auto& law = problem.impulses.law();
   const double of_impulse = problem.impulses.is_present()
@@ -331,22 +350,6 @@ std::vector<double> automatic_times(double mean) {
 
 }  // namespace
 
-std::string passage_unsupported_reason(const problem::Problem& problem, const Options& options,
-                                       double barrier) {
-  if (std::string reason = transient_unsupported_reason(problem, options); !reason.empty()) {
-    return reason;
-  }
-  const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
-  if (problem.frame.mirrored) {
-    return "a passage above a barrier with a wall on the right alone: mirror the case";
-  }
-  if ((left && barrier <= left->position) || (right && barrier >= right->position)) {
-    return fmt::format("the barrier y = {:g} is not between the walls",
-                       problem.frame.physical_y(barrier));
-  }
-  return "";
-}
-
 transform::Passage solve_passage(const problem::Problem& problem, const Options& options,
                                  double barrier, std::vector<double> times) {
   validate(options);
@@ -354,8 +357,11 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   transform::Passage passage{.id = solution_id(options)};
   const problem::Problem seen =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  const double in_frame = seen.frame.wall_x(barrier);
-  passage.reason = passage_unsupported_reason(seen, options, in_frame);
+  const double in_wall_coordinates = seen.frame.wall_x(barrier);
+  passage.reason = transient_unsupported_reason(seen, options);
+  if (passage.reason.empty()) {
+    passage.reason = problem::barrier_unsupported_reason(seen, in_wall_coordinates);
+  }
   if (!passage.reason.empty()) {
     passage.status = Status::not_offered;
     return passage;
@@ -365,23 +371,24 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   Options with_order = options;
   with_order.order = options.order.value_or(automatic_order(seen));
   if (!has_linearised_scales(seen)) with_order.wall_density *= box_edge_density_factor(seen);
-  const double rest = problem::rest_displacement(seen.system, in_frame);
-  if (seen.impulse_factor && (*seen.impulse_factor)(rest, 0) == 0) {
-    passage.status = Status::not_offered;
-    passage.reason = "impulse.factor is 0 at the rest point, which the mass never leaves";
-    return passage;
-  }
+  const auto rest = problem::rest_displacement(seen, in_wall_coordinates);
   const bool waits = seen.impulses.is_present() && !seen.noise.is_present() &&
                      options.equation == DensityEquation::kf;
   const PassageProblem below{
       .problem = seen,
       .options = with_order,
       .scales = scales,
-      .barrier = in_frame,
+      .barrier = in_wall_coordinates,
       .rest = rest,
       .waiting_rate = waits ? seen.impulses.arrival_rate() : 0,
-      .box = passage_box(seen, scales, with_order, in_frame, rest, deadline)};
-  // With smaller shifts the survival at short times converges slowly, with larger shifts the hazard.
+      .box = passage_box(seen, scales, with_order, in_wall_coordinates, deadline)};
+  if (in_wall_coordinates <= below.box.x1_min) {
+    passage.status = Status::not_offered;
+    passage.reason = "the stationary probability below the barrier is negligible";
+    return passage;
+  }
+  // Smaller shifts slow down the convergence of the survival at short times, larger shifts that of the
+  // hazard.
   constexpr double kShift = 4;
   const double shift = kShift * scales.velocity_deviation / scales.displacement_deviation;
   if (times.empty()) {
@@ -407,14 +414,14 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
     return {converged.values(k), errors(k)};
   };
   passage.hazard = at(kHazard);
-  passage.mean_from_rest = at(kFromRest);
+  if (rest) passage.mean_from_rest = at(kFromRest);
   passage.mean_from_stationary = at(kFromStationary);
   passage.rice_rate = at(kRiceRate);
   passage.probability_below = at(kProbabilityBelow);
   passage.times = times;
   const auto n = static_cast<Eigen::Index>(times.size());
   for (Eigen::Index k = 0; k < n; ++k) {
-    passage.survival_from_rest.push_back(at(kValueCount + k));
+    if (rest) passage.survival_from_rest.push_back(at(kValueCount + k));
     passage.survival_from_stationary.push_back(at(kValueCount + n + k));
   }
   passage.details = fmt::format("{} x {} cells", converged.nx, converged.nv);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "fd_fpk/options.hpp"
@@ -8,10 +7,6 @@
 #include "transform/passage.hpp"
 
 namespace fpkcheck::fd_fpk {
-
-/// Returns why a barrier is not supported; empty for a supported problem and barrier.
-std::string passage_unsupported_reason(const problem::Problem& problem, const Options& options,
-                                       double barrier);
 
 /// Computes the first passage of y above a barrier b from the backward equation on y < b,
 ///

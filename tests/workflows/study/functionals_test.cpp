@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/input_error.hpp"
 #include "paper_cases.hpp"
+#include "problem/case_file.hpp"
 #include "workflows/study/functionals/passage.hpp"
 #include "workflows/study/functionals/sensitivity.hpp"
 #include "workflows/study/functionals/spectrum.hpp"
@@ -112,6 +114,40 @@ TEST(PassageOptions, NeedABarrierAndValidTimes) {
   options.displacement = 1;
   options.times = "1,-2";
   EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError);
+}
+
+// A negative factor of skewed impulses, and a restitution coefficient that decreases with the speed: the
+// mean time from rest would change with a wrong sign, factor or speed of the first impulse.
+TEST(PassageFromRest, AgreesWithTheSimulationUnderParametricImpulses) {
+  std::istringstream ini(R"([system]
+damping = 0.3
+stiffness = 1
+[wall]
+left = 0
+left_restitution = 1 - 0.5*min(1,abs(v))^0.5
+[impulse]
+rate = 0.5
+law = gamma
+skewness = 1
+intensity = 0.2
+factor = -1.5
+)");
+  const problem::Problem problem = problem::read_case(ini, "test", "test.ini");
+  PassageOptions options;
+  options.displacement = 1;
+  options.times = "10";
+  options.time = 3e5;
+  const PassageStudy study = study_passage(problem, options, {});
+  ASSERT_EQ(study.passages.size(), 3u);
+  const auto &fd = study.passages[0], &simulated = study.passages[1];
+  ASSERT_EQ(fd.status, Status::ok) << fd.reason;
+  ASSERT_EQ(simulated.status, Status::ok) << simulated.reason;
+  for (const auto mean :
+       {&transform::Passage::mean_from_rest, &transform::Passage::mean_from_stationary}) {
+    const auto &a = *(fd.*mean), &b = *(simulated.*mean);
+    EXPECT_NEAR(a.value, b.value, 3.5 * b.error + 2 * a.error);
+    EXPECT_LT(3.5 * b.error + 2 * a.error, 0.1 * a.value);
+  }
 }
 
 }  // namespace

@@ -76,9 +76,11 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
       base::Description<PassageOptions>("passage ")
           .add("displacement", &PassageOptions::displacement,
                {"B", "barrier: first passage of y above B"}, base::finite_numbers())
-          .add("times", &PassageOptions::times,
-               {"LIST",
-                "times of the survival probabilities (default: ten times up to three mean times)"}),
+          .add(
+              "times", &PassageOptions::times,
+              {"LIST",
+               "times of the survival probabilities (default: ten times up to three mean times, from "
+               "the finite volumes)"}),
       "largest relative error of the finite volumes, for status ok",
       "simulated time of the stationary process (default: until the standard error of the mean is "
       "1 %, at most about 15 s of computing)");
@@ -97,7 +99,7 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
     study.passages.push_back(method.fd
                                  ? fd_fpk::solve_passage(problem, *method.fd, barrier, times)
                                  : mcs::estimate_passage(problem, *method.mcs, barrier, times));
-    // The automatic times of the finite volumes are those of the simulation.
+    // The simulation uses the automatic times of the finite volumes.
     if (times.empty()) times = study.passages.back().times;
   });
   const auto with_rate = std::ranges::find_if(
@@ -199,7 +201,7 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
     }
   }
   for (const Passage& p : study.passages) {
-    if (!p.hazard) continue;
+    if (!p.mean_from_stationary) continue;
     columns.push_back({p.id, "value", p.id, "{:.6g}"});
     if (!is_rice(p)) {
       columns.push_back(

@@ -35,7 +35,7 @@ struct PassageStudy {
 PassageStudy study_passage(const problem::Problem& problem, const PassageOptions& options,
                            const methods::ProgressListener& listener);
 
-/// Returns whether every method that supports the problem gave a passage within the accuracy.
+/// Returns whether the status of every method that supports the problem is `ok`.
 bool has_converged(const PassageStudy& study);
 
 std::string json(const PassageStudy& study, const std::string& command);

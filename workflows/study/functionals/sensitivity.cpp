@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
+#include "base/input_error.hpp"
 #include "fd_fpk/functionals/sensitivities.hpp"
 #include "mcs/sensitivities.hpp"
 #include "problem/parameter_derivative.hpp"
@@ -35,11 +37,19 @@ std::vector<std::string> selected_parameters(const problem::Problem& problem,
   std::vector<std::string> keys;
   std::istringstream items(*options.parameters);
   for (std::string key; std::getline(items, key, ',');) keys.push_back(key);
+  if (keys.empty()) throw InputError("--parameters: empty list; omit the option for all numbers");
   return keys;
 }
 
 double elasticity(const Sensitivities& s, const ExpectationDerivatives& one, std::size_t k) {
-  return one.derivatives[k] * s.parameter_values[k] / one.value;
+  // A mean that is 0 by symmetry has no elasticity.
+  constexpr double kSmallestMean = 1e-2;  // in root mean squares
+  const auto square =
+      std::ranges::find(s.expectations, "E[y^2]", &ExpectationDerivatives::expectation);
+  const bool is_zero = one.expectation == "E[y]" && square != s.expectations.end() &&
+                       std::abs(one.value) < kSmallestMean * std::sqrt(square->value);
+  return is_zero ? std::numeric_limits<double>::quiet_NaN()
+                 : one.derivatives[k] * s.parameter_values[k] / one.value;
 }
 double elasticity_error(const Sensitivities& s, const ExpectationDerivatives& one, std::size_t k) {
   return std::abs(one.errors[k] * s.parameter_values[k] / one.value);
@@ -190,7 +200,7 @@ report::Figure figure(const SensitivityStudy& study) {
           std::ranges::find(found->expectations, wanted, &ExpectationDerivatives::expectation);
       report::FigureSeries points = report::make_series(found->id, method.identity.plot_style);
       points.dash = "";
-      // The marks of a parameter stand side by side.
+      // The marks of a parameter are drawn side by side.
       const double shift =
           0.15 * (static_cast<double>(m) - (static_cast<double>(methods.size()) - 1) / 2);
       for (std::size_t k = 0; k < found->parameters.size(); ++k) {

@@ -34,7 +34,7 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
                                    const SensitivityOptions& options,
                                    const methods::ProgressListener& listener);
 
-/// Returns whether every method that supports the problem gave derivatives within the accuracy.
+/// Returns whether the status of every method that supports the problem is `ok`.
 bool has_converged(const SensitivityStudy& study);
 
 std::string json(const SensitivityStudy& study, const std::string& command);

@@ -44,10 +44,11 @@ std::vector<double> evenly_spaced(double from, double to, int intervals) {
 }
 
 std::vector<double> frequencies(const problem::Problem& problem, const SpectrumOptions& options) {
+  const auto scales =
+      problem::scales(problem::to_wall_coordinates(problem::wall_frame(problem.system), problem));
+  const double mean_frequency = scales.velocity_deviation / scales.displacement_deviation;
   if (!options.frequencies) {
-    const auto scales =
-        problem::scales(problem::to_wall_coordinates(problem::wall_frame(problem.system), problem));
-    const double last = 4 * scales.velocity_deviation / scales.displacement_deviation;
+    const double last = 4 * mean_frequency;
     const double unit = std::pow(10, std::floor(std::log10(last)) - 1);
     return evenly_spaced(0, std::ceil(last / unit) * unit, kAutomaticIntervals);
   }
@@ -62,6 +63,12 @@ std::vector<double> frequencies(const problem::Problem& problem, const SpectrumO
   if (!valid) {
     throw InputError(fmt::format("--frequencies {} (must satisfy 0 <= FROM < TO and 1 <= N <= {})",
                                  base::in_quotes(text), kMostIntervals));
+  }
+  constexpr double kMostFrequencies = 1000;
+  if (to > kMostFrequencies * mean_frequency) {
+    throw InputError(
+        fmt::format("--frequencies {} (TO must be at most {:g}, {:g} times the mean frequency)",
+                    base::in_quotes(text), kMostFrequencies * mean_frequency, kMostFrequencies));
   }
   return evenly_spaced(from, to, static_cast<int>(intervals));
 }

@@ -34,7 +34,7 @@ struct SpectrumStudy {
 SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOptions& options,
                              const methods::ProgressListener& listener);
 
-/// Returns whether every method that supports the problem gave a spectrum within the accuracy.
+/// Returns whether the status of every method that supports the problem is `ok`.
 bool has_converged(const SpectrumStudy& study);
 
 std::string json(const SpectrumStudy& study, const std::string& command);
