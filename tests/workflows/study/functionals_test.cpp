@@ -124,9 +124,9 @@ damping = 0.3
 stiffness = 1
 [wall]
 left = 0
-left_restitution = 1 - 0.5*min(1,abs(v))^0.5
+left_restitution = 1 - 0.3*min(1,abs(v))^0.5
 [impulse]
-rate = 0.5
+rate = 1
 law = gamma
 skewness = 1
 intensity = 0.2
@@ -137,6 +137,8 @@ factor = -1.5
   options.displacement = 1;
   options.times = "10";
   options.time = 3e5;
+  options.accuracy = 0.05;
+  options.max_seconds = 60;
   const PassageStudy study = study_passage(problem, options, {});
   ASSERT_EQ(study.passages.size(), 3u);
   const auto &fd = study.passages[0], &simulated = study.passages[1];
