@@ -14,7 +14,8 @@ One-sided spectral density G(w) of the stationary y or y': its integral over the
 w >= 0 is the variance. Finite volumes solve (i w - L) x = (y - E[y]) p with the generator L for all
 frequencies at once, in a Krylov space, on three or more grids, whose differences give the error.
 The simulation averages periodograms (Welch's method) and states standard errors.
-Exit code 0 when the errors of the finite volumes are below --accuracy times the largest density.
+Exit code 0 when the estimated errors by finite volumes are below --accuracy times the largest
+density.
 
 examples:
   fpkcheck spectrum case1
@@ -24,11 +25,11 @@ examples:
 
 constexpr const char* kSensitivityUsage = R"(usage: fpkcheck sensitivity CASE [options]
 
-Derivatives of the stationary moments with respect to the parameters of the case, each with all other
-parameters fixed: impulse.rate at fixed intensity. Finite volumes differentiate the equation
+Derivatives of the stationary moments with respect to each parameter of the case, with all other
+parameters fixed; impulse.rate changes at a fixed intensity. Finite volumes differentiate the equation
 L p = 0 on three or more grids, whose differences give the error. The simulation uses common random
 numbers for the changed problems and states standard errors.
-Exit code 0 when the finite volumes have errors of all elasticities below --accuracy.
+Exit code 0 when the estimated errors of all elasticities by finite volumes are below --accuracy.
 
 examples:
   fpkcheck sensitivity case1
@@ -43,7 +44,8 @@ from rest and from the stationary law below the barrier, hazard (rate of passage
 long times). Finite volumes solve the backward equation on y < B on three or more grids, whose
 differences give the error. The simulation measures the stays below the barrier and states standard
 errors. The row rice is the usual approximation by independent upward crossings at Rice's rate.
-Exit code 0 when the finite volumes have relative errors, and errors of probabilities, below --accuracy.
+Exit code 0 when the estimated errors by finite volumes are below --accuracy: relative errors, and
+absolute errors of survival probabilities.
 
 examples:
   fpkcheck passage case1 --displacement 1.5

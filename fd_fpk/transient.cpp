@@ -278,13 +278,13 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
 TransientResult solve_transient(const problem::Problem& problem, const Options& options,
                                 const TransientOptions& transient) {
   validate(options, transient);
-  const problem::Problem seen =
+  const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  if (const std::string why = transient_unsupported_reason(seen, options); !why.empty()) {
+  if (const std::string why = transient_unsupported_reason(transformed, options); !why.empty()) {
     throw InputError(fmt::format("no density over time: {}", why));
   }
   const Stopwatch stopwatch;
-  TransientResult result = solve_without_timing(seen, options, transient);
+  TransientResult result = solve_without_timing(transformed, options, transient);
   result.seconds = stopwatch.seconds();
   return result;
 }

@@ -52,6 +52,11 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   return problem::inelastic_collapse_reason(problem, options.equation);
 }
 
+std::string functional_unsupported_reason(const problem::Problem& problem, const Options& options) {
+  const std::string reason = unsupported_reason(problem, options);
+  return reason.empty() ? problem::inelastic_collapse_reason(problem, options.equation) : reason;
+}
+
 std::string unsupported_splitting_reason(const problem::Problem& problem, const Options& options) {
   // For a Duffing oscillator at a wall, c > 0 and evenly spaced impulses replace the white noise.
   if (is_duffing_at_wall(problem)) return "";

@@ -310,21 +310,19 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
   const auto begin = std::chrono::steady_clock::now();
   transform::Passage passage{.id = id(options)};
   passage.has_standard_errors = true;
-  const problem::Problem seen =
+  const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  passage.reason = unsupported_reason(seen, options);
-  if (passage.reason.empty()) {
-    passage.reason = problem::inelastic_collapse_reason(seen, options.equation);
-  }
-  const double level = seen.frame.wall_x(barrier);
-  if (passage.reason.empty()) passage.reason = problem::barrier_unsupported_reason(seen, level);
+  passage.reason = functional_unsupported_reason(transformed, options);
+  const double level = transformed.frame.wall_x(barrier);
+  if (passage.reason.empty())
+    passage.reason = problem::barrier_unsupported_reason(transformed, level);
   if (!passage.reason.empty()) {
     passage.status = Status::not_offered;
     return passage;
   }
-  const problem::MotionScales scales = problem::scales(seen);
-  const SimulationPlan plan = passage_plan(seen, options, scales.frequency);
-  Simulation stationary(seen, plan);
+  const problem::MotionScales scales = problem::scales(transformed);
+  const SimulationPlan plan = passage_plan(transformed, options, scales.frequency);
+  Simulation stationary(transformed, plan);
   stationary.keep_series();
   const auto found =
       simulate_stays(stationary, level, kDecayTimes / scales.slowest_decay_rate, times, options);
@@ -359,12 +357,12 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
         sums, [k](const StaySums& s) { return s.excess[k]; }, length));
   }
 
-  if (const auto rest = problem::rest_displacement(seen, level)) {
+  if (const auto rest = problem::rest_displacement(transformed, level)) {
     SimulationPlan from_rest = plan;
     const double mean = passage.mean_from_stationary->value;
     from_rest.samples_per_round = static_cast<std::uint64_t>(
         std::ceil(std::min(mean / 10 / plan.sampling_interval, kMostSamples)));
-    Simulation restarted(seen, from_rest);
+    Simulation restarted(transformed, from_rest);
     restarted.keep_series();
     passage.mean_from_rest =
         simulate_from_rest(restarted, level, *rest, mean, sums.front().whole * plan.streams, times,

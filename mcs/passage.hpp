@@ -14,7 +14,8 @@ namespace fpkcheck::mcs {
 ///     E tau = E[l^2] / (2 E[l]),   P(tau > t) = E[(l - t)^+] / E[l],   E[l] = P(y < b) / nu,
 ///
 /// and the hazard is P(l > t) / E[(l - t)^+] at a time t after the slowest mode has decayed. A second
-/// simulation starts each stream again at rest after each passage. The standard errors follow from the differences between streams.
+/// simulation starts each stream again at rest after each passage. The standard errors follow from the
+/// differences between streams.
 /// @param barrier barrier b in physical coordinates
 /// @param times times of the survival probabilities
 /// @throws InputError as make_simulation_plan()

@@ -11,25 +11,17 @@
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
-#include "problem/problem_features.hpp"
-#include "transform/density.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
+using transform::kDifferentiatedMoments;
 using transform::Status;
-
-struct PowersOfMoment {
-  const char* symbol;
-  int p, q;
-};
-constexpr PowersOfMoment kMoments[] = {
-    {"E[y]", 1, 0}, {"E[y^2]", 2, 0}, {"E[y^4]", 4, 0}, {"E[y'^2]", 0, 2}, {"E[y'^4]", 0, 4}};
 
 // Simulated time of each changed problem, as a fraction of the automatic time of a simulation
 constexpr double kTimeShare = 1.0 / 16;
 
-// Returns the moments of every stream, in the order of kMoments.
+// Returns the moments of every stream, in the order of kDifferentiatedMoments.
 std::vector<std::vector<double>> stream_moments_of(const problem::Problem& problem,
                                                    const Options& options,
                                                    const SimulationPlan& nominal) {
@@ -44,7 +36,7 @@ std::vector<std::vector<double>> stream_moments_of(const problem::Problem& probl
   simulation.burn_in();
   for (std::uint64_t round = 0; round < plan.rounds; ++round) simulation.run_round();
   std::vector<std::vector<double>> moments;
-  for (const auto& moment : kMoments) {
+  for (const auto& moment : kDifferentiatedMoments) {
     moments.push_back(stream_moments(simulation, moment.p, moment.q));
   }
   return moments;
@@ -58,27 +50,25 @@ transform::Sensitivities estimate_sensitivities(
   const auto begin = std::chrono::steady_clock::now();
   transform::Sensitivities result{.id = id(options)};
   result.has_standard_errors = true;
-  const problem::Problem seen =
+  const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  result.reason = unsupported_reason(seen, options);
-  if (result.reason.empty()) {
-    result.reason = problem::inelastic_collapse_reason(seen, options.equation);
-  }
+  result.reason = functional_unsupported_reason(transformed, options);
   if (!result.reason.empty()) {
     result.status = Status::not_offered;
     return result;
   }
   Options nominal_options = options;
-  SimulationPlan nominal = make_simulation_plan(seen, nominal_options);
+  SimulationPlan nominal = make_simulation_plan(transformed, nominal_options);
   if (!options.time) {
     const double time =
         kTimeShare * static_cast<double>(nominal.rounds) * nominal.round_time() * nominal.streams;
     nominal_options.time = time;
-    nominal = make_simulation_plan(seen, nominal_options);
+    nominal = make_simulation_plan(transformed, nominal_options);
   }
 
-  for (const auto& moment : kMoments) result.expectations.push_back({.expectation = moment.symbol});
-  const auto central = stream_moments_of(seen, nominal_options, nominal);
+  for (const auto& moment : kDifferentiatedMoments)
+    result.expectations.push_back({.expectation = moment.symbol});
+  const auto central = stream_moments_of(transformed, nominal_options, nominal);
   for (std::size_t m = 0; m < central.size(); ++m) {
     result.expectations[m].value = unweighted_estimate(central[m]).mean;
   }
@@ -87,9 +77,10 @@ transform::Sensitivities estimate_sensitivities(
     result.parameters.push_back(parameter);
     result.parameter_values.push_back(value);
     std::vector<std::vector<double>> quotients(
-        std::size(kMoments), std::vector<double>(static_cast<std::size_t>(nominal.streams)));
+        std::size(kDifferentiatedMoments),
+        std::vector<double>(static_cast<std::size_t>(nominal.streams)));
     for (const auto& [weight, changed] : terms) {
-      const problem::Problem other = problem::to_wall_coordinates(seen.frame, changed);
+      const problem::Problem other = problem::to_wall_coordinates(transformed.frame, changed);
       const auto moments = stream_moments_of(other, nominal_options, nominal);
       for (std::size_t m = 0; m < moments.size(); ++m) {
         for (std::size_t s = 0; s < moments[m].size(); ++s) {

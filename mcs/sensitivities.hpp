@@ -12,8 +12,8 @@ namespace fpkcheck::mcs {
 /// Estimates the derivatives of the stationary moments with respect to parameters, by difference
 /// quotients of simulations with common random numbers: the streams of all changed problems draw the
 /// same impulses in the same order, so that most of the sampling error cancels in the differences of
-/// a stream. The standard errors follow from the differences between streams.
-/// The standard errors do not contain the error of second order of the difference quotients.
+/// a stream. The standard errors follow from the differences between streams. They do not contain the
+/// error of second order of the difference quotients.
 /// @param parameters derivatives with steps of about 2 %
 /// @throws InputError as make_simulation_plan()
 transform::Sensitivities estimate_sensitivities(

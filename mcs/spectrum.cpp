@@ -17,7 +17,6 @@
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 #include "problem/motion_scales.hpp"
-#include "problem/problem_features.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -142,18 +141,15 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
   transform::Spectrum spectrum{.id = id(options), .variable = variable};
   spectrum.frequencies = frequencies;
   spectrum.has_standard_errors = true;
-  const problem::Problem seen =
+  const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  spectrum.reason = unsupported_reason(seen, options);
-  if (spectrum.reason.empty()) {
-    spectrum.reason = problem::inelastic_collapse_reason(seen, options.equation);
-  }
+  spectrum.reason = functional_unsupported_reason(transformed, options);
   if (!spectrum.reason.empty()) {
     spectrum.status = Status::not_offered;
     return spectrum;
   }
-  const problem::MotionScales scales = problem::scales(seen);
-  SimulationPlan plan = make_simulation_plan(seen, options);
+  const problem::MotionScales scales = problem::scales(transformed);
+  SimulationPlan plan = make_simulation_plan(transformed, options);
   const double nyquist = kOversampling * std::max(frequencies.back(), scales.frequency);
   plan.sampling_interval = kPi / nyquist;
   const std::size_t length = segment_length(scales.slowest_decay_rate, plan.sampling_interval);
@@ -163,7 +159,7 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
   plan.rounds = static_cast<std::uint64_t>(
       std::max(4.0, std::ceil(time / (plan.streams * plan.round_time()))));
 
-  Simulation simulation(seen, plan);
+  Simulation simulation(transformed, plan);
   simulation.keep_series();
   simulation.burn_in();
   const auto streams = static_cast<std::size_t>(plan.streams);
@@ -202,14 +198,15 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
   const double mean_y = moment(1, 0).mean;
   const auto estimate = [&](double w, const Periodogram& periodogram,
                             std::vector<double> StreamSpectrum::*of, double pieces) {
-    const double constant = std::pow(mean_y - centre, 2), step = periodogram.frequency_step();
+    const double step = periodogram.frequency_step();
+    const std::vector<double> of_constant{periodogram.density_of_constant(0),
+                                          periodogram.density_of_constant(1), 0, 0};
+    const double subtracted =
+        std::pow(mean_y - centre, 2) * interpolate(of_constant, step, std::min(w, 2 * step));
     std::vector<double> values;
     for (const StreamSpectrum& s : sums) {
       const double count = pieces * static_cast<double>(s.segments);
-      const double of_constant = constant * interpolate({periodogram.density_of_constant(0),
-                                                         periodogram.density_of_constant(1), 0, 0},
-                                                        step, std::min(w, 2 * step));
-      values.push_back(interpolate(s.*of, step, w) / count - of_constant);
+      values.push_back(interpolate(s.*of, step, w) / count - subtracted);
     }
     return weights.estimate(values);
   };

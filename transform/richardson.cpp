@@ -15,12 +15,6 @@ double order(double before, double last, double ratio) {
   return std::log(before / last) / std::log(ratio);
 }
 
-// Estimates the error of a quantity on the finest grid from the last two differences of the
-// quantity.
-double difference_error(double before, double last, double reduction_ratio, double factor) {
-  return factor * std::max(std::abs(last), std::abs(before) / reduction_ratio);
-}
-
 Marginal richardson_limit(const Marginal& middle, const Marginal& fine, double factor) {
   Marginal limit = fine;
   for (std::size_t k = 0; k < limit.size(); ++k) {
@@ -30,6 +24,10 @@ Marginal richardson_limit(const Marginal& middle, const Marginal& fine, double f
 }
 
 }  // namespace
+
+double difference_error(double before, double last, double reduction_ratio, double factor) {
+  return factor * std::max(std::abs(last), std::abs(before) / reduction_ratio);
+}
 
 GridLevel grid_level(const Solution& solution, std::span<const double> y_edges,
                      std::span<const double> ydot_edges) {

@@ -40,6 +40,12 @@ double credible_convergence_order(double observed, int scheme_order);
 /// Returns whether the observed convergence order is credible enough for a Richardson limit.
 bool has_richardson_limit(double observed, int scheme_order);
 
+/// Returns the error estimate of a quantity on the finest grid from the last two differences of the
+/// quantity. The last difference may be small by chance, so that the previous difference, divided by
+/// the reduction ratio R, is the other estimate.
+/// @param factor ratio of the error to the last difference, about 1 / (R - 1)
+double difference_error(double before, double last, double reduction_ratio, double factor);
+
 /// The converging quantities of a solution on one grid level: marginals, moments, probabilities of
 /// the atoms at rest, and impact rate.
 struct GridLevel {

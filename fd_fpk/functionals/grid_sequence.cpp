@@ -11,6 +11,7 @@
 #include "base/process/parallel_for.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/selection_policy.hpp"
+#include "fd_fpk/stationary/error_estimate.hpp"
 #include "transform/richardson.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -40,21 +41,15 @@ void estimate_errors(const std::vector<Level>& levels, const Eigen::VectorXd& sc
                               ? transform::credible_convergence_order(result.observed_order, order)
                               : 1.0 * order;
   const double reduction = std::pow(q, credible);
-  // A difference may be small by chance; the previous difference, reduced by the order, is the other
-  // estimate.
-  result.errors =
-      last.cwiseMax(before / reduction) * (transform::kErrorSafetyFactor / (reduction - 1));
+  result.errors.resize(last.size());
+  for (Eigen::Index k = 0; k < last.size(); ++k) {
+    result.errors(k) =
+        transform::kErrorSafetyFactor *
+        transform::difference_error(before(k), last(k), reduction, 1 / (reduction - 1));
+  }
 }
 
 }  // namespace
-
-Options with_refinement(Options options, double refinement) {
-  options.refine_unresolved = false;
-  options.refinement *= refinement;
-  if (options.nx) options.nx = static_cast<int>(std::lround(*options.nx * refinement));
-  if (options.nv) options.nv = 2 * static_cast<int>(std::lround(*options.nv * refinement / 2));
-  return options;
-}
 
 ConvergedValues converge_on_grids(const std::function<LevelValues(double refinement)>& evaluate,
                                   int order, double tolerance, const Magnitudes& magnitudes,
@@ -104,10 +99,10 @@ ConvergedValues converge_on_grids(const std::function<LevelValues(double refinem
 ConvergedValues converge_on_grids(const problem::Problem& problem, const Options& options,
                                   double tolerance, const StationaryFunctionals& functionals,
                                   const Magnitudes& magnitudes) {
-  // All grids have the same box, so that their differences do not show the error by the ends
-  // of the box. The box
-  // is therefore wider than for a density. A still wider box changes E[y'^4] of case1 by 6e-7 and its
-  // derivatives by 4e-6, relative; from the box of a density the changes would be 2e-5 and 1e-4.
+  // All grids have the same box, so that their differences do not contain the error by the ends of
+  // the box. The box is therefore wider than for a density. A still wider box changes E[y'^4] of
+  // case1 by 6e-7 and its derivatives by 4e-6, relative. With the box of a density the two numbers
+  // are 2e-5 and 1e-4 (`fpkcheck sensitivity case1 --methods fd-kf`).
   constexpr double kEdgeDensityFactor = 1e-2;
   const Deadline deadline(options.max_seconds);
   Options on_grid = options;
@@ -126,7 +121,7 @@ ConvergedValues converge_on_grids(const problem::Problem& problem, const Options
 
   const auto evaluate = [&](double refinement) -> LevelValues {
     DirectSolution on =
-        solve_directly(problem, scales_and_box, with_refinement(on_grid, refinement), deadline);
+        solve_directly(problem, scales_and_box, with_refined_cells(on_grid, refinement), deadline);
     LevelValues level{.nx = on.discretisation.grid.nx(), .nv = on.discretisation.grid.nv()};
     if (on.averages && !on.converged) {
       level.failure = "GMRES did not find the stationary density; use another grid";

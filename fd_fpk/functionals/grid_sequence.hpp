@@ -55,7 +55,4 @@ ConvergedValues converge_on_grids(const problem::Problem& problem, const Options
                                   double tolerance, const StationaryFunctionals& functionals,
                                   const Magnitudes& magnitudes);
 
-/// Returns the options for cells divided by `refinement`, without automatic refinement.
-Options with_refinement(Options options, double refinement);
-
 }  // namespace fpkcheck::fd_fpk

@@ -16,6 +16,7 @@
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/selection_policy.hpp"
+#include "fd_fpk/stationary/error_estimate.hpp"
 #include "numerics/roots/bracketed_root.hpp"
 #include "problem/effective_potential.hpp"
 #include "problem/problem_features.hpp"
@@ -98,15 +99,14 @@ std::optional<PassageGrids> make_grids(const PassageProblem& passage, const Opti
 }
 
 // Returns the row of weights that evaluates cell averages at a position of an axis.
-Eigen::RowVectorXd value_at(const Axis& axis, int order, double x,
-                            std::optional<int> barrier = {}) {
+Eigen::RowVectorXd value_at(const Axis& axis, int order, double x) {
   const std::vector<double>& faces = axis.faces();
   const auto cell = std::clamp<std::ptrdiff_t>(
       std::upper_bound(faces.begin(), faces.end(), x) - faces.begin() - 1, 0,
       axis.cell_count() - 1);
   const int c = static_cast<int>(cell);
   const std::array fraction{(x - axis.face_position(c)) / axis.cell_width(c)};
-  return point_value_operator(axis, averaging_stencil_size(order), fraction, barrier).row(c);
+  return point_value_operator(axis, averaging_stencil_size(order), fraction).row(c);
 }
 
 // Returns the speed u of an impact that is followed by the speed v, u r(u) = v.
@@ -235,7 +235,7 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
                             const Deadline& deadline) {
   constexpr int kStep = 10, kMost = 120;
   const problem::Problem& problem = passage.problem;
-  const Options options = with_refinement(passage.options, refinement);
+  const Options options = with_refined_cells(passage.options, refinement);
   const int order = transport_order(options);
   LevelValues level;
   const auto grids = make_grids(passage, options, level.failure);
@@ -355,34 +355,34 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   validate(options);
   const Stopwatch stopwatch;
   transform::Passage passage{.id = solution_id(options)};
-  const problem::Problem seen =
+  const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  const double in_wall_coordinates = seen.frame.wall_x(barrier);
-  passage.reason = transient_unsupported_reason(seen, options);
+  const double level = transformed.frame.wall_x(barrier);
+  passage.reason = transient_unsupported_reason(transformed, options);
   if (passage.reason.empty()) {
-    passage.reason = problem::barrier_unsupported_reason(seen, in_wall_coordinates);
+    passage.reason = problem::barrier_unsupported_reason(transformed, level);
   }
   if (!passage.reason.empty()) {
     passage.status = Status::not_offered;
     return passage;
   }
   const Deadline deadline(options.max_seconds);
-  const problem::MotionScales scales = problem::scales(seen);
+  const problem::MotionScales scales = problem::scales(transformed);
   Options with_order = options;
-  with_order.order = options.order.value_or(automatic_order(seen));
-  if (!has_linearised_scales(seen)) with_order.wall_density *= box_edge_density_factor(seen);
-  const auto rest = problem::rest_displacement(seen, in_wall_coordinates);
-  const bool waits = seen.impulses.is_present() && !seen.noise.is_present() &&
+  with_order.order = options.order.value_or(automatic_order(transformed));
+  if (!has_linearised_scales(transformed))
+    with_order.wall_density *= box_edge_density_factor(transformed);
+  const auto rest = problem::rest_displacement(transformed, level);
+  const bool waits = transformed.impulses.is_present() && !transformed.noise.is_present() &&
                      options.equation == DensityEquation::kf;
-  const PassageProblem below{
-      .problem = seen,
-      .options = with_order,
-      .scales = scales,
-      .barrier = in_wall_coordinates,
-      .rest = rest,
-      .waiting_rate = waits ? seen.impulses.arrival_rate() : 0,
-      .box = passage_box(seen, scales, with_order, in_wall_coordinates, deadline)};
-  if (in_wall_coordinates <= below.box.x1_min) {
+  const PassageProblem below{.problem = transformed,
+                             .options = with_order,
+                             .scales = scales,
+                             .barrier = level,
+                             .rest = rest,
+                             .waiting_rate = waits ? transformed.impulses.arrival_rate() : 0,
+                             .box = passage_box(transformed, scales, with_order, level, deadline)};
+  if (level <= below.box.x1_min) {
     passage.status = Status::not_offered;
     passage.reason = "the stationary probability below the barrier is negligible";
     return passage;

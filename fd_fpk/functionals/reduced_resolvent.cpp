@@ -16,11 +16,7 @@ constexpr double kTolerance = 1e-8, kLargestTolerance = 1e-4;
 
 ReducedResolvent::ReducedResolvent(const ShiftedSystem& system, const Eigen::VectorXd& b,
                                    Eigen::VectorXd stationary)
-    : system_(system),
-      stationary_(std::move(stationary)),
-      shift_(system.shift()),
-      norm_(b.norm()),
-      basis_(b / norm_) {}
+    : system_(system), stationary_(std::move(stationary)), norm_(b.norm()), basis_(b / norm_) {}
 
 bool ReducedResolvent::extend(int count, const Deadline& deadline) {
   basis_.conservativeResize(Eigen::NoChange, size_ + count + 1);
@@ -57,7 +53,7 @@ Eigen::VectorXcd ReducedResolvent::transfer(const Eigen::VectorXd& w, const Eige
   Eigen::VectorXcd values(s.size());
   weight_of_last_ = 0;
   for (Eigen::Index k = 0; k < s.size(); ++k) {
-    Eigen::MatrixXcd matrix = (s(k) - shift_) * t;
+    Eigen::MatrixXcd matrix = (s(k) - system_.shift()) * t;
     matrix.diagonal().array() += 1;
     const Eigen::VectorXcd solution = matrix.triangularView<Eigen::Upper>().solve(right);
     const std::complex<double> last = u.row(size_ - 1).transpose().cwiseProduct(solution).sum();
@@ -74,7 +70,7 @@ ReducedResolvent::Modes ReducedResolvent::modes(const Eigen::VectorXd& w) const 
       vectors.partialPivLu().solve(norm_ * Eigen::VectorXcd::Unit(size_, 0));
   const Eigen::VectorXcd of_w =
       vectors.transpose() * (basis_.leftCols(size_).transpose() * w).cast<std::complex<double>>();
-  return {.rates = shift_ - eigen.eigenvalues().cwiseInverse().array(),
+  return {.rates = system_.shift() - eigen.eigenvalues().cwiseInverse().array(),
           .coefficients = of_w.cwiseProduct(start)};
 }
 

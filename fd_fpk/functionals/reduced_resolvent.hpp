@@ -2,8 +2,6 @@
 
 #include <Eigen/Core>
 #include <complex>
-#include <functional>
-#include <optional>
 #include <string>
 
 #include "fd_fpk/functionals/shifted_system.hpp"
@@ -50,7 +48,6 @@ class ReducedResolvent {
  private:
   const ShiftedSystem& system_;
   Eigen::VectorXd stationary_;
-  double shift_;
   double norm_;            // norm of b
   int size_ = 0;           // number of columns of H
   Eigen::MatrixXd basis_;  // columns V, one more than size_

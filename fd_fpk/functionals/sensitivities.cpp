@@ -20,18 +20,14 @@ using transform::Status;
 // Error of an elasticity at which no finer grid is tried, as a fraction of Options::accuracy
 constexpr double kElasticityFraction = 0.01;
 constexpr double kSolverTolerance = 1e-11;
-// The moments, without E[y'] = 0
-constexpr const transform::NamedMoment* kSelected[] = {
-    &transform::kMoments[0], &transform::kMoments[1], &transform::kMoments[2],
-    &transform::kMoments[4], &transform::kMoments[5]};
-constexpr Eigen::Index kMomentCount = std::size(kSelected);
+constexpr Eigen::Index kMomentCount = std::size(transform::kDifferentiatedMoments);
 
 Eigen::VectorXd moment_values(const problem::Problem& problem, const Grid& grid,
                               const Eigen::VectorXd& averages, int order) {
   const transform::Moments moments = physical_moments(problem.frame, grid, averages, order);
   Eigen::VectorXd values(kMomentCount);
   for (Eigen::Index k = 0; k < kMomentCount; ++k) {
-    values(k) = moments.*kSelected[k]->moment;
+    values(k) = moments.*transform::kDifferentiatedMoments[k].moment;
   }
   return values;
 }
@@ -64,10 +60,11 @@ Eigen::VectorXd sensitivities_on_grid(const problem::Problem& problem, const Opt
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     Eigen::VectorXd rate = Eigen::VectorXd::Zero(p.size());  // dL p
     for (const auto& [weight, changed] : parameters[k].terms) {
-      const problem::Problem seen = problem::to_wall_coordinates(problem.frame, changed);
-      rate += weight * (fokker_planck_operator(
-                            seen, options, with_excitation_of(seen, options, on.discretisation)) *
-                        p);
+      const problem::Problem transformed = problem::to_wall_coordinates(problem.frame, changed);
+      rate += weight *
+              (fokker_planck_operator(transformed, options,
+                                      with_excitation_of(transformed, options, on.discretisation)) *
+               p);
     }
     auto [derivative, iterations, reason] =
         gmres(times, approximate_solve, -rate, on.op.areas, kSolverTolerance, deadline);
@@ -94,17 +91,17 @@ transform::Sensitivities solve_sensitivities(
     result.parameters.push_back(parameter.parameter);
     result.parameter_values.push_back(parameter.value);
   }
-  const problem::Problem seen =
+  const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  result.reason = transient_unsupported_reason(seen, options);
+  result.reason = transient_unsupported_reason(transformed, options);
   if (!result.reason.empty()) {
     result.status = Status::not_offered;
     return result;
   }
   Options with_order = options;
-  with_order.order = options.order.value_or(automatic_order(seen));
+  with_order.order = options.order.value_or(automatic_order(transformed));
   const auto on_grid = [&](DirectSolution& on, const Deadline& deadline, std::string& failure) {
-    return sensitivities_on_grid(seen, with_order, parameters, on, deadline, failure);
+    return sensitivities_on_grid(transformed, with_order, parameters, on, deadline, failure);
   };
   // Magnitudes of the moments. E[y] may be 0 and has the magnitude of the root mean square.
   const auto moment_scales = [](const Eigen::VectorXd& moments) -> Eigen::VectorXd {
@@ -125,16 +122,16 @@ transform::Sensitivities solve_sensitivities(
     }
     return scales;
   };
-  const ConvergedValues converged =
-      converge_on_grids(seen, with_order, kElasticityFraction * options.accuracy, on_grid, scale);
+  const ConvergedValues converged = converge_on_grids(
+      transformed, with_order, kElasticityFraction * options.accuracy, on_grid, scale);
   result.seconds = stopwatch.seconds();
   if (converged.values.size() == 0) {
     result.reason = converged.failure;
     return result;
   }
   for (Eigen::Index m = 0; m < kMomentCount; ++m) {
-    transform::ExpectationDerivatives one{.expectation = kSelected[m]->symbol,
-                                          .value = converged.values(m)};
+    transform::ExpectationDerivatives one{
+        .expectation = transform::kDifferentiatedMoments[m].symbol, .value = converged.values(m)};
     for (std::size_t k = 0; k < parameters.size(); ++k) {
       const Eigen::Index at = static_cast<Eigen::Index>(k + 1) * kMomentCount + m;
       one.derivatives.push_back(converged.values(at));

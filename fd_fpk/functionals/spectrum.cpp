@@ -106,16 +106,16 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
   const Stopwatch stopwatch;
   transform::Spectrum spectrum{.id = solution_id(options), .variable = variable};
   spectrum.frequencies = frequencies;
-  const problem::Problem seen =
+  const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  spectrum.reason = transient_unsupported_reason(seen, options);
+  spectrum.reason = transient_unsupported_reason(transformed, options);
   if (!spectrum.reason.empty()) {
     spectrum.status = Status::not_offered;
     return spectrum;
   }
-  const problem::MotionScales scales = problem::scales(seen);
+  const problem::MotionScales scales = problem::scales(transformed);
   const double shift = 2 * scales.velocity_deviation / scales.displacement_deviation;
-  const int order = options.order.value_or(automatic_order(seen));
+  const int order = options.order.value_or(automatic_order(transformed));
   const double target = kTargetFraction * options.accuracy;
   const auto on_grid = [&](DirectSolution& on, const Deadline& deadline, std::string& failure) {
     return spectrum_on_grid(frequencies, variable, shift, order, on, deadline, failure);
@@ -127,7 +127,7 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
     magnitude.head(n) = magnitude.head(n).cwiseMax(kFloor * magnitude.head(n).maxCoeff());
     return magnitude;
   };
-  const ConvergedValues converged = converge_on_grids(seen, options, target, on_grid, scale);
+  const ConvergedValues converged = converge_on_grids(transformed, options, target, on_grid, scale);
   spectrum.seconds = stopwatch.seconds();
   if (converged.values.size() == 0) {
     spectrum.reason = converged.failure;

@@ -58,16 +58,6 @@ transform::GridLevelDifference grid_level_difference(const Result& coarser, cons
   return transform::grid_level_difference(of(coarser), of(finer));
 }
 
-// Returns the options for a grid with cell widths divided by `factor`, without automatic
-// refinement.
-Options with_refined_cells(Options options, double factor) {
-  options.refine_unresolved = false;
-  options.refinement *= factor;
-  if (options.nx) options.nx = static_cast<int>(std::lround(*options.nx * factor));
-  if (options.nv) options.nv = 2 * static_cast<int>(std::lround(*options.nv * factor / 2));
-  return options;
-}
-
 Options with_direct_solver(Options options) {
   options.stepper = StationarySolver::direct;
   return options;
@@ -301,6 +291,14 @@ ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& opti
 }
 
 }  // namespace
+
+Options with_refined_cells(Options options, double factor) {
+  options.refine_unresolved = false;
+  options.refinement *= factor;
+  if (options.nx) options.nx = static_cast<int>(std::lround(*options.nx * factor));
+  if (options.nv) options.nv = 2 * static_cast<int>(std::lround(*options.nv * factor / 2));
+  return options;
+}
 
 bool is_preferable_result(const Result& first, const Result& second) {
   const auto rank = [](const Result& result) {

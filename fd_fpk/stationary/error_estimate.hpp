@@ -19,6 +19,10 @@ namespace fpkcheck::fd_fpk {
 ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
                              int order);
 
+/// Returns the options for a grid with cell widths divided by `factor`, without automatic
+/// refinement.
+Options with_refined_cells(Options options, double factor);
+
 /// Function that solves one problem with the given options on a single grid. Several threads may
 /// call it at the same time.
 using SolveOnOneGrid = std::function<Result(const Options&)>;

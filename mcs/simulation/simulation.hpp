@@ -35,6 +35,9 @@ class Simulation {
 
   void burn_in();
   void run_round();
+  /// Puts a stream at rest at a displacement. The next sample is half a sampling interval later, and
+  /// the next impulse comes after a new waiting time.
+  void restart(std::size_t stream, double displacement);
 
   const SimulationPlan& plan() const { return *plan_; }
   std::uint64_t rounds() const { return rounds_; }
@@ -48,10 +51,7 @@ class Simulation {
     return static_cast<double>(rounds_) * static_cast<double>(plan_->samples_per_round);
   }
   const std::vector<Stream>& streams() const { return streams_; }
-  /// Puts a stream at rest at a displacement. The next sample is half a sampling interval later, and
-  /// the next impulse comes after a new waiting time.
-  void restart(std::size_t stream, double displacement);
-
+  /// Returns the series of a stream, from which the caller removes the samples that it has used.
   std::vector<double>& series(std::size_t stream) { return streams_[stream].series; }
 
   /// Writes the complete state of the simulation between two rounds.

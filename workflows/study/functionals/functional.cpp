@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -18,8 +19,7 @@ using transform::Status;
 
 std::vector<SelectedMethod> select_methods(const FunctionalOptions& options) {
   std::vector<SelectedMethod> methods;
-  std::istringstream items(options.methods);
-  for (std::string item; std::getline(items, item, ',');) {
+  for (const std::string& item : split_at_commas(options.methods)) {
     const std::string id = item == "fd" ? "fd-kf" : item;
     SelectedMethod method;
     method.fd = fd_fpk::options_of(id);
@@ -86,12 +86,27 @@ std::string solution_line(const std::string& id, Status status, const std::strin
                               : fmt::format("{}: {}: {}; ", id, transform::name(status), reason);
 }
 
-bool are_converged(const std::vector<Status>& statuses) {
-  const auto is_ok = [](Status status) { return status == Status::ok; };
-  const auto is_acceptable = [](Status status) {
-    return status == Status::ok || status == Status::not_offered;
-  };
-  return std::ranges::all_of(statuses, is_acceptable) && std::ranges::any_of(statuses, is_ok);
+std::string error_kind(bool has_standard_errors) {
+  return has_standard_errors ? "standard error" : "discretisation error";
+}
+
+void append_value_columns(const std::string& id, const std::string& header,
+                          bool has_standard_errors, std::vector<TableColumn>& columns) {
+  columns.push_back({id, header, id, "{:.6g}"});
+  columns.push_back({id, has_standard_errors ? "std err" : "error", id + "-error", "{:.1e}"});
+}
+
+std::vector<std::string> split_at_commas(const std::string& list) {
+  std::vector<std::string> parts;
+  std::istringstream items(list);
+  for (std::string item; std::getline(items, item, ',');) parts.push_back(item);
+  return parts;
+}
+
+std::optional<double> parse_finite_number(const std::string& text) {
+  const auto value = base::Parameter{.name = "number", .help = {}}.parse(text);
+  const double* number = value ? std::get_if<double>(&*value) : nullptr;
+  return number != nullptr && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
 }
 
 }  // namespace fpkcheck::study

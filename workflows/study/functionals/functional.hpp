@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -11,9 +12,9 @@
 #include "fd_fpk/options.hpp"
 #include "mcs/options.hpp"
 #include "methods/run_cases.hpp"
-#include "report/text/format.hpp"
 #include "results/json.hpp"
 #include "transform/solution.hpp"
+#include "workflows/study/record.hpp"
 
 /// Functionals of the generator: what the commands spectrum, sensitivity and passage share.
 namespace fpkcheck::study {
@@ -87,8 +88,29 @@ std::string functional_json(const problem::Problem& problem, const std::string& 
 std::string solution_line(const std::string& id, transform::Status status,
                           const std::string& reason);
 
-/// Returns whether the statuses of all methods that support the problem are `ok`, and a method
-/// supports the problem.
-bool are_converged(const std::vector<transform::Status>& statuses);
+/// Returns the kind of the errors of a result: "standard error" or "discretisation error".
+std::string error_kind(bool has_standard_errors);
+
+/// Appends the table columns of the values of a solution and of their errors, with the paths ID and
+/// ID-error.
+void append_value_columns(const std::string& id, const std::string& header,
+                          bool has_standard_errors, std::vector<TableColumn>& columns);
+
+/// Returns the items of a comma-separated list.
+std::vector<std::string> split_at_commas(const std::string& list);
+
+/// Returns the finite number of a text; empty for any other text.
+std::optional<double> parse_finite_number(const std::string& text);
+
+/// Returns whether the statuses of all results of methods that support the problem are `ok`, and a
+/// method supports the problem.
+template <class Result>
+bool are_converged(const std::vector<Result>& results) {
+  const auto is_ok = [](const Result& result) { return result.status == transform::Status::ok; };
+  const auto is_acceptable = [&](const Result& result) {
+    return is_ok(result) || result.status == transform::Status::not_offered;
+  };
+  return std::ranges::all_of(results, is_acceptable) && std::ranges::any_of(results, is_ok);
+}
 
 }  // namespace fpkcheck::study

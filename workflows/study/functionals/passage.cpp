@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "base/input_error.hpp"
@@ -15,7 +15,6 @@
 #include "report/figure/layout.hpp"
 #include "report/table.hpp"
 #include "report/text/wrap_text.hpp"
-#include "workflows/study/record.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -40,11 +39,9 @@ constexpr NamedQuantity kQuantities[] = {
 std::vector<double> parse_times(const PassageOptions& options) {
   std::vector<double> times;
   if (!options.times) return times;
-  std::istringstream items(*options.times);
-  for (std::string item; std::getline(items, item, ',');) {
-    const auto value = base::Parameter{.name = "times", .help = {}}.parse(item);
-    const double* number = value ? std::get_if<double>(&*value) : nullptr;
-    if (number == nullptr || !std::isfinite(*number) || *number < 0) {
+  for (const std::string& item : split_at_commas(*options.times)) {
+    const auto number = parse_finite_number(item);
+    if (!number || *number < 0) {
       throw InputError(fmt::format("--times {} (must be numbers >= 0, separated by commas)",
                                    base::in_quotes(item)));
     }
@@ -109,11 +106,9 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
 }
 
 bool has_converged(const PassageStudy& study) {
-  std::vector<Status> statuses;
-  for (const Passage& p : study.passages) {
-    if (!is_rice(p)) statuses.push_back(p.status);
-  }
-  return are_converged(statuses);
+  std::vector<Passage> computed;
+  std::ranges::remove_copy_if(study.passages, std::back_inserter(computed), is_rice);
+  return are_converged(computed);
 }
 
 std::string json(const PassageStudy& study, const std::string& command) {
@@ -147,9 +142,7 @@ std::string json(const PassageStudy& study, const std::string& command) {
     one["survival"] = std::move(survival);
     if (!is_rice(p)) error["survival"] = std::move(survival_error);
     one["error"] = std::move(error);
-    one["error_is"] = is_rice(p)              ? Json()
-                      : p.has_standard_errors ? Json("standard error")
-                                              : Json("discretisation error");
+    one["error_is"] = is_rice(p) ? Json() : Json(error_kind(p.has_standard_errors));
     solutions.push_back(std::move(one));
   }
   const Json passage{{"barrier", {{"displacement", *study.options.displacement}}},
@@ -202,11 +195,8 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
   }
   for (const Passage& p : study.passages) {
     if (!p.mean_from_stationary) continue;
-    columns.push_back({p.id, "value", p.id, "{:.6g}"});
-    if (!is_rice(p)) {
-      columns.push_back(
-          {p.id, p.has_standard_errors ? "std err" : "error", p.id + "-error", "{:.1e}"});
-    }
+    append_value_columns(p.id, "value", p.has_standard_errors, columns);
+    if (is_rice(p)) columns.pop_back();  // without errors
     std::size_t row = 0;
     const auto add = [&](const ValueWithError* value) {
       if (value != nullptr) {

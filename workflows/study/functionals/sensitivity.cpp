@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "base/input_error.hpp"
@@ -17,14 +16,12 @@
 #include "report/table.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/json.hpp"
-#include "workflows/study/record.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
 using transform::ExpectationDerivatives;
 using transform::Sensitivities;
-using transform::Status;
 
 // Steps of the difference quotients, relative to the parameter. The quotients of the matrix of the
 // finite volumes have errors of about 1e-8; a simulation needs a step that changes the moments by
@@ -34,9 +31,7 @@ constexpr double kMatrixStep = 1e-4, kSimulationStep = 0.02;
 std::vector<std::string> selected_parameters(const problem::Problem& problem,
                                              const SensitivityOptions& options) {
   if (!options.parameters) return problem::differentiable_parameters(problem);
-  std::vector<std::string> keys;
-  std::istringstream items(*options.parameters);
-  for (std::string key; std::getline(items, key, ',');) keys.push_back(key);
+  const std::vector<std::string> keys = split_at_commas(*options.parameters);
   if (keys.empty()) throw InputError("--parameters: empty list; omit the option for all numbers");
   return keys;
 }
@@ -89,11 +84,7 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
   return study;
 }
 
-bool has_converged(const SensitivityStudy& study) {
-  std::vector<Status> statuses;
-  for (const Sensitivities& s : study.solutions) statuses.push_back(s.status);
-  return are_converged(statuses);
-}
+bool has_converged(const SensitivityStudy& study) { return are_converged(study.solutions); }
 
 std::string json(const SensitivityStudy& study, const std::string& command) {
   using results::Json;
@@ -113,7 +104,7 @@ std::string json(const SensitivityStudy& study, const std::string& command) {
         entry["elasticities"][s.parameters[k]] = elasticity(s, one, k);
         entry["error"][s.parameters[k]] = one.errors[k];
       }
-      entry["error_is"] = s.has_standard_errors ? "standard error" : "discretisation error";
+      entry["error_is"] = error_kind(s.has_standard_errors);
       list.push_back(std::move(entry));
     }
   }
@@ -154,14 +145,13 @@ std::string table(const SensitivityStudy& study, const report::TextFormat& forma
       first = &s;
       columns.push_back({"", "elasticity", "elasticity", "{:.4f}"});
     }
-    columns.push_back({s.id, "derivative", s.id, "{:.6g}"});
-    columns.push_back(
-        {s.id, s.has_standard_errors ? "std err" : "error", s.id + "-error", "{:.1e}"});
+    append_value_columns(s.id, "derivative", s.has_standard_errors, columns);
     std::size_t row = 0;
     for (const ExpectationDerivatives& one : s.expectations) {
       for (std::size_t k = 0; k < s.parameters.size(); ++k, ++row) {
         if (row == rows.size()) {
-          rows.push_back({{"of", k == 0 ? one.expectation : std::string()},
+          // A blank is shown as such, an empty text as a missing value.
+          rows.push_back({{"of", k == 0 ? one.expectation : std::string(" ")},
                           {"parameter", s.parameters[k]},
                           {"elasticity", elasticity(s, one, k)}});
         }
@@ -170,12 +160,7 @@ std::string table(const SensitivityStudy& study, const report::TextFormat& forma
       }
     }
   }
-  if (first != nullptr) {
-    for (auto& row : rows) {
-      if (std::get<std::string>(row.front().value).empty()) row.front().value = " ";
-    }
-    text += table_text(rows, columns, format);
-  }
+  if (first != nullptr) text += table_text(rows, columns, format);
   for (const Sensitivities& s : study.solutions) {
     std::string line = solution_line(s.id, s.status, s.reason);
     if (has_derivatives(s)) line += fmt::format("{} ({:.1f} s)", s.details, s.seconds);

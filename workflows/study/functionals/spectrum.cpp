@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "base/input_error.hpp"
@@ -16,26 +17,14 @@
 #include "report/table.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/json.hpp"
-#include "workflows/study/record.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
 using transform::Spectrum;
 using transform::StateVariable;
-using transform::Status;
 
 constexpr int kAutomaticIntervals = 200, kMostIntervals = 10000;
-
-double number_of(const std::string& text, const std::string& whole) {
-  const auto value = base::Parameter{.name = "frequencies", .help = {}}.parse(text);
-  const double* number = value ? std::get_if<double>(&*value) : nullptr;
-  if (number == nullptr || !std::isfinite(*number)) {
-    throw InputError(
-        fmt::format("--frequencies {} (must be FROM:TO:N, as 0:4:200)", base::in_quotes(whole)));
-  }
-  return *number;
-}
 
 std::vector<double> evenly_spaced(double from, double to, int intervals) {
   std::vector<double> values;
@@ -53,22 +42,27 @@ std::vector<double> frequencies(const problem::Problem& problem, const SpectrumO
     return evenly_spaced(0, std::ceil(last / unit) * unit, kAutomaticIntervals);
   }
   const std::string& text = *options.frequencies;
+  const auto refuse = [&](const std::string& requirement) {
+    throw InputError(fmt::format("--frequencies {} ({})", base::in_quotes(text), requirement));
+  };
   const auto first = text.find(':'), second = text.find(':', first + 1);
-  if (first == std::string::npos || second == std::string::npos) number_of("", text);
-  const double from = number_of(text.substr(0, first), text);
-  const double to = number_of(text.substr(first + 1, second - first - 1), text);
-  const double intervals = number_of(text.substr(second + 1), text);
+  std::optional<double> given_from, given_to, given_intervals;
+  if (first != std::string::npos && second != std::string::npos) {
+    given_from = parse_finite_number(text.substr(0, first));
+    given_to = parse_finite_number(text.substr(first + 1, second - first - 1));
+    given_intervals = parse_finite_number(text.substr(second + 1));
+  }
+  if (!given_from || !given_to || !given_intervals) refuse("must be FROM:TO:N, as 0:4:200");
+  const double from = *given_from, to = *given_to, intervals = *given_intervals;
   const bool valid = 0 <= from && from < to && 1 <= intervals && intervals <= kMostIntervals &&
                      intervals == std::floor(intervals);
   if (!valid) {
-    throw InputError(fmt::format("--frequencies {} (must satisfy 0 <= FROM < TO and 1 <= N <= {})",
-                                 base::in_quotes(text), kMostIntervals));
+    refuse(fmt::format("must satisfy 0 <= FROM < TO and 1 <= N <= {}", kMostIntervals));
   }
   constexpr double kMostFrequencies = 1000;
   if (to > kMostFrequencies * mean_frequency) {
-    throw InputError(
-        fmt::format("--frequencies {} (TO must be at most {:g}, {:g} times the mean frequency)",
-                    base::in_quotes(text), kMostFrequencies * mean_frequency, kMostFrequencies));
+    refuse(fmt::format("TO must be at most {:g}, {:g} times the mean frequency",
+                       kMostFrequencies * mean_frequency, kMostFrequencies));
   }
   return evenly_spaced(from, to, static_cast<int>(intervals));
 }
@@ -122,11 +116,7 @@ SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOpti
   return study;
 }
 
-bool has_converged(const SpectrumStudy& study) {
-  std::vector<Status> statuses;
-  for (const Spectrum& s : study.spectra) statuses.push_back(s.status);
-  return are_converged(statuses);
-}
+bool has_converged(const SpectrumStudy& study) { return are_converged(study.spectra); }
 
 std::string json(const SpectrumStudy& study, const std::string& command) {
   using results::Json;
@@ -140,7 +130,7 @@ std::string json(const SpectrumStudy& study, const std::string& command) {
              {"frequency", has_density(s) ? Json(s.frequencies) : Json::array()},
              {"density", s.density},
              {"error", s.error},
-             {"error_is", s.has_standard_errors ? "standard error" : "discretisation error"},
+             {"error_is", error_kind(s.has_standard_errors)},
              {"variance", s.variance},
              {"variance_error", s.variance_error},
              {"peak", nullptr}};
@@ -189,9 +179,7 @@ std::string table(const SpectrumStudy& study, const report::TextFormat& format) 
   for (const Spectrum& s : study.spectra) {
     if (!has_density(s)) continue;
     if (first == nullptr) first = &s;
-    columns.push_back({s.id, "density", s.id, "{:.6g}"});
-    columns.push_back(
-        {s.id, s.has_standard_errors ? "std err" : "error", s.id + "-error", "{:.1e}"});
+    append_value_columns(s.id, "density", s.has_standard_errors, columns);
     const std::size_t last = s.density.size() - 1, step = (last + kRows - 1) / kRows;
     for (std::size_t k = 0, row = 0; k <= last; k += step, ++row) {
       if (row == rows.size()) rows.push_back({{"w", s.frequencies[k]}});
@@ -250,13 +238,11 @@ report::Figure figure(const SpectrumStudy& study) {
     series.push_back(std::move(one));
   }
   if (series.empty()) return {};
-  const std::string of = study.options.variable == StateVariable::y ? "y" : "y'";
   report::FigurePanel panel{
-      .title = fmt::format("one-sided spectral density of {}", of),
+      .title = fmt::format("one-sided spectral density of {}", symbol(study.options.variable)),
       .x = {"{/:Italic w}", study.spectra.front().frequencies.front(),
             study.spectra.front().frequencies.back()},
-      .y = report::logarithmic_axis(fmt::format("{{/:Italic G}}({{/:Italic w}})"), series,
-                                    &report::FigurePoint::y),
+      .y = report::logarithmic_axis("{/:Italic G}({/:Italic w})", series, &report::FigurePoint::y),
       .series = series};
   return {.title = report::problem_title(study.problem), .panels = {panel}, .columns = 1};
 }
