@@ -43,7 +43,7 @@ First passage of the displacement y above a barrier B: probability of survival o
 from rest and from the stationary law below the barrier, hazard (rate of passages in the limit of
 long times). Finite volumes solve the backward equation on y < B on three or more grids, whose
 differences give the error. The simulation measures the stays below the barrier and states standard
-errors. The row rice is the usual approximation by independent upward crossings at Rice's rate.
+errors. The column rice is the usual approximation by independent upward crossings at Rice's rate.
 Exit code 0 when the estimated errors by finite volumes are below --accuracy: relative errors, and
 absolute errors of survival probabilities.
 
