@@ -1,9 +1,13 @@
+#include <algorithm>
+#include <string>
+
 #include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/report_of_one_case.hpp"
 #include "workflows/study/functionals/passage.hpp"
 #include "workflows/study/functionals/sensitivity.hpp"
 #include "workflows/study/functionals/spectrum.hpp"
+#include "workflows/study/transient/comparison.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -53,6 +57,24 @@ examples:
   fpkcheck passage bistable --displacement 1 --out results
 )";
 
+constexpr const char* kOverTimeUsage = R"(usage: fpkcheck run CASE --until T [options]
+
+Densities p(y, t) and p(y', t) over time, from a Gaussian density at t = 0, by finite volumes,
+closures and simulation. The table has second moments and the L1 distances to the finite volumes.
+  fd    finite volumes on two grids with two tolerances of the time steps, whose difference gives
+        the error
+  epc   epc-moment and epc-polar, any order: exact moment equations with the moments as state; the
+        difference from order n-2 gives the error
+  mcs   independent paths, with sampling errors
+The status of finite volumes and closures is ok if their error is at most --accuracy. Exit code 0
+when finite volumes and simulation have status ok; closures may fail.
+
+examples:
+  fpkcheck run case1 --until 30
+  fpkcheck run case1 --until 30 --snapshots 60 --methods fd,epc-polar-n8,mcs --out results
+  fpkcheck run bistable --until 20 --start-mean-y 1
+)";
+
 /// Runs the command of a functional of the generator.
 /// @param study function that computes the functional of one problem with the options
 template <class Options, class Study>
@@ -82,6 +104,18 @@ int sensitivity_command(const CommandCall& call) {
   return run_functional(call, kSensitivityUsage, study::sensitivity_option_descriptions(),
                         "write sensitivity.json, .csv and a figure to DIR (default: no files)",
                         study::study_sensitivity);
+}
+
+bool requests_density_over_time(const CommandCall& call) {
+  return std::ranges::any_of(call.arguments, [](const std::string& argument) {
+    return argument == "--until" || argument.starts_with("--until=");
+  });
+}
+
+int density_over_time_command(const CommandCall& call) {
+  return run_functional(call, kOverTimeUsage, study::transient_comparison_option_descriptions(),
+                        "write over_time.json, .csv, .nc and a figure to DIR (default: no files)",
+                        study::compare_over_time);
 }
 
 int passage_command(const CommandCall& call) {

@@ -41,6 +41,10 @@ int bounds_command(const CommandCall& call);
 int reference_command(const CommandCall& call);
 int study_command(const CommandCall& call);
 int passage_command(const CommandCall& call);
+/// Whether the arguments of the command `run` contain --until.
+bool requests_density_over_time(const CommandCall& call);
+/// The command `run --until T`.
+int density_over_time_command(const CommandCall& call);
 int spectrum_command(const CommandCall& call);
 int sensitivity_command(const CommandCall& call);
 int sweep_command(const CommandCall& call);

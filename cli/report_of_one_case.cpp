@@ -16,6 +16,7 @@ void write_files(const std::filesystem::path& directory, const study::StudyRepor
   base::FileTransaction files;
   files.add(directory / (output.file_stem + ".json"), output.json + '\n');
   files.add(directory / (output.file_stem + ".csv"), output.csv);
+  if (!output.netcdf.empty()) files.add(directory / (output.file_stem + ".nc"), output.netcdf);
   files.commit();
   set_exit_message("all files were written except the figure");
   if (output.figure_script.empty()) return;
@@ -43,7 +44,8 @@ void ReportOfOneCase::write(const study::StudyReport& output) const {
                                                name(common.figures.formats.front()));
   print_output(fmt::format(
       "\n{}{:.1f} s.\n",
-      common.out ? fmt::format("Wrote {}.json{} to {} in ", output.file_stem, figure, *common.out)
+      common.out ? fmt::format("Wrote {}.json{}{} to {} in ", output.file_stem,
+                               output.netcdf.empty() ? "" : ", .nc", figure, *common.out)
                  : "Done in ",
       elapsed.count()));
 }

@@ -40,6 +40,8 @@ examples:
   fpkcheck run hertz --set system.force='0.1*v + y - k*max(-y,0)^1.5' --methods fd,mcs
   fpkcheck run case1 --against measured_y.csv:lab --against measured_v.csv:lab
   fpkcheck run case1 --against mine.csv:mine,equation=km4,impact=delta,order=6
+  fpkcheck run case1 --until 30
+      (densities over time; options: fpkcheck run --until 30 --help)
   fpkcheck run case1 --figures pdf,tex --figure-width 85 --curves epc-gaussian,mcs
 
 A FILE of --against has one of these formats (docs/external.md), with or without a header line:
@@ -64,6 +66,7 @@ std::string all_solver_names(const methods::SolverRegistry& registry) {
 }  // namespace
 
 int run_command(const CommandCall& call) {
+  if (requests_density_over_time(call)) return density_over_time_command(call);
   namespace po = boost::program_options;
   CommonArguments common;
   base::Values given;

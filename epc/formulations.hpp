@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "epc/half_plane/transient.hpp"
 #include "epc/options.hpp"
 #include "epc/summary.hpp"
 #include "problem/problem.hpp"
@@ -30,6 +33,11 @@ namespace moment {
 /// half_plane::set_status() checks further conditions.
 Result solve(const problem::Problem& problem, const Options& options);
 
+/// Computes the density over time by half_plane::evolve().
+half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
+                                    const problem::Gaussian& start,
+                                    const std::vector<double>& times);
+
 }  // namespace moment
 
 /// Closure p(y, v) = C exp(Q_n(rho, theta)) on y >= 0 in the amplitude rho and the phase theta of
@@ -41,6 +49,11 @@ namespace polar {
 /// Solves the exact moment equations in amplitude and phase and assesses the root. The status `ok`
 /// requires that the density decays to 1e-4 of its peak at the confinement level.
 Result solve(const problem::Problem& problem, const Options& options);
+
+/// Computes the density over time by half_plane::evolve().
+half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
+                                    const problem::Gaussian& start,
+                                    const std::vector<double>& times);
 
 }  // namespace polar
 

@@ -150,7 +150,9 @@ void add_half_plane_metrics(const Summary& summary, MetricBuilder& builder) {
       .add_result("tail.beyond_level", half_plane.beyond_level)
       .add_result("tail.polynomial_leading_form", text_of(*summary.leading_form))
       .add_diagnostic("quadrature_change", half_plane.quadrature_change)
-      .add_diagnostic("homotopies", value_from_count(half_plane.homotopies));
+      .add_diagnostic("homotopies", value_from_count(half_plane.homotopies))
+      .add_diagnostic("relaxation_rate", half_plane.relaxation_rate)
+      .add_diagnostic("relaxation_frequency", half_plane.relaxation_frequency);
 }
 
 }  // namespace

@@ -69,6 +69,9 @@ struct HalfPlaneSummary {
   /// Standard deviation of the change of the exponent Q_n by additional quadrature points
   double quadrature_change;
   int homotopies;
+  /// Decay rate and frequency of the slowest deviation of the moments from the root, under the
+  /// linearised moment equations
+  double relaxation_rate, relaxation_frequency;
 };
 
 /// Quantities that the solver of the closure reports besides the solution. If no root was found,

@@ -17,6 +17,7 @@
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 #include "fd_fpk/stopwatch.hpp"
+#include "problem/initial_density.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/undamped_orbits.hpp"
 #include "transform/coordinate_transformation.hpp"
@@ -30,37 +31,10 @@ using transform::Status;
 constexpr double kInitialBoxDeviations = 6;
 constexpr double kCellsPerDeviation = 5;
 
-Gaussian initial_density(const problem::Problem& problem, const problem::MotionScales& scales,
-                         const TransientOptions& transient) {
-  constexpr double kDefault = 0.5;
-  Gaussian start{
-      .displacement_deviation =
-          transient.start_displacement.value_or(kDefault * scales.displacement_deviation),
-      .velocity_deviation = transient.start_velocity.value_or(kDefault * scales.velocity_deviation),
-      .mean_displacement = has_linearised_scales(problem) ? 0 : scales.centre};
-  // The mean displacement in a symmetric well is 0 up to rounding errors.
-  constexpr double kRounding = 1e-12;
-  if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
-    start.mean_displacement = 0;
-  }
-  const problem::WallFrame& frame = problem.frame;
-  if (const auto& y = transient.start_mean_displacement) start.mean_displacement = frame.wall_x(*y);
-  if (const auto& v = transient.start_mean_velocity)
-    start.mean_velocity = frame.physical_velocity(*v);
-  const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
-  if ((left && start.mean_displacement < left->position) ||
-      (right && start.mean_displacement > right->position)) {
-    throw InputError(
-        fmt::format("start-mean-y = {:.6g}: behind a wall; choose a value between the walls",
-                    frame.physical_y(start.mean_displacement)));
-  }
-  return start;
-}
-
 // Returns the largest energy v^2/2 + V(y) between the walls, on the ellipse of
 // kInitialBoxDeviations standard deviations of the initial density.
 double max_initial_energy(const problem::System& system,
-                          const problem::EffectivePotential& potential, const Gaussian& start) {
+                          const problem::EffectivePotential& potential, const problem::Gaussian& start) {
   constexpr int kDirections = 120;
   double most = -HUGE_VAL;
   for (int n = 0; n < kDirections; ++n) {
@@ -79,7 +53,7 @@ double max_initial_energy(const problem::System& system,
 // Returns a box for the initial density, the stationary density and all states that the initial
 // energy can reach.
 Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                  const Options& options, const Gaussian& start, const Deadline& deadline) {
+                  const Options& options, const problem::Gaussian& start, const Deadline& deadline) {
   const auto& system = problem.system;
   Box box = stationary_box(problem, scales, options, deadline);
   const problem::UndampedOrbits orbits(problem);
@@ -98,7 +72,7 @@ Box transient_box(const problem::Problem& problem, const problem::MotionScales& 
 // Returns the options with cells refined for the initial density. A narrow initial density requires
 // narrow cells in y and in y', since the flow rotates the density in the phase plane.
 Options refine_for_initial_density(Options options, const LengthScales& of_stationary,
-                                   const Gaussian& start) {
+                                   const problem::Gaussian& start) {
   constexpr double kCells = 6;  // number of cells of the automatic grid per length scale
   const double narrowness = std::max(of_stationary.x1 / start.displacement_deviation,
                                      of_stationary.x2 / start.velocity_deviation);
@@ -182,7 +156,7 @@ Discretisation discretise_within_limit(const problem::Problem& problem, const Bo
 }
 
 void integrate_in_time(const problem::Problem& problem, const Options& options,
-                       const TransientOptions& transient, const Gaussian& gaussian,
+                       const TransientOptions& transient, const problem::Gaussian& gaussian,
                        const Discretisation& on, const FokkerPlanckOperator& op,
                        Preconditioner& preconditioner, const Deadline& deadline,
                        TransientResult& result) {
@@ -242,7 +216,12 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
                                      const TransientOptions& transient) {
   const problem::MotionScales scales = problem::scales(problem);
   const problem::WallFrame& frame = problem.frame;
-  const Gaussian start = initial_density(problem, scales, transient);
+  const problem::Gaussian start = problem::initial_density(
+      problem, scales,
+      {.displacement_deviation = transient.start_displacement,
+       .velocity_deviation = transient.start_velocity,
+       .mean_displacement = transient.start_mean_displacement,
+       .mean_velocity = transient.start_mean_velocity});
   TransientResult result;
   result.start_displacement = start.displacement_deviation;
   result.start_velocity = start.velocity_deviation;

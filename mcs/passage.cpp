@@ -250,7 +250,7 @@ std::optional<ValueWithError> simulate_from_rest(Simulation& simulation, double 
   const auto passages = static_cast<std::size_t>(per_stream);
   std::vector<std::vector<double>> found(streams);
   std::vector<CrossingDetector> detectors(streams, {barrier, plan.sampling_interval});
-  for (std::size_t s = 0; s < streams; ++s) simulation.restart(s, rest);
+  for (std::size_t s = 0; s < streams; ++s) simulation.restart(s, rest, 0);
   // From rest the mean time may be far longer than from the stationary law.
   constexpr double kMostRepetitions = 4;
   const double most_rounds =
@@ -277,7 +277,7 @@ std::optional<ValueWithError> simulate_from_rest(Simulation& simulation, double 
       if (passage) {
         if (found[s].size() < passages) found[s].push_back(*passage);
         detectors[s] = {barrier, plan.sampling_interval};
-        simulation.restart(s, rest);
+        simulation.restart(s, rest, 0);
       }
       finished += found[s].size() >= passages ? 1 : 0;
     }

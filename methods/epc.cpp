@@ -39,12 +39,8 @@ examples:
 )";
 
 MethodFamily family(const std::string& name, const std::string& meaning,
-                    std::vector<std::string> default_ids, const ColourRamp& ramp,
-                    const std::string& symbol) {
-  return {name, transform::SolutionRole::closure, meaning, std::move(default_ids),
-          [&ramp, symbol](const transform::SolutionIdentity& identity) {
-            return closure_style(ramp, identity, symbol);
-          }};
+                    std::vector<std::string> default_ids) {
+  return {name, transform::SolutionRole::closure, meaning, std::move(default_ids), closure_style};
 }
 
 }  // namespace
@@ -54,20 +50,19 @@ Solver epc_solver() {
       .name = "epc",
       .summary = "exponential-polynomial closure, the paper's equations (17)-(26)",
       .usage = kEpcUsage,
-      .families = {family(
-                       "epc-gaussian",
-                       "Exponential-polynomial closure of the paper: p = C exp(Q_n) with a "
-                       "polynomial of degree n, projected with Gaussian weights.",
-                       {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8"},
-                       kOrange, "triangle-up"),
+      .families = {family("epc-gaussian",
+                          "Exponential-polynomial closure of the paper: p = C exp(Q_n) with a "
+                          "polynomial of degree n, projected with Gaussian weights.",
+                          {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6",
+                           "epc-gaussian-n8"}),
                    family("epc-moment",
                           "The same form with the exact moment equations of the impact process "
                           "on the half-plane y >= 0.",
-                          {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}, kPurple, "square"),
+                          {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}),
                    family("epc-polar",
                           "As epc-moment, but with a polynomial of amplitude and phase, or of "
                           "amplitude and velocity.",
-                          {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}, kOlive, "diamond")},
+                          {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"})},
       .run_options = {"accuracy"}};
   return with_solver_traits<epc::Options>(
       std::move(entry),

@@ -28,10 +28,21 @@ std::size_t order_index(int order) {
   return std::min(static_cast<std::size_t>(std::max(2, order) / 2 - 1), kDashes.size() - 1);
 }
 
+// Shades of the hue, and name of the marker in plotly.js, of a formulation of the closure.
+struct FormulationStyle {
+  const ColourRamp& ramp;
+  const char* symbol;
+};
+constexpr FormulationStyle kGaussianStyle{kOrange, "triangle-up"}, kMomentStyle{kPurple, "square"},
+    kPolarStyle{kOlive, "diamond"};
+
 }  // namespace
 
-PlotStyle closure_style(const ColourRamp& ramp, const SolutionIdentity& identity,
-                        const std::string& symbol) {
+PlotStyle closure_style(const SolutionIdentity& identity) {
+  const std::string& formulation = identity.formulation;
+  const auto& [ramp, symbol] = formulation.starts_with("moment")  ? kMomentStyle
+                               : formulation.starts_with("polar") ? kPolarStyle
+                                                                  : kGaussianStyle;
   const auto shade = order_index(identity.order.value_or(2));
   return {.colour = ramp[shade],
           .dash = kDashes[shade],

@@ -23,11 +23,7 @@ inline constexpr ColourRamp kOlive{"#C9C46A", "#A8A23A", "#87811F",
 
 /// Returns the plot style of a closure. Each formulation has one hue and one marker. A closure of
 /// higher order has a darker shade and longer dashes. Closures are drawn above density equations.
-/// @param ramp shades of the hue of the formulation
-/// @param symbol name of the marker in plotly.js
-transform::PlotStyle closure_style(const ColourRamp& ramp,
-                                   const transform::SolutionIdentity& identity,
-                                   const std::string& symbol);
+transform::PlotStyle closure_style(const transform::SolutionIdentity& identity);
 
 /// Returns the plot style of a discretised density equation, a line. The equation with the full
 /// jump integral has a broad solid line on the lowest layer.

@@ -24,6 +24,10 @@ GalerkinSystem::DensityAtPoints GalerkinSystem::evaluate_density(const VectorXd&
   return density;
 }
 
+VectorXd GalerkinSystem::basis_means(const VectorXd& mass) const {
+  return tables_.basis_functions.transpose() * mass;
+}
+
 VectorXd GalerkinSystem::residual(const DensityAtPoints& density) const {
   return tables_.generator_terms.transpose() * density.mass +
          tables_.impact_terms.transpose() * density.wall_mass;
@@ -64,6 +68,23 @@ VectorXd GalerkinSystem::fit_coefficients(const VectorXd& exponent, const Vector
   const VectorXd solution =
       (columns.transpose() * weighted).ldlt().solve(weighted.transpose() * exponent);
   return solution.tail(size());
+}
+
+ClosureDensity make_closure_density(const ClosureEquations& equations, const VectorXd& a,
+                                    double level, TailTreatment tail) {
+  const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(a);
+  const QuadraturePoints& points = equations.points();
+  ClosureDensity closure{.q = equations.basis().exponent_polynomial(a),
+                         .temperature = density.mass.dot(points.v.cwiseAbs2()),
+                         .level = level,
+                         .support = support_energy(level, tail)};
+  // The constant term of Q_n differs between the basis and the monomials.
+  const double constant =
+      closure.q(points.s[0], points.t[0]) -
+      equations.basis().basis_values(points.s.head(1), points.t.head(1)).row(0).dot(a);
+  closure.log_normalisation = density.log_normalisation + constant;
+  closure.peak = density.peak + constant;
+  return closure;
 }
 
 }  // namespace fpkcheck::epc::half_plane

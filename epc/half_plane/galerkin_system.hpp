@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "epc/half_plane/basis.hpp"
+#include "epc/half_plane/closure_density.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
@@ -44,6 +45,9 @@ class GalerkinSystem {
   };
   DensityAtPoints evaluate_density(const Eigen::VectorXd& a) const;
 
+  /// Returns the means E[phi] of the basis functions.
+  /// @param mass probability at each quadrature point
+  Eigen::VectorXd basis_means(const Eigen::VectorXd& mass) const;
   Eigen::VectorXd residual(const DensityAtPoints& density) const;
   /// Returns the Jacobian with dR_phi/da_k in row phi and column k, by covariances of L*phi and the
   /// basis functions.
@@ -78,5 +82,10 @@ class ClosureEquations : public GalerkinSystem {
   Basis basis_;
   QuadraturePoints points_;
 };
+
+/// Returns the density with the coefficients a, without ClosureDensity::end_of_decay.
+/// @param level confinement level of the equations
+ClosureDensity make_closure_density(const ClosureEquations& equations, const Eigen::VectorXd& a,
+                                    double level, TailTreatment tail);
 
 }  // namespace fpkcheck::epc::half_plane

@@ -28,12 +28,26 @@ double residual_norm(const VectorXd& residual, const MatrixXd& covariance, doubl
   return factors.matrixL().solve(residual).norm() / unit;
 }
 
-double condition_number(const MatrixXd& jacobian, const MatrixXd& covariance) {
+namespace {
+
+// Returns L^-1 J^T L^-T, where G = L L^T is the covariance matrix: the transposed Jacobian in a basis
+// that is orthonormal under the density.
+MatrixXd transposed_orthonormal_jacobian(const MatrixXd& jacobian, const MatrixXd& covariance) {
   const Eigen::LLT<MatrixXd> factors(covariance);
-  MatrixXd scaled = factors.matrixL().solve(jacobian);
-  scaled = factors.matrixL().solve(scaled.transpose().eval());
-  const VectorXd values = numerics::singular_values(scaled);
+  const MatrixXd scaled = factors.matrixL().solve(jacobian);
+  return factors.matrixL().solve(scaled.transpose().eval());
+}
+
+}  // namespace
+
+double condition_number(const MatrixXd& jacobian, const MatrixXd& covariance) {
+  const VectorXd values =
+      numerics::singular_values(transposed_orthonormal_jacobian(jacobian, covariance));
   return values[0] / values[values.size() - 1];
+}
+
+std::complex<double> rightmost_eigenvalue(const MatrixXd& jacobian, const MatrixXd& covariance) {
+  return numerics::rightmost_eigenvalue(transposed_orthonormal_jacobian(jacobian, covariance));
 }
 
 double step_norm(const VectorXd& step, const MatrixXd& covariance) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 #include <functional>
 
 #include "epc/half_plane/galerkin_system.hpp"
@@ -30,6 +31,13 @@ double residual_norm(const Eigen::VectorXd& residual, const Eigen::MatrixXd& cov
 /// ratio of the largest to the smallest singular value of L^{-1} J L^{-T}, where G = L L^T is the
 /// covariance matrix.
 double condition_number(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& covariance);
+
+/// Returns the eigenvalue of J G^-1 with the largest real part, where J is the Jacobian and G the
+/// covariance matrix. Near a root the moments m = E[phi] of a density of the closure follow d(dm)/dt
+/// = J G^-1 dm. A root with a positive real part is unstable: densities of the closure leave it. The
+/// negative real part is the relaxation rate of the closure.
+std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& jacobian,
+                                          const Eigen::MatrixXd& covariance);
 
 /// Returns the standard deviation of the change of the exponent Q_n by a step in the coefficients
 /// of Q_n.

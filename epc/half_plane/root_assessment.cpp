@@ -13,8 +13,11 @@ namespace {
 
 using transform::Status;
 
-std::string common_inadmissible_reason(const transform::Solution& solution,
+std::string common_inadmissible_reason(const RootSearchResult& root,
+                                       const transform::Solution& solution,
                                        const Summary& summary) {
+  // Growth rate of an unstable root, in units of the relaxation rate.
+  constexpr double kGrowthLimit = 1e-3;
   constexpr double kBeyondLevelLimit = 1e-3;
   if (!(std::abs(solution.mass - 1) <= kMassTolerance)) {
     return fmt::format(
@@ -27,6 +30,13 @@ std::string common_inadmissible_reason(const transform::Solution& solution,
         "about {:.1e} of the probability lies at or beyond the confinement level (limit {:.0e}): "
         "the confinement distorts the density",
         summary.half_plane->beyond_level, kBeyondLevelLimit);
+  }
+  const double growth = root.rightmost_eigenvalue.real();
+  if (!(growth <= kGrowthLimit * root.rate_of_change_unit)) {
+    return fmt::format(
+        "the root is unstable: deviations of the moments grow at the rate {:.1e} under the moment "
+        "equations, so that no density of this form relaxes to the root",
+        growth);
   }
   return "";
 }
@@ -76,7 +86,9 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
       .level_deviations = std::sqrt(2 * closure.level / closure.temperature),
       .beyond_level = beyond(edges.level),
       .quadrature_change = root.quadrature_change,
-      .homotopies = root.homotopies};
+      .homotopies = root.homotopies,
+      .relaxation_rate = -root.rightmost_eigenvalue.real(),
+      .relaxation_frequency = root.rightmost_eigenvalue.imag()};
 }
 
 void set_status(const RootSearchResult& root, double quadrature_tolerance,
@@ -91,7 +103,7 @@ void set_status(const RootSearchResult& root, double quadrature_tolerance,
         root.quadrature_change, quadrature_tolerance, root.quadrature.s, root.quadrature.t);
     return;
   }
-  solution.reason = inadmissible_reason.empty() ? common_inadmissible_reason(solution, summary)
+  solution.reason = inadmissible_reason.empty() ? common_inadmissible_reason(root, solution, summary)
                                                 : inadmissible_reason;
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
 }

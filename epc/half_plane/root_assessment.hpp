@@ -32,7 +32,8 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
 /// - the formulation states a reason why the root is inadmissible;
 /// - the integral of the density by an independent quadrature is not 1;
 ///  - too much probability lies at or beyond the confinement level: the confinement would determine
-///    the density.
+///    the density;
+///  - the root is unstable under the moment equations.
 /// @param quadrature_tolerance tolerance on the change of the exponent Q_n on more quadrature
 ///   points, in standard deviations
 /// @param inadmissible_reason reason of the formulation, or empty

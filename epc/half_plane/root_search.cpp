@@ -243,18 +243,7 @@ class RootSearch {
 
   ClosureDensity closure_density_of(const ClosureEquations& equations, const VectorXd& a,
                                     double level) const {
-    const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(a);
-    const QuadraturePoints& points = equations.points();
-    ClosureDensity closure{.q = equations.basis().exponent_polynomial(a),
-                           .temperature = density.mass.dot(points.v.cwiseAbs2()),
-                           .level = level,
-                           .support = support_energy(level, options_.tail)};
-    // The constant term of Q_n differs between the basis and the monomials.
-    const double constant =
-        closure.q(points.s[0], points.t[0]) -
-        equations.basis().basis_values(points.s.head(1), points.t.head(1)).row(0).dot(a);
-    closure.log_normalisation = density.log_normalisation + constant;
-    closure.peak = density.peak + constant;
+    ClosureDensity closure = make_closure_density(equations, a, level, options_.tail);
     closure.end_of_decay = formulation_.end_of_decay(closure.q, closure.temperature);
     return closure;
   }
@@ -281,7 +270,11 @@ class RootSearch {
     root_.decay_ratio = formulation_.decay_ratio(root_.closure, SearchStage::last);
     root_.quadrature = size;
     root_.quadrature_change = quadrature_change;
-    root_.condition = condition_number(equations.jacobian(density), equations.covariance(density));
+    const Eigen::MatrixXd jacobian = equations.jacobian(density);
+    const Eigen::MatrixXd covariance = equations.covariance(density);
+    root_.condition = condition_number(jacobian, covariance);
+    root_.rightmost_eigenvalue = rightmost_eigenvalue(jacobian, covariance);
+    root_.rate_of_change_unit = unit_;
     return true;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,6 +26,9 @@ struct RootSearchResult {
   /// of iterations of all orders.
   numerics::NewtonResult newton;
   double condition = 0;
+  /// Eigenvalue with the largest real part of the linearised motion of the moments near the root
+  std::complex<double> rightmost_eigenvalue = {};
+  double rate_of_change_unit = 0;  ///< ClosureFormulation::rate_of_change_unit()
   int homotopies = 0;  ///< number of homotopies followed after damped Newton steps failed
   std::string failure;
 };

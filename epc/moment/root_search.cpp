@@ -253,10 +253,16 @@ class EnergyAveragedFormulation final : public MomentFormulation {
 
 }  // namespace
 
+std::unique_ptr<half_plane::ClosureFormulation> make_formulation(const problem::Problem& problem,
+                                                                 const Options& options) {
+  if (starts_from_linearisation(problem)) {
+    return std::make_unique<LinearisedFormulation>(problem, options);
+  }
+  return std::make_unique<EnergyAveragedFormulation>(problem, options);
+}
+
 half_plane::RootSearchResult find_root(const problem::Problem& problem, const Options& options) {
-  return starts_from_linearisation(problem)
-             ? half_plane::find_root(LinearisedFormulation(problem, options), options)
-             : half_plane::find_root(EnergyAveragedFormulation(problem, options), options);
+  return half_plane::find_root(*make_formulation(problem, options), options);
 }
 
 }  // namespace fpkcheck::epc::moment

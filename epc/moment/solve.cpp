@@ -84,4 +84,13 @@ Result solve(const problem::Problem& problem, const Options& options) {
   return result;
 }
 
+half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
+                                    const problem::Gaussian& start,
+                                    const std::vector<double>& times) {
+  return half_plane::evolve(*make_formulation(problem, options), problem, options, start, times,
+                            [&](const ClosureDensity& closure) {
+                              return density_from_exponent(problem, closure, options.tail);
+                            });
+}
+
 }  // namespace fpkcheck::epc::moment

@@ -51,28 +51,38 @@ transform::QuadratureMarginals previous_marginals(const Coordinates& coordinates
   return before;
 }
 
-}  // namespace
-
-Result solve(const problem::Problem& problem, const Options& options) {
-  const Coordinates coordinates(problem);
+amplitude::CoordinateFormulation<Coordinates> make_formulation(const problem::Problem& problem,
+                                                               const Coordinates& coordinates,
+                                                               const Options& options) {
   // The temperature is the mean square velocity plus the potential energy of the static deflection.
   // Equivalent linearisation does not include the potential energy of the static deflection.
   const problem::MotionScales scales = problem::scales(problem);
   const double centre = coordinates.sqrt_twice_potential(scales.centre);
   const double temperature =
       scales.velocity_deviation * scales.velocity_deviation + centre * centre / 2;
-  const RootSearchResult root = half_plane::find_root(
-      amplitude::CoordinateFormulation(problem, coordinates, temperature,
-                                       half_plane::rate_of_change_unit(problem, temperature),
-                                       options.tail),
-      options);
+  return {problem, coordinates, temperature, half_plane::rate_of_change_unit(problem, temperature),
+          options.tail};
+}
+
+transform::SmoothDensity density_from_exponent(const ClosureDensity& closure,
+                                               const Coordinates& coordinates, TailTreatment tail) {
+  return amplitude::density_from_exponent(closure.q, coordinates, closure.support,
+                                          half_plane::make_confinement(closure.level, tail),
+                                          -closure.log_normalisation);
+}
+
+}  // namespace
+
+Result solve(const problem::Problem& problem, const Options& options) {
+  const Coordinates coordinates(problem);
+  const RootSearchResult root =
+      half_plane::find_root(make_formulation(problem, coordinates, options), options);
   Result result = half_plane::initial_result_of_search(root);
   if (!root.failure.empty()) return result;
 
   const ClosureDensity& closure = root.closure;
-  const transform::SmoothDensity density = amplitude::density_from_exponent(
-      closure.q, coordinates, closure.support,
-      half_plane::make_confinement(closure.level, options.tail), -closure.log_normalisation);
+  const transform::SmoothDensity density =
+      density_from_exponent(closure, coordinates, options.tail);
   const QuadraturePanelSpacing panels = panels_for(density);
   const auto marginals = store_density(problem, ImpactCondition::map, density, result, panels);
   if (root.previous) {
@@ -81,6 +91,16 @@ Result solve(const problem::Problem& problem, const Options& options) {
   }
   amplitude::assess_root(problem, coordinates, root, options.tail, density, "the density", result);
   return result;
+}
+
+half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
+                                    const problem::Gaussian& start,
+                                    const std::vector<double>& times) {
+  const Coordinates coordinates(problem);
+  return half_plane::evolve(make_formulation(problem, coordinates, options), problem, options,
+                            start, times, [&](const ClosureDensity& closure) {
+                              return density_from_exponent(closure, coordinates, options.tail);
+                            });
 }
 
 }  // namespace fpkcheck::epc::polar

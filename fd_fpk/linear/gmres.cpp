@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "fd_fpk/linear/sundials_handles.hpp"
+#include "numerics/ode/sundials_handles.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
-using namespace sundials_owned;
+using namespace numerics::sundials_owned;
 
 struct GmresCallbackData {
   const LinearMap& a;

@@ -1,43 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
-
-/// Stores an exception that a callback of SUNDIALS throws. Exceptions must not propagate through
-/// the C stack frames of SUNDIALS. The callback returns a flag instead, and the caller of SUNDIALS
-/// rethrows the exception.
-class CallbackExceptionStore {
- public:
-  /// Negative flag of a callback, which SUNDIALS treats as an unrecoverable error
-  static constexpr int kUnrecoverable = -1;
-
-  /// Calls `callback` and returns the flag, or kUnrecoverable if the callback throws.
-  template <class Callback>
-  int invoke(const Callback& callback) noexcept {
-    try {
-      return callback();
-    } catch (...) {
-      // Only the first exception is kept, since later exceptions may be consequences of the first.
-      if (!thrown_) thrown_ = std::current_exception();
-      return kUnrecoverable;
-    }
-  }
-
-  void rethrow() {
-    if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
-  }
-
- private:
-  std::exception_ptr thrown_;
-};
 
 /// A linear map A on vectors: the function returns A x.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;

@@ -3,19 +3,19 @@
 #include <cmath>
 
 #include "fd_fpk/linear/gmres.hpp"
-#include "fd_fpk/linear/sundials_handles.hpp"
+#include "numerics/ode/sundials_handles.hpp"
 
 namespace fpkcheck::fd_fpk {
 
 struct CvodeCallbackData {
   LinearOdeSystem system;
   std::string message = {};
-  CallbackExceptionStore thrown = {};
+  numerics::sundials_owned::CallbackExceptionStore thrown = {};
 };
 
 namespace {
 
-using namespace sundials_owned;
+using namespace numerics::sundials_owned;
 
 CvodeCallbackData& callbacks_in(void* data) { return *static_cast<CvodeCallbackData*>(data); }
 

@@ -399,7 +399,7 @@ BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales, co
   return box_edge_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));
 }
 
-Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid) {
+Eigen::VectorXd cell_averages(const problem::Gaussian& gaussian, const Grid& grid) {
   const Eigen::VectorXd y =
       normal_cell_averages(grid.x1, gaussian.displacement_deviation, gaussian.mean_displacement);
   const Eigen::VectorXd v =

@@ -7,6 +7,7 @@
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "problem/balances.hpp"
 #include "problem/effective_potential.hpp"
+#include "problem/initial_density.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/density.hpp"
 #include "transform/marginal.hpp"
@@ -110,13 +111,8 @@ WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const
 BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales, const Grid& grid,
                                          const Eigen::VectorXd& averages);
 
-/// Gaussian density of independent x and x'
-struct Gaussian {
-  double displacement_deviation, velocity_deviation;
-  double mean_displacement = 0, mean_velocity = 0;
-};
 /// Returns cell averages of the Gaussian, truncated at the ends of the grid, with mass 1.
-Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid);
+Eigen::VectorXd cell_averages(const problem::Gaussian& gaussian, const Grid& grid);
 
 /// Returns the cell averages of the Gaussian of problem::MotionScales, truncated at the walls and
 /// normalised to mass 1. Time steps and iterations start from the truncated Gaussian.

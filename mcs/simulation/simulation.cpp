@@ -87,10 +87,10 @@ void Simulation::keep_series() {
   motion_.keeps_series = true;
 }
 
-void Simulation::restart(std::size_t stream, double displacement) {
+void Simulation::restart(std::size_t stream, double y, double v) {
   Branch& branch = streams_[stream].branch;
-  branch.y = displacement;
-  branch.v = 0;
+  branch.y = y;
+  branch.v = v;
   branch.time_to_rest = -1;
   branch.time_to_sample = plan_->sampling_interval / 2;
   if (std::isfinite(plan_->excitation.interval)) {
@@ -99,6 +99,8 @@ void Simulation::restart(std::size_t stream, double displacement) {
     branch.amplitude = next.amplitude;
   }
 }
+
+void Simulation::advance_without_records(double time) { advance_streams(false, time); }
 
 void Simulation::burn_in() { advance_streams(false, plan_->burn_in); }
 

@@ -35,9 +35,11 @@ class Simulation {
 
   void burn_in();
   void run_round();
-  /// Puts a stream at rest at a displacement. The next sample is half a sampling interval later, and
-  /// the next impulse comes after a new waiting time.
-  void restart(std::size_t stream, double displacement);
+  /// Advances all streams by `time` without statistics and series.
+  void advance_without_records(double time);
+  /// Puts a stream at (y, v). The next sample is half a sampling interval later, and the next impulse
+  /// comes after a new waiting time.
+  void restart(std::size_t stream, double y, double v);
 
   const SimulationPlan& plan() const { return *plan_; }
   std::uint64_t rounds() const { return rounds_; }

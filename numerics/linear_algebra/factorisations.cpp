@@ -1,10 +1,12 @@
 #include "numerics/linear_algebra/factorisations.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "numerics/linear_algebra/subtract_product.hpp"
 
@@ -21,6 +23,14 @@ double LuFactors::determinant() const { return lu_->determinant(); }
 
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
   return matrix.jacobiSvd().singularValues();
+}
+
+std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& matrix) {
+  const Eigen::VectorXcd values = matrix.eigenvalues();
+  const auto is_left_of = [](std::complex<double> a, std::complex<double> b) {
+    return std::pair(a.real(), a.imag()) < std::pair(b.real(), b.imag());
+  };
+  return *std::ranges::max_element(values, is_left_of);
 }
 
 SingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix) {

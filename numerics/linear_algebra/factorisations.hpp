@@ -1,10 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
 #include <memory>
 #include <vector>
 
-/// LU factorisation and singular values of dense matrices, and Cholesky factorisation of
+/// LU factorisation, singular values and eigenvalues of dense matrices, and Cholesky factorisation of
 /// block-banded matrices.
 namespace fpkcheck::numerics {
 
@@ -26,6 +27,10 @@ class LuFactors {
 
 /// Returns the singular values of a matrix in decreasing order.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
+
+/// Returns the eigenvalue of a square matrix with the largest real part, and of a conjugate pair the
+/// one with the positive imaginary part.
+std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& matrix);
 
 struct SingularityIndicators {
   double smallest_singular_value;

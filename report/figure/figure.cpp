@@ -345,7 +345,7 @@ PanelGrid figure_grid(const Figure& figure, const Legend& legend, FigureWidth wi
   if (figure.panels.front().x.rotated_tics) grid.below = 120;
   if (has_common_colours(figure)) {
     grid.right_margin = kColourBarSpace;
-  } else if (figure.panels.front().map) {
+  } else if (std::ranges::any_of(figure.panels, [](const auto& panel) { return !!panel.map; })) {
     grid.panel_right_margin = kColourBarSpace;
   }
   grid.legend_height = legend.entries.empty() ? 0 : legend_height(legend, grid.width);

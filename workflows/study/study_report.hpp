@@ -13,6 +13,7 @@ struct StudyReport {
   std::string csv;            ///< contents of STEM.csv with a header; missing numbers are empty
   std::string text;           ///< tables with sentences that summarise their numbers
   std::string figure_script;  ///< gnuplot script that draws STEM.png; empty without a figure
+  std::string netcdf = {};    ///< contents of STEM.nc; empty without this file
 };
 
 /// Makes the report of a study. If table rows exceed the width of `format`, the least important
@@ -23,8 +24,10 @@ StudyReport make_study_report(const Study& study, const std::string& command,
                               report::FigureWidth width = report::FigureWidth::screen) {
   const std::string stem = Study::kFileStem;
   const report::Figure drawn = figure(study);
-  return {stem, json(study, command), csv(study), table(study, format),
-          drawn.panels.empty() ? "" : report::figure_script(drawn, stem, width)};
+  StudyReport report{stem, json(study, command), csv(study), table(study, format),
+                     drawn.panels.empty() ? "" : report::figure_script(drawn, stem, width)};
+  if constexpr (requires { netcdf(study, command); }) report.netcdf = netcdf(study, command);
+  return report;
 }
 
 }  // namespace fpkcheck::study

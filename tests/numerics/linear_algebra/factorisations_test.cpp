@@ -60,5 +60,14 @@ TEST(BlockBandedMatrix, ReportsIndefiniteMatrix) {
   EXPECT_FALSE(example.banded.factorise());
 }
 
+TEST(RightmostEigenvalue, HasTheLargestRealPartAndAPositiveImaginaryPart) {
+  // Eigenvalues -1 +- 2 i and -3
+  const Eigen::Matrix3d oscillating{{-1, 2, 0}, {-2, -1, 0}, {5, 0, -3}};
+  EXPECT_NEAR(rightmost_eigenvalue(oscillating).real(), -1, 1e-12);
+  EXPECT_NEAR(rightmost_eigenvalue(oscillating).imag(), 2, 1e-12);
+  const Eigen::Matrix2d triangular{{-4, 7}, {0, 0.5}};
+  EXPECT_NEAR(rightmost_eigenvalue(triangular).real(), 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace fpkcheck::numerics

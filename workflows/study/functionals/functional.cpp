@@ -17,13 +17,16 @@ namespace fpkcheck::study {
 
 using transform::Status;
 
-std::vector<SelectedMethod> select_methods(const FunctionalOptions& options) {
+std::vector<SelectedMethod> select_methods(const FunctionalOptions& options,
+                                           SelectableMethods selectable) {
+  const bool has_closures = selectable == SelectableMethods::with_closures;
   std::vector<SelectedMethod> methods;
   for (const std::string& item : split_at_commas(options.methods)) {
     const std::string id = item == "fd" ? "fd-kf" : item;
     SelectedMethod method;
     method.fd = fd_fpk::options_of(id);
     method.mcs = mcs::options_of(id);
+    if (has_closures) method.epc = epc::options_of(id);
     if (method.fd) {
       method.identity = fd_fpk::solution_identity(*method.fd);
       method.identity.plot_style = methods::density_equation_style(method.identity);
@@ -35,11 +38,16 @@ std::vector<SelectedMethod> select_methods(const FunctionalOptions& options) {
       method.mcs->time = options.time;
       method.mcs->seed = options.seed;
       method.mcs->threads = options.threads;
+    } else if (method.epc) {
+      epc::validate(*method.epc);
+      method.identity = epc::identity(*method.epc);
+      method.identity.plot_style = methods::closure_style(method.identity);
+      method.epc->max_seconds = options.max_seconds;
     } else {
       throw InputError(fmt::format(
-          "--methods: {} is no method of this command; use fd-kf, fd-white, fd-km4, mcs or "
+          "--methods: {} is no method of this command; use fd-kf, fd-white, fd-km4, {}mcs or "
           "mcs-white",
-          base::in_quotes(item)));
+          base::in_quotes(item), has_closures ? "epc-polar-n6, epc-moment-n6, " : ""));
     }
     const auto has_same_id = [&](const SelectedMethod& other) {
       return other.identity.id == method.identity.id;
@@ -52,8 +60,9 @@ std::vector<SelectedMethod> select_methods(const FunctionalOptions& options) {
 
 void for_each_selected_method(const problem::Problem& problem, const FunctionalOptions& options,
                               const methods::ProgressListener& listener,
-                              const std::function<void(const SelectedMethod&)>& compute) {
-  auto selected = select_methods(options);
+                              const std::function<void(const SelectedMethod&)>& compute,
+                              SelectableMethods selectable) {
+  auto selected = select_methods(options, selectable);
   for (std::size_t k = 0; k < selected.size(); ++k) {
     const auto progress = [&](double fraction) {
       if (!listener) return;

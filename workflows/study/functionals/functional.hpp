@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/options/description.hpp"
+#include "epc/options.hpp"
 #include "fd_fpk/options.hpp"
 #include "mcs/options.hpp"
 #include "methods/run_cases.hpp"
@@ -33,10 +34,14 @@ struct FunctionalOptions {
 /// @tparam Options a struct derived from FunctionalOptions
 /// @param accuracy_help meaning of the option --accuracy
 /// @param time_help meaning of the option --time
+/// @param methods_help meaning of the option --methods
 template <class Options>
 base::Description<Options> with_functional_options(base::Description<Options> own,
                                                    const std::string& accuracy_help,
-                                                   const std::string& time_help) {
+                                                   const std::string& time_help,
+                                                   const std::string& methods_help =
+                                                       "ids of methods: fd-kf, fd-white, fd-km4, "
+                                                       ".., mcs, mcs-white") {
   using namespace base;
   const Options defaults;
   const auto member = [](auto FunctionalOptions::*of_base) {
@@ -44,14 +49,13 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
         std::remove_reference_t<decltype(std::declval<Options>().*of_base)> Options::*>(of_base);
   };
   return std::move(own)
-      .add("methods", member(&FunctionalOptions::methods),
-           {"LIST", "ids of methods: fd-kf, fd-white, fd-km4, .., mcs, mcs-white"})
+      .add("methods", member(&FunctionalOptions::methods), {"LIST", methods_help})
       .with_default(defaults.methods)
       .add("accuracy", member(&FunctionalOptions::accuracy), {"A", accuracy_help},
            positive_numbers())
       .with_default(defaults.accuracy)
       .add("max_seconds", member(&FunctionalOptions::max_seconds),
-           {"S", "time limit of the finite volumes in seconds"}, positive_numbers())
+           {"S", "time limit in seconds of each method except the simulation"}, positive_numbers())
       .with_default(defaults.max_seconds)
       .add("time", member(&FunctionalOptions::time), {"T", time_help}, positive_numbers())
       .add("seed", member(&FunctionalOptions::seed), {"N", "seed of the simulation"},
@@ -62,23 +66,30 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
            closed_interval(1, 4096));
 }
 
-/// A method of finite volumes or a simulation with its options; one of `fd` and `mcs` is present.
+/// A method with its options; one of `fd`, `epc` and `mcs` is present.
 struct SelectedMethod {
   transform::SolutionIdentity identity;  ///< with the plot style of the method
   std::optional<fd_fpk::Options> fd = {};
+  std::optional<epc::Options> epc = {};
   std::optional<mcs::Options> mcs = {};
 };
 
+enum class SelectableMethods { finite_volumes_and_simulations, with_closures };
+
 /// Returns the methods of the comma-separated list FunctionalOptions::methods. The item "fd" selects
 /// "fd-kf".
-/// @throws InputError if an item selects no method
-std::vector<SelectedMethod> select_methods(const FunctionalOptions& options);
+/// @throws InputError if an item selects no method, or a closure that is not selectable
+std::vector<SelectedMethod> select_methods(
+    const FunctionalOptions& options,
+    SelectableMethods selectable = SelectableMethods::finite_volumes_and_simulations);
 
 /// Calls `compute` with each selected method. The options of a simulation report its progress.
 /// @throws InputError as select_methods()
-void for_each_selected_method(const problem::Problem& problem, const FunctionalOptions& options,
-                              const methods::ProgressListener& listener,
-                              const std::function<void(const SelectedMethod&)>& compute);
+void for_each_selected_method(
+    const problem::Problem& problem, const FunctionalOptions& options,
+    const methods::ProgressListener& listener,
+    const std::function<void(const SelectedMethod&)>& compute,
+    SelectableMethods selectable = SelectableMethods::finite_volumes_and_simulations);
 
 /// Returns the JSON text of one case with a list of results under `key`, as in summary.json.
 std::string functional_json(const problem::Problem& problem, const std::string& key,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "report/figure/layout.hpp"
+#include "workflows/study/transient/density_panel.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -29,27 +30,28 @@ double interpolate(std::span<const double> edges, std::span<const double> averag
   return (1 - weight) * averages[b] + weight * averages[b + 1];
 }
 
-/// @param symbol symbol of the variable, in gnuplot's enhanced text
-report::FigurePanel density_panel(const TransientRun& run, const char* title,
-                                  const std::string& symbol, const std::vector<double>& edges,
-                                  std::vector<double> DensitySnapshot::*marginal) {
+}  // namespace
+
+report::FigurePanel density_panel(const DensityOverTime& density, const std::string& title,
+                                  const std::string& symbol) {
+  assert(density.times.size() >= 2);
   // Smallest drawn density, as a fraction of the largest density.
   constexpr double kVisible = 2e-3;
-  const auto& snapshots = run.result.snapshots;
+  const auto& [edges, times, averages] = density;
   double largest = 0, from = edges.back(), to = edges.front();
-  for (const auto& s : snapshots) largest = std::max(largest, std::ranges::max(s.*marginal));
-  for (const auto& s : snapshots) {
+  for (const auto* p : averages) largest = std::max(largest, std::ranges::max(*p));
+  for (const auto* p : averages) {
     for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
-      if ((s.*marginal)[b] < kVisible * largest) continue;
+      if ((*p)[b] < kVisible * largest) continue;
       from = std::min(from, edges[b]);
       to = std::max(to, edges[b + 1]);
     }
   }
   // If a run has more snapshots than the map has columns of pixels, the columns are interpolated in
   // time.
-  const int last = static_cast<int>(snapshots.size()) - 1;
+  const int last = static_cast<int>(times.size()) - 1;
   const int steps = std::min(last, kMaxColumns - 1);
-  const double until = snapshots.back().time, half_step = until / steps / 2;
+  const double until = times.back(), half_step = until / steps / 2;
   report::FigureHeatMap map{
       .x_range = {-half_step, until + half_step},
       .y_range = {from, to},
@@ -69,11 +71,23 @@ report::FigurePanel density_panel(const TransientRun& run, const char* title,
       const double place = static_cast<double>(c) * last / steps;
       const int before = std::min(static_cast<int>(place), last - 1);
       const double weight = place - before;
-      map.values.push_back((1 - weight) * interpolate(edges, snapshots[before].*marginal, x) +
-                           weight * interpolate(edges, snapshots[before + 1].*marginal, x));
+      map.values.push_back((1 - weight) * interpolate(edges, *averages[before], x) +
+                           weight * interpolate(edges, *averages[before + 1], x));
     }
   }
   return {.title = title, .x = {"{/:Italic t}", 0, until}, .y = {symbol, from, to}, .map = map};
+}
+
+namespace {
+
+DensityOverTime density_over_time(const TransientRun& run, const std::vector<double>& edges,
+                                  std::vector<double> DensitySnapshot::*marginal) {
+  DensityOverTime density{.edges = edges};
+  for (const DensitySnapshot& s : run.result.snapshots) {
+    density.times.push_back(s.time);
+    density.averages.push_back(&(s.*marginal));
+  }
+  return density;
 }
 
 }  // namespace
@@ -81,10 +95,10 @@ report::FigurePanel density_panel(const TransientRun& run, const char* title,
 report::Figure transient_figure(const TransientRun& run) {
   assert(run.result.snapshots.size() >= 2);
   return {.title = report::problem_title(run.problem),
-          .panels = {density_panel(run, "displacement", "{/:Italic y}", run.result.y_edges,
-                                   &DensitySnapshot::y),
-                     density_panel(run, "velocity", "{/:Italic y}'", run.result.v_edges,
-                                   &DensitySnapshot::v)},
+          .panels = {density_panel(density_over_time(run, run.result.y_edges, &DensitySnapshot::y),
+                                   "displacement", "{/:Italic y}"),
+                     density_panel(density_over_time(run, run.result.v_edges, &DensitySnapshot::v),
+                                   "velocity", "{/:Italic y}'")},
           .columns = 1};
 }
 

@@ -5,15 +5,18 @@
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
 
+#include <sundials/sundials_matrix.h>
 #include <Eigen/Core>
+#include <exception>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <sundials/sundials_context.hpp>
+#include <utility>
 
 /// Owning handles of SUNDIALS objects, and a check of the flags that SUNDIALS returns. Only
 /// sundials_handles.hpp depends on the differences between SUNDIALS 6 and 7.
-namespace fpkcheck::fd_fpk::sundials_owned {
+namespace fpkcheck::numerics::sundials_owned {
 
 /// Flag of success: SUN_SUCCESS of SUNDIALS 7, CV_SUCCESS and SUNLS_SUCCESS of SUNDIALS 6.
 inline constexpr int kSuccess = 0;
@@ -33,9 +36,38 @@ struct QuietContext : sundials::Context {
   }
 };
 
+/// Stores an exception that a callback of SUNDIALS throws. Exceptions must not propagate through
+/// the C stack frames of SUNDIALS. The callback returns a flag instead, and the caller of SUNDIALS
+/// rethrows the exception.
+class CallbackExceptionStore {
+ public:
+  /// Negative flag of a callback, which SUNDIALS treats as an unrecoverable error
+  static constexpr int kUnrecoverable = -1;
+
+  /// Calls `callback` and returns the flag, or kUnrecoverable if the callback throws.
+  template <class Callback>
+  int invoke(const Callback& callback) noexcept {
+    try {
+      return callback();
+    } catch (...) {
+      // Only the first exception is kept, since later exceptions may be consequences of the first.
+      if (!thrown_) thrown_ = std::current_exception();
+      return kUnrecoverable;
+    }
+  }
+
+  void rethrow() {
+    if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+  }
+
+ private:
+  std::exception_ptr thrown_;
+};
+
 struct HandleDeleter {
   void operator()(N_Vector v) const { N_VDestroy(v); }
   void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+  void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
   void operator()(void* cvode) const { CVodeFree(&cvode); }
 };
 template <class Handle>
@@ -93,4 +125,4 @@ inline OwnedHandle<N_Vector> make_sundials_vector(const Eigen::VectorXd& values,
   return v;
 }
 
-}  // namespace fpkcheck::fd_fpk::sundials_owned
+}  // namespace fpkcheck::numerics::sundials_owned

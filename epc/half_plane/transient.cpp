@@ -1,0 +1,376 @@
+#include "epc/half_plane/transient.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "epc/half_plane/newton.hpp"
+#include "numerics/ode/bdf_integrator.hpp"
+#include "problem/motion_scales.hpp"
+
+namespace fpkcheck::epc::half_plane {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using transform::Status;
+
+// Tolerances of CVODE for the moments. The basis functions have a variance of about 1. At 1e-6 the
+// moments of order 8 miss a maximum of the entropy at t = 0.8 in case 1, and the density is wrong by
+// 0.05 in L1.
+constexpr double kTimeTolerance = 1e-7;
+// Largest confinement level in deviations of v of the stationary density. At larger levels moments
+// of order 8 vary by 1e4 deviations, and the integration of case 1 needs a tolerance of 1e-10.
+constexpr double kLevelDeviations = 6.5;
+// Probability beyond kEdgeOfLevel times the confinement level from which a density is inadmissible.
+// Densities that do not depend on the level have less than 3e-6, the others 2e-5 and more.
+constexpr double kEdgeOfLevel = 0.8, kBeyondEdgeLimit = 1e-5;
+// Probability of the initial density beyond the edge from which the level is increased.
+constexpr double kStartBeyondEdge = 1e-8;
+constexpr double kLevelIncrease = 1.25;
+constexpr int kMostIncreases = 12;
+// Largest accepted change of the exponent Q_n, and of the rates of the moments, by more points.
+constexpr double kQuadratureTolerance = 1e-3;
+constexpr int kMostRefinements = 2;
+
+/// Coefficients a(m) of the density of an exponential family with the moments m of the basis
+/// functions. The search starts from the last density that was found.
+class CoefficientsOfMoments {
+ public:
+  struct State {
+    VectorXd a;
+    VectorXd moments;
+    GalerkinSystem::DensityAtPoints density;
+  };
+
+  CoefficientsOfMoments(const ClosureEquations& equations, const VectorXd& a)
+      : equations_(equations) {
+    if (auto state = state_at(a)) last_ = std::move(*state);
+  }
+
+  const State& last() const { return last_; }
+  /// Returns the Cholesky factors of the covariance matrix M of the density last().
+  const Eigen::LLT<MatrixXd>& covariance() {
+    factorise(last_);
+    return factors_;
+  }
+
+  /// Finds the coefficients for the moments m by damped Newton steps, and keeps them as last(). The
+  /// covariance matrix of an earlier density serves as long as the steps shorten fast.
+  /// @return false if the moments belong to no density, as far as the search finds
+  bool find(const VectorXd& m) {
+    constexpr double kTolerance = 1e-9, kFastContraction = 0.2;
+    constexpr int kMostIterations = 60;
+    if (last_.a.size() == 0 || !m.allFinite()) return false;
+    State state = last_;
+    if (factorised_at_.size() == 0 && !factorise(state)) return false;
+    double before = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+      VectorXd step = factors_.solve(m - state.moments);
+      // The length of the step in Fisher's metric is the standard deviation of the change of Q_n.
+      double length = std::sqrt(std::max(0.0, step.dot(m - state.moments)));
+      if (!std::isfinite(length)) return false;
+      if (length < kTolerance) {
+        last_ = std::move(state);
+        return true;
+      }
+      if (length > kFastContraction * before && !is_factorised(state)) {
+        if (!factorise(state)) return false;
+        step = factors_.solve(m - state.moments);
+        length = std::sqrt(std::max(0.0, step.dot(m - state.moments)));
+      }
+      before = length;
+      std::optional<State> next = shortened_step(state, step, length, m);
+      if (!next && is_factorised(state)) return false;
+      if (next) state = std::move(*next);
+      if (!next) before = 0;  // the next iteration computes the covariance matrix
+    }
+    return false;
+  }
+
+ private:
+  std::optional<State> state_at(const VectorXd& a) const {
+    State state{a, {}, equations_.evaluate_density(a)};
+    if (!state.density.finite) return std::nullopt;
+    state.moments = equations_.basis_means(state.density.mass);
+    return state;
+  }
+
+  bool is_factorised(const State& state) const {
+    return factorised_at_.size() == state.a.size() && factorised_at_ == state.a;
+  }
+  bool factorise(const State& state) {
+    if (is_factorised(state)) return true;
+    factors_.compute(equations_.covariance(state.density));
+    factorised_at_ = state.a;
+    return factors_.info() == Eigen::Success;
+  }
+
+  // Returns the state after the longest part of a step, of a length of at most 1 in Fisher's metric,
+  // that decreases ln Z(a) - a^T m.
+  std::optional<State> shortened_step(const State& from, const VectorXd& step, double length,
+                                      const VectorXd& m) const {
+    constexpr double kLongestStep = 1, kLeastFraction = 1e-3, kRounding = 1e-12;
+    const double before = from.density.log_normalisation - from.a.dot(m);
+    for (double fraction = std::min(1.0, kLongestStep / length);
+         fraction > kLeastFraction * std::min(1.0, kLongestStep / length); fraction /= 2) {
+      std::optional<State> to = state_at(from.a + fraction * step);
+      if (!to) continue;
+      const double after = to->density.log_normalisation - to->a.dot(m);
+      if (after <= before + kRounding * (1 + std::abs(before))) return to;
+    }
+    return std::nullopt;
+  }
+
+  const ClosureEquations& equations_;
+  State last_;
+  Eigen::LLT<MatrixXd> factors_;
+  VectorXd factorised_at_;  // coefficients of the density whose covariance matrix is factorised
+};
+
+double mass_beyond(const QuadraturePoints& points, const VectorXd& mass, double energy) {
+  return (points.energy.array() > energy).select(mass, 0).sum();
+}
+
+using Clock = std::chrono::steady_clock;
+
+Clock::time_point deadline_after(double seconds) {
+  constexpr double kLongestSeconds = 1e9;  // duration that the clock can represent
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                            std::chrono::duration<double>(std::min(seconds, kLongestSeconds)));
+}
+
+QuadraturePointCounts scaled(const QuadraturePointCounts& size, double factor) {
+  const auto times = [factor](int count) { return static_cast<int>(std::ceil(count * factor)); };
+  return {times(size.s), times(size.t), times(size.wall)};
+}
+
+class Evolution {
+ public:
+  Evolution(const ClosureFormulation& formulation, const problem::Problem& problem,
+            const Options& options, const problem::Gaussian& start)
+      : formulation_(formulation),
+        problem_(problem),
+        options_(options),
+        start_(start),
+        scales_(problem::scales(problem)),
+        deadline_(deadline_after(options.max_seconds)),
+        stationary_(stationary_density()) {}
+
+  ClosureEvolution run(const std::vector<double>& times, const DensityOfClosure& density_of) {
+    // A density narrower than the stationary density needs more points on the same domain.
+    const double narrowness =
+        std::max({1.0, scales_.displacement_deviation / start_.displacement_deviation,
+                  scales_.velocity_deviation / start_.velocity_deviation});
+    QuadraturePointCounts size =
+        scaled(formulation_.quadrature_point_counts(
+                   options_.order, stationary_level() / stationary_.temperature, SearchStage::last),
+               std::sqrt(narrowness));
+    for (int left = kMostRefinements;; --left) {
+      ClosureEvolution evolution;
+      const double change = integrate(size, times, density_of, evolution);
+      evolution.quadrature = size;
+      if (evolution.status != Status::ok || change < kQuadratureTolerance) return evolution;
+      if (left == 0) {
+        evolution.status = Status::not_converged;
+        evolution.reason = fmt::format(
+            "more quadrature points change Q_n by {:.1e} standard deviations (limit {:.0e}): {} x "
+            "{} points do not resolve the density; widen the initial density",
+            change, kQuadratureTolerance, size.s, size.t);
+        return evolution;
+      }
+      size = scaled(size, 1.5);
+    }
+  }
+
+ private:
+  // Returns the stationary closure; without a root the initial density of the search.
+  ClosureDensity stationary_density() const {
+    const RootSearchResult root = find_root(formulation_, options_);
+    ClosureDensity density = root.failure.empty() ? root.closure : formulation_.initial_density();
+    if (!(density.level > 0)) {
+      density.level = formulation_.confinement_levels(density, SearchStage::last).front();
+    }
+    return density;
+  }
+
+  VectorXd exponent_of_start(const QuadraturePoints& points) const {
+    const auto squared = [](const VectorXd& x, double mean, double deviation) -> Eigen::ArrayXd {
+      return ((x.array() - mean) / deviation).square();
+    };
+    return -0.5 * (squared(points.y, start_.mean_displacement, start_.displacement_deviation) +
+                   squared(points.v, start_.mean_velocity, start_.velocity_deviation));
+  }
+
+  VectorXd exponent_of_stationary(const QuadraturePoints& points) const {
+    return VectorXd::NullaryExpr(points.size(), [&](Index i) {
+      return formulation_.exponent_of_guess(stationary_, points.s[i], points.t[i]);
+    });
+  }
+
+  static VectorXd normalised(const QuadraturePoints& points, const VectorXd& exponent) {
+    const VectorXd mass = points.weight.array() * (exponent.array() - exponent.maxCoeff()).exp();
+    return mass / mass.sum();
+  }
+
+  double stationary_level() const {
+    return std::min(stationary_.level,
+                    kLevelDeviations * kLevelDeviations / 2 * stationary_.temperature);
+  }
+
+  // Returns the level for the stationary density, or a larger level that contains the start.
+  double level_for_start(const QuadraturePointCounts& size) const {
+    double level = stationary_level();
+    for (int k = 0; k < kMostIncreases; ++k) {
+      const QuadraturePoints points =
+          formulation_.quadrature_points_below_energy(support_energy(level, options_.tail), size);
+      const double beyond =
+          mass_beyond(points, normalised(points, exponent_of_start(points)), kEdgeOfLevel * level);
+      if (beyond < kStartBeyondEdge) break;
+      level *= kLevelIncrease;
+    }
+    return level;
+  }
+
+  ClosureEquations equations_of(Basis basis, double level, const QuadraturePointCounts& size,
+                                QuadraturePoints points) const {
+    return formulation_.closure_equations(support_energy(level, options_.tail),
+                                          make_confinement(level, options_.tail), std::move(basis),
+                                          std::move(points), size);
+  }
+
+  // Integrates over the times, and returns the largest change by more quadrature points.
+  double integrate(const QuadraturePointCounts& size, const std::vector<double>& times,
+                   const DensityOfClosure& density_of, ClosureEvolution& evolution) const {
+    const double level = level_for_start(size);
+    const double support = support_energy(level, options_.tail);
+    QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);
+    const VectorXd exponent = exponent_of_start(points);
+    const VectorXd start_mass = normalised(points, exponent);
+    // The basis is nearly orthonormal under the initial and under the stationary density.
+    const VectorXd mixture =
+        0.5 * (start_mass + normalised(points, exponent_of_stationary(points)));
+    const ClosureEquations equations =
+        equations_of(Basis(options_.order, points, mixture), level, size, points);
+    const QuadraturePointCounts finer = scaled(size, 1.5);
+    const ClosureEquations fine_equations =
+        equations_of(equations.basis(), level, finer,
+                     formulation_.quadrature_points_below_energy(support, finer));
+    // A power below 1 of the density gives more weight to the tail in the fit.
+    constexpr double kFlatter = 1.0 / 3;
+    CoefficientsOfMoments coefficients(
+        equations, equations.fit_coefficients(exponent, normalised(points, kFlatter * exponent)));
+    const VectorXd start_moments = equations.basis_means(start_mass);
+    if (!coefficients.find(start_moments)) {
+      evolution.status = Status::not_converged;
+      evolution.reason = "no closure has the moments of the initial density; widen it";
+      return 0;
+    }
+    numerics::BdfIntegrator integrator(
+        {.rate =
+             [&](const VectorXd& m, Eigen::Ref<VectorXd> rate) {
+               if (Clock::now() > deadline_ || !coefficients.find(m)) return false;
+               rate = equations.residual(coefficients.last().density);
+               return true;
+             },
+         .jacobian =
+             [&](const VectorXd& m, Eigen::Ref<MatrixXd> jacobian) {
+               if (!coefficients.find(m)) return false;
+               jacobian = coefficients.covariance()
+                              .solve(equations.jacobian(coefficients.last().density).transpose())
+                              .transpose();
+               return true;
+             }},
+        start_moments, {.relative = kTimeTolerance, .absolute = kTimeTolerance});
+    double change = 0;
+    for (const double time : times) {
+      if ((time > 0 && !integrator.advance(time)) || !coefficients.find(integrator.state())) {
+        evolution.status = Status::not_converged;
+        const double last = evolution.snapshots.back().time;
+        evolution.reason =
+            Clock::now() > deadline_
+                ? fmt::format("t = {:.4g} not reached in {:g} s (max_seconds)", time,
+                              options_.max_seconds)
+                : fmt::format(
+                      "no closure found after t = {:.4g}: the moments approach those of a "
+                      "singular density",
+                      last);
+        break;
+      }
+      const CoefficientsOfMoments::State& state = coefficients.last();
+      change = std::max(change, change_on_finer_points(equations, fine_equations, coefficients));
+      evolution.snapshots.push_back(
+          {.time = time,
+           .density = density_of(make_closure_density(equations, state.a, level, options_.tail)),
+           .moments = moments(equations.points(), state.density.mass)});
+      const double beyond =
+          mass_beyond(equations.points(), state.density.mass, kEdgeOfLevel * level);
+      if (beyond > kBeyondEdgeLimit && evolution.status == Status::ok) {
+        evolution.status = Status::inadmissible;
+        evolution.reason = fmt::format(
+            "at t = {:.4g} a probability of {:.1e} lies beyond {} of the confinement "
+            "level (limit {:.0e}): the confinement determines the density",
+            time, beyond, kEdgeOfLevel, kBeyondEdgeLimit);
+      }
+    }
+    evolution.steps = integrator.step_count();
+    evolution.rate_evaluations = integrator.rate_evaluation_count();
+    return change;
+  }
+
+  // Returns the change of the exponent Q_n, in standard deviations, and of the rates of the moments,
+  // in units of the rate of change, by more quadrature points.
+  double change_on_finer_points(const ClosureEquations& equations,
+                                const ClosureEquations& fine_equations,
+                                CoefficientsOfMoments& coefficients) const {
+    const CoefficientsOfMoments::State& state = coefficients.last();
+    const auto fine = fine_equations.evaluate_density(state.a);
+    if (!fine.finite) return std::numeric_limits<double>::infinity();
+    const auto norm = [&](const VectorXd& difference) {
+      return coefficients.covariance().matrixL().solve(difference).norm();
+    };
+    const double of_moments = norm(fine_equations.basis_means(fine.mass) - state.moments);
+    const double of_rates = norm(fine_equations.residual(fine) - equations.residual(state.density));
+    return std::max(of_moments, of_rates / scales_.frequency);
+  }
+
+  transform::Moments moments(const QuadraturePoints& points, const VectorXd& mass) const {
+    const auto mean = [&](const VectorXd& x, int power) {
+      return mass.dot(x.array().pow(power).matrix());
+    };
+    const VectorXd y = points.y.unaryExpr([&](double x) { return problem_.frame.physical_y(x); });
+    const VectorXd v =
+        points.v.unaryExpr([&](double x) { return problem_.frame.physical_velocity(x); });
+    return {.y1 = mean(y, 1),
+            .y2 = mean(y, 2),
+            .y4 = mean(y, 4),
+            .v1 = mean(v, 1),
+            .v2 = mean(v, 2),
+            .v4 = mean(v, 4)};
+  }
+
+  const ClosureFormulation& formulation_;
+  const problem::Problem& problem_;
+  const Options& options_;
+  const problem::Gaussian& start_;
+  problem::MotionScales scales_;
+  Clock::time_point deadline_;
+  ClosureDensity stationary_;
+};
+
+}  // namespace
+
+ClosureEvolution evolve(const ClosureFormulation& formulation, const problem::Problem& problem,
+                        const Options& options, const problem::Gaussian& start,
+                        const std::vector<double>& times, const DensityOfClosure& density_of) {
+  return Evolution(formulation, problem, options, start).run(times, density_of);
+}
+
+}  // namespace fpkcheck::epc::half_plane

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "epc/half_plane/root_search.hpp"
+#include "epc/options.hpp"
+#include "problem/initial_density.hpp"
+#include "problem/problem.hpp"
+#include "transform/density.hpp"
+#include "transform/solution.hpp"
+
+namespace fpkcheck::epc::half_plane {
+
+/// A closure at one time, in the coordinates of the problem.
+struct ClosureSnapshot {
+  double time;
+  transform::SmoothDensity density;
+  transform::Moments moments;
+};
+
+struct ClosureEvolution {
+  std::vector<ClosureSnapshot> snapshots;
+  transform::Status status = transform::Status::ok;
+  std::string reason;
+  long steps = 0, rate_evaluations = 0;
+  QuadraturePointCounts quadrature{};
+};
+
+/// Density of a closure, with the factors of the formulation.
+using DensityOfClosure = std::function<transform::SmoothDensity(const ClosureDensity&)>;
+
+/// Computes the density C exp(Q_n + confinement) over time by the exact moment equations
+///
+///     dm/dt = R(a(m)),   m = E[phi],   dR/dm = J M^-1,
+///
+/// with the residual R and its Jacobian J of GalerkinSystem and the covariance matrix M of the basis
+/// functions phi. The coefficients a(m) of the density with the moments m maximise its entropy: they
+/// are the minimum of the convex function ln Z(a) - a^T m, whose Hessian matrix is M. CVODE
+/// integrates the moments, which change smoothly, unlike the coefficients of a narrow density.
+///
+/// The confinement level is constant. It is the level of the stationary closure, but at least an
+/// energy that contains the initial density. The initial density of the closure has the moments m of
+/// the initial Gaussian.
+///
+/// The status is `inadmissible` from the first snapshot with more than 1e-5 of the probability
+/// beyond 0.8 of the level: the confinement then determines the density (Junk's singularity). The
+/// status is `not_converged` if the integration fails, or if more quadrature points change the
+/// density.
+/// @param options order n and tail of the closure
+/// @param times increasing times; the first is 0
+ClosureEvolution evolve(const ClosureFormulation& formulation, const problem::Problem& problem,
+                        const Options& options, const problem::Gaussian& start,
+                        const std::vector<double>& times, const DensityOfClosure& density_of);
+
+}  // namespace fpkcheck::epc::half_plane

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "epc/options.hpp"
+#include "problem/problem.hpp"
+#include "transform/transient.hpp"
+
+namespace fpkcheck::epc {
+
+/// Computes the density over time by the formulations `moment` and `polar`, with the order n and the
+/// order n-2. The differences between the orders estimate the errors. See half_plane::evolve().
+///
+/// The status is `not_offered` for the formulation `gaussian`, for problems that solve() does not
+/// support, and for an initial density much narrower than the stationary density or than an impulse:
+/// the exact density is then a spike on a broad density, which no exponential polynomial
+/// approximates.
+/// @param problem problem in any coordinates
+/// @throws InputError for invalid options, or an initial mean behind a wall
+transform::Transient solve_transient(const problem::Problem& problem, const Options& options,
+                                     const transform::TransientRequest& request);
+
+}  // namespace fpkcheck::epc

@@ -1,0 +1,102 @@
+#include "fd_fpk/transient_with_error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <future>
+
+#include "fd_fpk/applicability.hpp"
+#include "fd_fpk/stopwatch.hpp"
+#include "fd_fpk/transient.hpp"
+#include "transform/conservative_remap.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::TransientRequest;
+
+// Ratio of the refinements of the coarse and the fine grid, and of the tolerances of the time steps.
+constexpr double kCoarsening = 0.7, kToleranceRatio = 10;
+// Share of the difference that is the error estimate.
+constexpr double kErrorShare = 0.5;
+
+transform::Marginal averages_over_bins(const std::vector<double>& cell_edges,
+                                       const std::vector<double>& cell_averages,
+                                       const std::vector<double>& edges) {
+  std::vector<double> masses;
+  for (std::size_t i = 0; i < cell_averages.size(); ++i) {
+    masses.push_back(cell_averages[i] * (cell_edges[i + 1] - cell_edges[i]));
+  }
+  transform::Marginal marginal{.edges = edges,
+                               .density = transform::ConservativeRemap(cell_edges, edges)(masses),
+                               .lower = {},
+                               .upper = {}};
+  for (std::size_t b = 0; b < marginal.size(); ++b) marginal.density[b] /= marginal.width(b);
+  return marginal;
+}
+
+transform::TransientSnapshot make_transient_snapshot(const TransientResult& result,
+                                                     const DensitySnapshot& at,
+                                                     const TransientRequest& request) {
+  return {.time = at.time,
+          .moments = at.moments,
+          .y = averages_over_bins(result.y_edges, at.y, request.y_edges),
+          .ydot = averages_over_bins(result.v_edges, at.v, request.v_edges)};
+}
+
+transform::ErrorEstimate estimated_error(const transform::TransientSnapshot& fine,
+                                         const transform::TransientSnapshot& coarse) {
+  transform::ErrorEstimate error{.y_l1 = kErrorShare * l1(fine.y, coarse.y),
+                                 .ydot_l1 = kErrorShare * l1(fine.ydot, coarse.ydot)};
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    error.moments.*moment = kErrorShare * std::abs(fine.moments.*moment - coarse.moments.*moment);
+  }
+  return error;
+}
+
+}  // namespace
+
+transform::Transient solve_transient_with_error(const problem::Problem& problem,
+                                                const Options& options,
+                                                const TransientRequest& request) {
+  transform::Transient transient{.id = solution_identity(options).id};
+  transient.reason = transient_unsupported_reason(
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem), options);
+  if (!transient.reason.empty()) {
+    transient.status = transform::Status::not_offered;
+    return transient;
+  }
+  const Stopwatch stopwatch;
+  const TransientOptions on_fine{.until = request.until,
+                                 .snapshots = request.snapshots,
+                                 .start_displacement = request.start.displacement_deviation,
+                                 .start_velocity = request.start.velocity_deviation,
+                                 .start_mean_displacement = request.start.mean_displacement,
+                                 .start_mean_velocity = request.start.mean_velocity};
+  TransientOptions on_coarse = on_fine;
+  on_coarse.relative_tolerance *= kToleranceRatio;
+  Options coarser = options;
+  coarser.refinement *= kCoarsening;
+  auto coarse_solution =
+      std::async(std::launch::async, [&] { return solve_transient(problem, coarser, on_coarse); });
+  const TransientResult fine = solve_transient(problem, options, on_fine);
+  const TransientResult coarse = coarse_solution.get();
+  for (std::size_t k = 0; k < fine.snapshots.size(); ++k) {
+    transient.snapshots.push_back(make_transient_snapshot(fine, fine.snapshots[k], request));
+    if (k < coarse.snapshots.size()) {
+      transform::TransientSnapshot& snapshot = transient.snapshots.back();
+      snapshot.error =
+          estimated_error(snapshot, make_transient_snapshot(coarse, coarse.snapshots[k], request));
+    }
+  }
+  transient.status = fine.status;
+  transient.reason = fine.reason;
+  if (!fine.y_edges.empty()) {
+    transient.details = fmt::format("{} x {} cells, {} steps", fine.y_edges.size() - 1,
+                                    fine.v_edges.size() - 1, fine.steps);
+  }
+  transient.seconds = stopwatch.seconds();
+  return transient;
+}
+
+}  // namespace fpkcheck::fd_fpk

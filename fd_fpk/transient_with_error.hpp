@@ -1,0 +1,18 @@
+#pragma once
+
+#include "fd_fpk/options.hpp"
+#include "problem/problem.hpp"
+#include "transform/transient.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// Computes the density over time by solve_transient(), and again on a coarser grid with a larger
+/// tolerance of the time steps. Half of the difference is the error estimate: the errors of the
+/// second computation are at least three times as large, for orders of 3 or more in space and 2 in
+/// time.
+/// @throws InputError as solve_transient()
+transform::Transient solve_transient_with_error(const problem::Problem& problem,
+                                                const Options& options,
+                                                const transform::TransientRequest& request);
+
+}  // namespace fpkcheck::fd_fpk

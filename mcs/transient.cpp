@@ -1,0 +1,207 @@
+#include "mcs/transient.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "base/process/parallel_for.hpp"
+#include "mcs/applicability.hpp"
+#include "mcs/motion/taylor_flight.hpp"
+#include "mcs/simulation/simulation.hpp"
+#include "mcs/simulation/simulation_plan.hpp"
+#include "problem/initial_density.hpp"
+#include "problem/motion_scales.hpp"
+#include "transform/coordinate_transformation.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+using transform::Moments;
+using transform::Status;
+using transform::TransientRequest;
+
+// Paths of the default simulation, and its longest time in periods of all paths, some seconds of
+// computing.
+constexpr double kPaths = 1e6, kMostPeriodsOfPaths = 4e6;
+constexpr double kFewestPaths = 1000;
+constexpr int kStreams = 2048;  // paths that are simulated together
+
+// Sums over the paths of some streams at one time.
+struct SnapshotSums {
+  std::vector<double> y, v;                      // number of paths in each bin, outer bins included
+  std::array<double, 8> y_powers{}, v_powers{};  // sums of the powers 1 .. 8
+
+  SnapshotSums(const BinFinder& y_bins, const BinFinder& v_bins)
+      : y(y_bins.bin_count() + 2), v(v_bins.bin_count() + 2) {}
+
+  void add(const BinFinder& y_bins, const BinFinder& v_bins, double at_y, double at_v) {
+    ++y[y_bins(at_y)];
+    ++v[v_bins(at_v)];
+    double y_power = 1, v_power = 1;
+    for (std::size_t k = 0; k < y_powers.size(); ++k) {
+      y_powers[k] += y_power *= at_y;
+      v_powers[k] += v_power *= at_v;
+    }
+  }
+
+  void add(const SnapshotSums& other) {
+    const auto plus = [](auto& a, const auto& b) {
+      std::ranges::transform(a, b, a.begin(), std::plus());
+    };
+    plus(y, other.y);
+    plus(v, other.v);
+    plus(y_powers, other.y_powers);
+    plus(v_powers, other.v_powers);
+  }
+};
+
+// Draws independent initial states from a Gaussian, truncated at the walls.
+class InitialStates {
+ public:
+  InitialStates(const problem::System& system, const problem::Gaussian& density, std::uint64_t seed)
+      : left_(system.left_wall() ? system.left_wall()->position : -HUGE_VAL),
+        right_(system.right_wall() ? system.right_wall()->position : HUGE_VAL),
+        density_(density) {
+    for (std::uint32_t stream = 0; stream < kStreams; ++stream) {
+      normal_.emplace_back(standard_normal_impulses(), seed, stream, RandomNumberPurpose::start);
+    }
+  }
+
+  State draw(std::size_t stream) {
+    const auto next = [&] { return normal_[stream].next_impulse().amplitude; };
+    double y = 0;
+    do {
+      y = density_.mean_displacement + density_.displacement_deviation * next();
+    } while (y < left_ || y > right_);
+    return {.y = y, .v = density_.mean_velocity + density_.velocity_deviation * next()};
+  }
+
+ private:
+  double left_, right_;
+  problem::Gaussian density_;
+  std::vector<ImpulseSource> normal_;
+};
+
+transform::Marginal make_marginal(const std::vector<double>& counts,
+                                  const std::vector<double>& edges, double paths,
+                                  double& expected_l1) {
+  constexpr double kIn95Percent = 1.959964;
+  transform::Marginal marginal{.edges = edges, .density = {}, .lower = {}, .upper = {}};
+  expected_l1 = 0;
+  for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
+    const double width = edges[b + 1] - edges[b], probability = counts[b + 1] / paths;
+    const double error = std::sqrt(probability * (1 - probability) / paths);
+    marginal.density.push_back(probability / width);
+    marginal.lower.push_back(std::max(0.0, (probability - kIn95Percent * error) / width));
+    marginal.upper.push_back((probability + kIn95Percent * error) / width);
+    // The mean of the absolute value of a normal error
+    expected_l1 += std::sqrt(2 / std::numbers::pi) * error;
+  }
+  return marginal;
+}
+
+transform::TransientSnapshot make_snapshot(const SnapshotSums& sums, double time, double paths,
+                                           const TransientRequest& request) {
+  transform::TransientSnapshot snapshot{.time = time};
+  transform::ErrorEstimate& error = snapshot.error.emplace();
+  const auto set = [&](double Moments::*moment, const std::array<double, 8>& powers, int power) {
+    const double mean = powers[power - 1] / paths, square = powers[2 * power - 1] / paths;
+    snapshot.moments.*moment = mean;
+    error.moments.*moment = std::sqrt(std::max(0.0, square - mean * mean) / (paths - 1));
+  };
+  set(&Moments::y1, sums.y_powers, 1);
+  set(&Moments::y2, sums.y_powers, 2);
+  set(&Moments::y4, sums.y_powers, 4);
+  set(&Moments::v1, sums.v_powers, 1);
+  set(&Moments::v2, sums.v_powers, 2);
+  set(&Moments::v4, sums.v_powers, 4);
+  snapshot.y = make_marginal(sums.y, request.y_edges, paths, error.y_l1);
+  snapshot.ydot = make_marginal(sums.v, request.v_edges, paths, error.ydot_l1);
+  return snapshot;
+}
+
+// Simulates repetitions of kStreams paths, and returns the sums over all paths at each time.
+std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& initial,
+                                         int repetitions, const TransientRequest& request,
+                                         const problem::WallFrame& frame, const Options& options) {
+  constexpr std::size_t kParts = 16;  // parts whose sums are added in a fixed order
+  const BinFinder y_bins(request.y_edges), v_bins(request.v_edges);
+  const auto times = static_cast<std::size_t>(request.snapshots) + 1;
+  std::vector<std::vector<SnapshotSums>> sums(
+      kParts, std::vector<SnapshotSums>(times, SnapshotSums(y_bins, v_bins)));
+  const auto record = [&](std::size_t time) {
+    base::parallel_for(kParts, simulation.plan().threads, [&](std::size_t part) {
+      for (std::size_t s = part; s < kStreams; s += kParts) {
+        const Branch& state = simulation.streams()[s].branch;
+        sums[part][time].add(y_bins, v_bins, frame.physical_y(state.y),
+                             frame.physical_velocity(state.v));
+      }
+    });
+  };
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    for (std::size_t s = 0; s < kStreams; ++s) {
+      const State start = initial.draw(s);
+      simulation.restart(s, start.y, start.v);
+    }
+    record(0);
+    for (std::size_t k = 1; k < times; ++k) {
+      const int snapshot = static_cast<int>(k);
+      simulation.advance_without_records(request.time(snapshot) - request.time(snapshot - 1));
+      record(k);
+    }
+    if (options.progress) {
+      options.progress({static_cast<double>(repetition + 1) / repetitions});
+    }
+  }
+  std::vector<SnapshotSums> all = sums[0];
+  for (std::size_t part = 1; part < kParts; ++part) {
+    for (std::size_t k = 0; k < times; ++k) all[k].add(sums[part][k]);
+  }
+  return all;
+}
+
+}  // namespace
+
+transform::Transient estimate_transient(const problem::Problem& problem, const Options& options,
+                                        const TransientRequest& request) {
+  const auto begin = std::chrono::steady_clock::now();
+  transform::Transient transient{.id = id(options)};
+  transient.has_standard_errors = true;
+  const problem::Problem transformed =
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+  const problem::MotionScales scales = problem::scales(transformed);
+  const problem::Gaussian density = problem::initial_density(transformed, scales, request.start);
+  transient.reason = functional_unsupported_reason(transformed, options);
+  if (!transient.reason.empty()) {
+    transient.status = Status::not_offered;
+    return transient;
+  }
+  Options many_streams = options;
+  many_streams.streams = kStreams;
+  SimulationPlan plan = make_simulation_plan(transformed, many_streams);
+  plan.sampling_interval = 4 * request.until;  // no path ends its flights at samples
+  const double longest = kMostPeriodsOfPaths * 2 * std::numbers::pi / scales.frequency;
+  const double time = options.time.value_or(std::min(kPaths * request.until, longest));
+  const int repetitions =
+      static_cast<int>(std::ceil(std::max(kFewestPaths, time / request.until) / kStreams));
+  const double paths = static_cast<double>(repetitions) * kStreams;
+  Simulation simulation(transformed, plan);
+  InitialStates initial(transformed.system, density, plan.seed);
+  const auto sums =
+      simulate_paths(simulation, initial, repetitions, request, transformed.frame, options);
+  for (int k = 0; k <= request.snapshots; ++k) {
+    transient.snapshots.push_back(
+        make_snapshot(sums[static_cast<std::size_t>(k)], request.time(k), paths, request));
+  }
+  transient.status = Status::ok;
+  transient.details = fmt::format("{:.0f} paths", paths);
+  transient.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return transient;
+}
+
+}  // namespace fpkcheck::mcs

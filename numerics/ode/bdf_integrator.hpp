@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace fpkcheck::numerics {
+
+/// System of ordinary differential equations dx/dt = f(x) with its Jacobian df/dx. Both functions
+/// return false at a state x outside of the domain of f. CVODE then repeats the step with a smaller
+/// step size.
+struct OdeSystem {
+  std::function<bool(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> rate)> rate;
+  std::function<bool(const Eigen::VectorXd& x, Eigen::Ref<Eigen::MatrixXd> jacobian)> jacobian;
+};
+
+struct BdfTolerances {
+  double relative;
+  double absolute;  ///< of all components
+};
+
+/// Integrator of a stiff system by CVODE with BDF of variable order 1 .. 5. LU factors of the dense
+/// matrix I - gamma df/dx solve the linear systems of Newton's method.
+class BdfIntegrator {
+ public:
+  /// @param start state at the time 0
+  /// @throws std::runtime_error when SUNDIALS cannot be set up
+  BdfIntegrator(OdeSystem system, const Eigen::VectorXd& start, const BdfTolerances& tolerances);
+  ~BdfIntegrator();
+  BdfIntegrator(const BdfIntegrator&) = delete;
+  BdfIntegrator& operator=(const BdfIntegrator&) = delete;
+
+  /// Advances to `time`, at which the state is interpolated.
+  /// @return whether `time` was reached; otherwise see error_message()
+  /// @throws every exception of the system
+  bool advance(double time);
+
+  Eigen::VectorXd state() const;
+  const std::string& error_message() const;
+  long step_count() const;
+  long rate_evaluation_count() const;
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+};
+
+}  // namespace fpkcheck::numerics

@@ -1,0 +1,183 @@
+#include "epc/transient.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "base/input_error.hpp"
+#include "epc/solve.hpp"
+#include "exact/linear_moments.hpp"
+#include "paper_cases.hpp"
+#include "problem/case_file.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+using transform::Status;
+using transform::Transient;
+using transform::TransientRequest;
+
+problem::Problem read_text(const std::string& text) {
+  std::istringstream file(text);
+  return problem::read_case(file, "text", "text.ini");
+}
+
+std::vector<double> uniform_edges(double from, double to, int bins) {
+  std::vector<double> edges;
+  for (int k = 0; k <= bins; ++k) edges.push_back(from + (to - from) * k / bins);
+  return edges;
+}
+
+TransientRequest request(double until, int snapshots, problem::InitialDensityOptions start = {}) {
+  return {.start = start,
+          .until = until,
+          .snapshots = snapshots,
+          .y_edges = uniform_edges(0, 5, 20),
+          .v_edges = uniform_edges(-5, 5, 40)};
+}
+
+Options closure(Formulation formulation, int order,
+                std::optional<DensityEquation> equation = std::nullopt) {
+  return {.order = order, .formulation = formulation, .equation = equation};
+}
+
+// The density of a linear oscillator with an elastic wall at the equilibrium under white noise is
+// that of |z|, which is Gaussian at all times. It belongs to the closure of every order. Its
+// covariance rotates, since the initial density is narrow in y.
+TEST(ClosureOverTime, IsExactForALinearOscillatorAtAnElasticWallUnderWhiteNoise) {
+  const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
+  const double s_y = 0.6, s_v = 0.9;
+  for (const int order : {2, 4, 6}) {
+    SCOPED_TRACE(order);
+    const Transient result =
+        solve_transient(problem, closure(Formulation::moment, order, DensityEquation::white),
+                        request(6, 6, {.displacement_deviation = s_y, .velocity_deviation = s_v}));
+    ASSERT_EQ(result.status, Status::ok) << result.reason;
+    ASSERT_EQ(result.snapshots.size(), 7u);
+    for (const auto& s : result.snapshots) {
+      SCOPED_TRACE(s.time);
+      const auto exact =
+          exact::linear_moments_at(problem, {.var_z = s_y * s_y, .var_v = s_v * s_v}, s.time);
+      EXPECT_NEAR(s.moments.y2, exact.zz, 1e-6);
+      EXPECT_NEAR(s.moments.v2, exact.vv, 1e-6);
+      EXPECT_NEAR(s.moments.y1, std::sqrt(2 / M_PI * exact.zz), 1e-6);
+      EXPECT_NEAR(s.moments.v4, 3 * exact.vv * exact.vv, 1e-5);
+      double mass = 0;
+      for (std::size_t b = 0; b < s.y.size(); ++b) mass += s.y.density[b] * s.y.width(b);
+      EXPECT_NEAR(mass, 1, 1e-6);
+    }
+  }
+}
+
+// dE/dt = lambda E[Y^2]/2 - c E[y'^2] at an elastic wall, for the exact moment equations of any
+// closure whose basis contains the energy; with E[U] = k E[y^2]/2 + mu E[y^4]/4.
+TEST(ClosureOverTime, SatisfiesTheBalanceOfPower) {
+  const auto problem = tests::make_problem({.restitution = 1});
+  const auto& system = problem.system;
+  const double mu = system.restoring_force().coefficient(3);
+  ASSERT_GT(mu, 0);
+  const auto energy = [&](const transform::Moments& m) {
+    return m.v2 / 2 + system.stiffness() * m.y2 / 2 + mu * m.y4 / 4;
+  };
+  const auto power = [&](const transform::Moments& m) {
+    return problem.impulses.rate_times_moment(2) / 2 - system.damping() * m.v2;
+  };
+  for (const auto& options : {closure(Formulation::moment, 4), closure(Formulation::polar, 4)}) {
+    SCOPED_TRACE(name(options.formulation));
+    const Transient result = solve_transient(problem, options, request(0.4, 4));
+    ASSERT_EQ(result.snapshots.size(), 5u) << result.reason;
+    const auto& s = result.snapshots;
+    // Simpson's rule for the work in two intervals
+    const double h = 0.1;
+    for (const std::size_t k : {1u, 3u}) {
+      const double work =
+          h / 3 * (power(s[k - 1].moments) + 4 * power(s[k].moments) + power(s[k + 1].moments));
+      EXPECT_NEAR(energy(s[k + 1].moments) - energy(s[k - 1].moments), work, 2e-5 * h);
+    }
+  }
+}
+
+TEST(ClosureOverTime, RelaxesToTheStationaryClosure) {
+  const auto problem = tests::paper_case(1);
+  for (const auto& options : {closure(Formulation::moment, 2), closure(Formulation::polar, 4)}) {
+    SCOPED_TRACE(name(options.formulation));
+    const Result stationary = solve(problem, options);
+    ASSERT_EQ(stationary.solution.status, Status::ok) << stationary.solution.reason;
+    const Transient result = solve_transient(problem, options, request(120, 12));
+    ASSERT_EQ(result.status, Status::ok) << result.reason;
+    EXPECT_NEAR(result.snapshots.back().moments.y2, stationary.solution.moments.y2, 2e-6);
+    EXPECT_NEAR(result.snapshots.back().moments.v2, stationary.solution.moments.v2, 2e-6);
+  }
+}
+
+// The slowest decay rate of the density itself is 0.1186 in case 1 (docs/theory.md).
+TEST(ClosureOverTime, HasTheRelaxationRateOfTheDensity) {
+  const Result result = solve(tests::paper_case(1), closure(Formulation::polar, 6));
+  ASSERT_TRUE(result.summary.half_plane);
+  EXPECT_NEAR(result.summary.half_plane->relaxation_rate, 0.1186, 5e-4);
+  EXPECT_NEAR(result.summary.half_plane->relaxation_frequency, 0, 1e-6);
+}
+
+// Values by finite volumes with a time tolerance of 1e-7 and by epc-polar-n8, which agree to 5e-5
+TEST(ClosureOverTime, HasTheMomentsOfCase1) {
+  const Transient result =
+      solve_transient(tests::paper_case(1), closure(Formulation::polar, 6), request(6, 2));
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  EXPECT_NEAR(result.snapshots[1].moments.y2, 0.18981, 2e-4);
+  EXPECT_NEAR(result.snapshots[1].moments.v2, 0.20731, 2e-4);
+  EXPECT_NEAR(result.snapshots[2].moments.y2, 0.25197, 1e-4);
+  EXPECT_NEAR(result.snapshots[2].moments.v2, 0.27689, 1e-4);
+  for (const auto& s : result.snapshots) {
+    ASSERT_TRUE(s.error);
+    EXPECT_GT(s.error->y_l1, 1e-4);
+    EXPECT_LT(s.error->y_l1, 1e-2);
+  }
+}
+
+// An initial mean beside the wall, mirrored: the densities in physical coordinates are mirrored.
+TEST(ClosureOverTime, IsMirroredWithTheProblem) {
+  const auto left = read_text(
+      "[system]\ndamping = 0.2\nstiffness = 1\n[wall]\nleft = -0.2\nleft_restitution = 0.9\n"
+      "[noise]\nintensity = 0.2\n");
+  const auto right = read_text(
+      "[system]\ndamping = 0.2\nstiffness = 1\n[wall]\nright = 0.2\nright_restitution = 0.9\n"
+      "[noise]\nintensity = 0.2\n");
+  TransientRequest from_left = request(1, 1, {.mean_displacement = 0.3, .mean_velocity = 0.2});
+  TransientRequest from_right = request(1, 1, {.mean_displacement = -0.3, .mean_velocity = -0.2});
+  from_left.y_edges = uniform_edges(-0.2, 4.8, 20);
+  from_right.y_edges = uniform_edges(-4.8, 0.2, 20);
+  const Transient a = solve_transient(left, closure(Formulation::moment, 4), from_left);
+  const Transient b = solve_transient(right, closure(Formulation::moment, 4), from_right);
+  ASSERT_EQ(a.snapshots.size(), 2u) << a.reason;
+  ASSERT_EQ(b.snapshots.size(), 2u) << b.reason;
+  EXPECT_NEAR(a.snapshots[1].moments.y1, -b.snapshots[1].moments.y1, 1e-9);
+  EXPECT_NEAR(a.snapshots[1].moments.v1, -b.snapshots[1].moments.v1, 1e-9);
+  for (std::size_t k = 0; k < 20; ++k) {
+    EXPECT_NEAR(a.snapshots[1].y.density[k], b.snapshots[1].y.density[19 - k], 1e-7);
+  }
+}
+
+TEST(ClosureOverTime, RefusesWhatNoClosureApproximates) {
+  const auto problem = tests::paper_case(1);
+  const auto status = [&](const Options& options, problem::InitialDensityOptions start) {
+    return solve_transient(problem, options, request(1, 1, start));
+  };
+  const auto polar = closure(Formulation::polar, 4);
+  EXPECT_EQ(status(polar, {.displacement_deviation = 0.1}).status, Status::not_offered);
+  EXPECT_EQ(status(polar, {.velocity_deviation = 0.1}).status, Status::not_offered);
+  EXPECT_EQ(status(closure(Formulation::gaussian, 4), {}).status, Status::not_offered);
+  EXPECT_FALSE(status(polar, {.velocity_deviation = 0.1}).reason.empty());
+  EXPECT_THROW(status(polar, {.mean_displacement = -1}), InputError);
+}
+
+TEST(ClosureOverTime, StopsAtTheTimeLimit) {
+  Options options = closure(Formulation::polar, 8);
+  options.max_seconds = 1e-3;
+  const Transient result = solve_transient(tests::paper_case(1), options, request(30, 3));
+  EXPECT_EQ(result.status, Status::not_converged);
+  EXPECT_LT(result.snapshots.size(), 4u);
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc

@@ -1,0 +1,134 @@
+#include "workflows/study/transient/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/input_error.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using Json = nlohmann::json;
+using transform::ErrorEstimate;
+using transform::Status;
+using transform::Transient;
+using transform::TransientSnapshot;
+
+// Densities over two bins of width 1, with the probability p in the first bin.
+TransientSnapshot snapshot(double time, double p, double y2, std::optional<ErrorEstimate> error) {
+  return {.time = time,
+          .moments = {.y2 = y2, .v2 = 1},
+          .y = {.edges = {0, 1, 2}, .density = {p, 1 - p}, .lower = {}, .upper = {}},
+          .ydot = {.edges = {-1, 0, 1}, .density = {0.5, 0.5}, .lower = {}, .upper = {}},
+          .error = error};
+}
+
+Transient solution(const std::string& id, double p, double estimate) {
+  const ErrorEstimate error{.y_l1 = estimate, .ydot_l1 = 0, .moments = {.y2 = 0.3, .v2 = 0.1}};
+  return {.id = id,
+          .status = Status::ok,
+          .snapshots = {snapshot(0, 0.9, 1, error), snapshot(2, p, 2, error)}};
+}
+
+TransientComparison made_up_comparison() {
+  TransientComparison study{tests::paper_case(1), {}, {}};
+  study.options.until = 2;
+  study.options.snapshots = 1;
+  study.options.methods = "epc-polar-n6,fd-kf,mcs";
+  study.solutions = {solution("epc-polar-n6", 0.8, 0.2), solution("fd-kf", 0.75, 0.001),
+                     solution("mcs", 0.74, 0.02)};
+  study.solutions[2].has_standard_errors = true;
+  for (auto& s : study.solutions[2].snapshots) {
+    s.y.lower = s.y.upper = s.y.density;
+    s.ydot.lower = s.ydot.upper = s.ydot.density;
+  }
+  return study;
+}
+
+TEST(TransientComparison, ComparesWithFiniteVolumesAndElseWithTheSimulation) {
+  TransientComparison study = made_up_comparison();
+  ASSERT_NE(reference(study), nullptr);
+  EXPECT_EQ(reference(study)->id, "fd-kf");
+  study.solutions[1].snapshots.pop_back();
+  EXPECT_EQ(reference(study)->id, "mcs");
+  study.solutions[2].snapshots.clear();
+  EXPECT_EQ(reference(study), nullptr);
+  EXPECT_TRUE(figure(study).panels.empty());
+  EXPECT_TRUE(netcdf(study, "fpkcheck run").empty());
+  EXPECT_FALSE(table(study, {}).empty());
+}
+
+TEST(TransientComparison, HasTheKeysOfTheContract) {
+  const Json found = Json::parse(json(made_up_comparison(), "fpkcheck run case1 --until 2"));
+  const Json& list = found.at("cases").at(0).at("over_time");
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[0].at("solution"), "epc-polar-n6");
+  EXPECT_EQ(list[0].at("times"), Json({0.0, 2.0}));
+  EXPECT_EQ(list[0].at("moments").at(1).at("y2"), 2.0);
+  EXPECT_EQ(list[0].at("error").at(1).at("y2"), 0.3);
+  EXPECT_NEAR(list[0].at("l1").at(1).at("y").get<double>(), 2 * 0.05, 1e-12);
+  EXPECT_EQ(list[0].at("l1").at(1).at("ydot"), 0.0);
+  EXPECT_TRUE(list[1].at("l1").at(1).is_null());
+  EXPECT_EQ(list[2].at("standard_errors").at(0).at("v2"), 0.1);
+  EXPECT_FALSE(list[2].contains("error"));
+}
+
+TEST(TransientComparison, WritesARowOfTheCsvForEachBin) {
+  const std::string text = csv(made_up_comparison());
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 3 * 2 * 4);
+  EXPECT_TRUE(text.starts_with("case,solution,time,variable,abscissa,density,lower,upper\n"));
+  EXPECT_NE(text.find("test,epc-polar-n6,2,y,0.5,0.8,,\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("test,mcs,2,y,0.5,0.74,0.74,0.74\n"), std::string::npos) << text;
+}
+
+TEST(TransientComparison, DrawsMomentsDistancesAndDensities) {
+  const report::Figure drawn = figure(made_up_comparison());
+  ASSERT_EQ(drawn.panels.size(), 6u);
+  EXPECT_EQ(drawn.panels[0].series.size(), 3u);
+  ASSERT_EQ(drawn.panels[2].series.size(), 2u);
+  EXPECT_NEAR(drawn.panels[2].series[0].points[1].y, 0.1, 1e-12);
+  EXPECT_TRUE(drawn.panels[4].map && drawn.panels[5].map);
+}
+
+TEST(TransientComparison, ConvergesIfFiniteVolumesAndSimulationAreOk) {
+  TransientComparison study = made_up_comparison();
+  study.solutions[0].status = Status::inaccurate;
+  EXPECT_TRUE(has_converged(study));
+  study.solutions[1].status = Status::failed;
+  EXPECT_FALSE(has_converged(study));
+}
+
+// The simulation is the reference. The closure of order 2 has no estimate of its own.
+TEST(TransientComparison, JudgesClosuresByTheDistanceToTheReference) {
+  TransientComparisonOptions options;
+  options.until = 1;
+  options.snapshots = 1;
+  options.methods = "epc-moment-n2,mcs";
+  options.time = 2e4;
+  options.accuracy = 1;
+  const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
+  const TransientComparison lenient = compare_over_time(problem, options, {});
+  ASSERT_EQ(lenient.solutions.size(), 2u);
+  EXPECT_EQ(lenient.solutions[0].status, Status::ok) << lenient.solutions[0].reason;
+  EXPECT_FALSE(lenient.solutions[0].snapshots[1].error);
+  options.accuracy = 1e-3;
+  const TransientComparison strict = compare_over_time(problem, options, {});
+  EXPECT_EQ(strict.solutions[0].status, Status::inaccurate);
+  EXPECT_FALSE(strict.solutions[0].reason.empty());
+  EXPECT_EQ(strict.solutions[1].status, Status::ok);
+}
+
+TEST(TransientComparison, RefusesUnknownMethods) {
+  TransientComparisonOptions options;
+  options.until = 1;
+  for (const char* methods : {"", "foo", "epc", "epc-polar-n7", "epc-moment-n100"}) {
+    options.methods = methods;
+    EXPECT_THROW(compare_over_time(tests::paper_case(1), options, {}), InputError) << methods;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::study

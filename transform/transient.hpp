@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problem/initial_density.hpp"
+#include "transform/marginal.hpp"
+#include "transform/solution.hpp"
+
+namespace fpkcheck::transform {
+
+/// Initial density, times and bins of a density over time.
+struct TransientRequest {
+  problem::InitialDensityOptions start = {};
+  double until = 0;    ///< end time T > 0
+  int snapshots = 20;  ///< number N of intervals: densities at the times t = 0, T/N, .., T
+  std::vector<double> y_edges = {}, v_edges = {};  ///< edges of the bins, in physical coordinates
+
+  double time(int snapshot) const {
+    return snapshot == snapshots ? until : snapshot * (until / snapshots);
+  }
+};
+
+/// The density at one time, in physical coordinates.
+struct TransientSnapshot {
+  double time = 0;
+  Moments moments = {};
+  Marginal y = {}, ydot = {};  ///< averages of p(y, t) and p(y', t) over the bins
+  /// Errors of the moments, and L1 errors of the marginals: estimates, or standard errors and
+  /// expected sampling errors of a simulation. Empty if the method has no estimate.
+  std::optional<ErrorEstimate> error = {};
+};
+
+/// The density over time by one method.
+struct Transient {
+  std::string id;  ///< id of the solution, such as "fd-kf" or "epc-polar-n6"
+  Status status = Status::failed;
+  std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
+  double seconds = 0;
+  bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
+  std::vector<TransientSnapshot> snapshots =
+      {};                    ///< snapshots up to the last time that was reached
+  std::string details = {};  ///< grid, order or number of paths, for tables
+};
+
+}  // namespace fpkcheck::transform

@@ -1,0 +1,513 @@
+#include "workflows/study/transient/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "compare/comparison_axes.hpp"
+#include "epc/transient.hpp"
+#include "fd_fpk/transient_with_error.hpp"
+#include "mcs/transient.hpp"
+#include "report/figure/layout.hpp"
+#include "report/table.hpp"
+#include "report/text/wrap_text.hpp"
+#include "results/json.hpp"
+#include "results/netcdf/writer.hpp"
+#include "results/run.hpp"
+#include "workflows/study/transient/density_panel.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using results::Json;
+using transform::Marginal;
+using transform::Moments;
+using transform::StateVariable;
+using transform::Status;
+using transform::Transient;
+using transform::TransientSnapshot;
+
+constexpr int kMostIntervals = 1000;
+
+const Marginal& marginal(const TransientSnapshot& snapshot, StateVariable variable) {
+  return variable == StateVariable::y ? snapshot.y : snapshot.ydot;
+}
+
+/// L1 distances of a solution to the reference at one time.
+struct Distances {
+  double y, ydot;
+};
+
+std::optional<Distances> distances(const Transient& solution, const Transient& reference,
+                                   std::size_t snapshot) {
+  if (&solution == &reference || snapshot >= solution.snapshots.size() ||
+      snapshot >= reference.snapshots.size()) {
+    return std::nullopt;
+  }
+  const TransientSnapshot &a = solution.snapshots[snapshot], &b = reference.snapshots[snapshot];
+  return Distances{l1(a.y, b.y), l1(a.ydot, b.ydot)};
+}
+
+std::optional<double> moment_error(const TransientSnapshot& snapshot, double Moments::*moment) {
+  return snapshot.error ? std::optional(snapshot.error->moments.*moment) : std::nullopt;
+}
+
+/// Largest L1 distance to the reference over time, and the largest difference of the second moments.
+struct LargestDistances {
+  double y = 0, y_time = 0;
+  double ydot = 0, ydot_time = 0;
+  /// Difference of a second moment, in units of the combined errors
+  double moment_in_errors = 0;
+  /// First time from which on both distances stay below the accuracy; empty if there is none
+  std::optional<double> accurate_from;
+};
+
+LargestDistances largest_distances(const Transient& solution, const Transient& reference,
+                                   double accuracy) {
+  LargestDistances largest;
+  for (std::size_t k = 0; k < solution.snapshots.size(); ++k) {
+    const auto at = distances(solution, reference, k);
+    if (!at) break;
+    const TransientSnapshot &a = solution.snapshots[k], &b = reference.snapshots[k];
+    if (at->y > largest.y) {
+      largest.y = at->y;
+      largest.y_time = a.time;
+    }
+    if (at->ydot > largest.ydot) {
+      largest.ydot = at->ydot;
+      largest.ydot_time = a.time;
+    }
+    if (std::max(at->y, at->ydot) > accuracy) {
+      largest.accurate_from.reset();
+    } else if (!largest.accurate_from) {
+      largest.accurate_from = a.time;
+    }
+    for (double Moments::*moment : {&Moments::y2, &Moments::v2}) {
+      const auto of_a = moment_error(a, moment), of_b = moment_error(b, moment);
+      const double combined = std::hypot(of_a.value_or(0), of_b.value_or(0));
+      if (!of_a || !of_b || combined == 0) continue;
+      // Both densities are exact at the start, up to rounding errors.
+      if (a.time == 0 && reference.snapshots[k].time == 0 && !solution.has_standard_errors)
+        continue;
+      largest.moment_in_errors = std::max(
+          largest.moment_in_errors, std::abs(a.moments.*moment - b.moments.*moment) / combined);
+    }
+  }
+  return largest;
+}
+
+double largest_estimate(const Transient& solution) {
+  double largest = 0;
+  for (const TransientSnapshot& s : solution.snapshots) {
+    if (!s.error) return std::numeric_limits<double>::quiet_NaN();
+    largest = std::max({largest, s.error->y_l1, s.error->ydot_l1});
+  }
+  return largest;
+}
+
+/// Changes the status `ok` to `inaccurate` if the L1 error exceeds the accuracy. The error is at most
+/// the distance to a reference plus the error of the reference, or else the estimate of the method.
+/// @param compared_with null without a reference
+void require_accurate(double accuracy, const Transient* compared_with, Transient& solution) {
+  if (solution.status != Status::ok || solution.has_standard_errors) return;
+  double error = largest_estimate(solution);
+  std::string kind = "the estimated L1 error";
+  if (compared_with && compared_with != &solution) {
+    const LargestDistances largest = largest_distances(solution, *compared_with, accuracy);
+    const double measured = std::max(largest.y, largest.ydot) + largest_estimate(*compared_with);
+    if (!(error <= measured)) {
+      error = measured;
+      kind = fmt::format("the L1 distance to {} plus the error of {}", compared_with->id,
+                         compared_with->id);
+    }
+  }
+  if (error <= accuracy) return;
+  solution.status = Status::inaccurate;
+  solution.reason = std::isnan(error)
+                        ? "the density has no error estimate at some times"
+                        : fmt::format("{} is {:.1e} (--accuracy {:g})", kind, error, accuracy);
+}
+
+}  // namespace
+
+const base::Description<TransientComparisonOptions>& transient_comparison_option_descriptions() {
+  using namespace base;
+  using T = TransientComparisonOptions;
+  static const auto description = [] {
+    auto all = with_functional_options(
+        Description<T>("run ")
+            .add("until", &T::until, {"T", "end time of the densities"}, positive_numbers())
+            .add("snapshots", &T::snapshots, {"N", "number of intervals between stored densities"},
+                 closed_interval(1, kMostIntervals))
+            .with_default(T().snapshots)
+            .add("start_y", &T::start_y,
+                 {"S",
+                  "standard deviation of y at t = 0 (default: about half of the stationary "
+                  "deviation)"},
+                 positive_numbers())
+            .add("start_v", &T::start_v,
+                 {"S",
+                  "standard deviation of y' at t = 0 (default: about half of the stationary "
+                  "deviation)"},
+                 positive_numbers())
+            .add("start_mean_y", &T::start_mean_y,
+                 {"M",
+                  "mean of y at t = 0, before truncation at the walls (default: about E[y]; the "
+                  "position of the wall, if there is only one wall, at the equilibrium)"},
+                 finite_numbers())
+            .add("start_mean_v", &T::start_mean_v, {"M", "mean of y' at t = 0 (default: 0)"},
+                 finite_numbers()),
+        "largest estimated L1 error of p(y) and p(y') for status ok",
+        "simulated time of all paths (default: 1e6 paths, or some seconds)",
+        "ids of methods: fd-kf, fd-white, .., epc-polar-n6, epc-moment-n8, .., mcs");
+    return all;
+  }();
+  return description;
+}
+
+TransientComparison compare_over_time(const problem::Problem& problem,
+                                      const TransientComparisonOptions& options,
+                                      const methods::ProgressListener& listener) {
+  const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
+  const transform::TransientRequest request{.start = {.displacement_deviation = options.start_y,
+                                                      .velocity_deviation = options.start_v,
+                                                      .mean_displacement = options.start_mean_y,
+                                                      .mean_velocity = options.start_mean_v},
+                                            .until = options.until,
+                                            .snapshots = options.snapshots,
+                                            .y_edges = axes.y_edges,
+                                            .v_edges = axes.v_edges};
+  TransientComparison study{problem, options, {}};
+  for_each_selected_method(
+      problem, options, listener,
+      [&](const SelectedMethod& method) {
+        Transient solution = method.fd
+                                 ? fd_fpk::solve_transient_with_error(problem, *method.fd, request)
+                             : method.epc ? epc::solve_transient(problem, *method.epc, request)
+                                          : mcs::estimate_transient(problem, *method.mcs, request);
+        study.solutions.push_back(std::move(solution));
+      },
+      SelectableMethods::with_closures);
+  const Transient* const compared_with = reference(study);
+  for (Transient& solution : study.solutions) {
+    require_accurate(options.accuracy, compared_with, solution);
+  }
+  return study;
+}
+
+const Transient* reference(const TransientComparison& study) {
+  const auto is_complete = [&](const Transient& solution) {
+    return static_cast<int>(solution.snapshots.size()) == study.options.snapshots + 1;
+  };
+  for (const char* solver : {"fd", "mcs"}) {
+    for (const Transient& solution : study.solutions) {
+      if (solution.id.starts_with(solver) && is_complete(solution)) return &solution;
+    }
+  }
+  return nullptr;
+}
+
+bool has_converged(const TransientComparison& study) {
+  std::vector<Transient> judged;
+  std::ranges::copy_if(study.solutions, std::back_inserter(judged),
+                       [](const Transient& solution) { return !solution.id.starts_with("epc"); });
+  return are_converged(judged);
+}
+
+std::string json(const TransientComparison& study, const std::string& command) {
+  const Transient* const compared_with = reference(study);
+  Json list = Json::array();
+  for (const Transient& solution : study.solutions) {
+    Json times = Json::array(), moments = Json::array(), errors = Json::array();
+    Json l1 = Json::array(), l1_errors = Json::array();
+    for (std::size_t k = 0; k < solution.snapshots.size(); ++k) {
+      const TransientSnapshot& s = solution.snapshots[k];
+      times.push_back(s.time);
+      moments.push_back(results::moments_to_json(s.moments));
+      errors.push_back(s.error ? results::moments_to_json(s.error->moments) : Json());
+      l1_errors.push_back(s.error ? Json{{"y", s.error->y_l1}, {"ydot", s.error->ydot_l1}}
+                                  : Json());
+      const auto at = compared_with ? distances(solution, *compared_with, k) : std::nullopt;
+      l1.push_back(at ? Json{{"y", at->y}, {"ydot", at->ydot}} : Json());
+    }
+    list.push_back({{"solution", solution.id},
+                    {"status", name(solution.status)},
+                    {"reason", solution.reason},
+                    {"seconds", solution.seconds},
+                    {"times", times},
+                    {"moments", moments},
+                    {solution.has_standard_errors ? "standard_errors" : "error", errors},
+                    {"l1", l1},
+                    {"l1_error", l1_errors},
+                    {"reference", compared_with ? Json(compared_with->id) : Json()}});
+  }
+  return functional_json(study.problem, "over_time", list, command);
+}
+
+std::string csv(const TransientComparison& study) {
+  std::vector<StudyRecord> rows;
+  for (const Transient& solution : study.solutions) {
+    for (const TransientSnapshot& s : solution.snapshots) {
+      for (const StateVariable variable : transform::kVariables) {
+        const Marginal& p = marginal(s, variable);
+        for (std::size_t b = 0; b < p.size(); ++b) {
+          StudyRecord row{{"case", study.problem.name},
+                          {"solution", solution.id},
+                          {"time", s.time},
+                          {"variable", std::string(name(variable))},
+                          {"abscissa", p.centre(b)},
+                          {"density", p.density[b]}};
+          if (!p.lower.empty()) {
+            row.push_back({"lower", p.lower[b]});
+            row.push_back({"upper", p.upper[b]});
+          }
+          rows.push_back(std::move(row));
+        }
+      }
+    }
+  }
+  return csv_text(rows, "case solution time variable abscissa density lower upper");
+}
+
+namespace {
+
+/// Returns the indices of at most kRows + 1 evenly spaced snapshots.
+std::vector<std::size_t> shown_snapshots(const TransientComparison& study) {
+  constexpr int kRows = 10;
+  const int last = study.options.snapshots, step = (last + kRows - 1) / kRows;
+  std::vector<std::size_t> shown;
+  for (int k = 0; k < last; k += step) shown.push_back(static_cast<std::size_t>(k));
+  shown.push_back(static_cast<std::size_t>(last));
+  return shown;
+}
+
+std::vector<StudyRecord> time_rows(const TransientComparison& study) {
+  const transform::TransientRequest request{.until = study.options.until,
+                                            .snapshots = study.options.snapshots};
+  std::vector<StudyRecord> rows;
+  for (const std::size_t k : shown_snapshots(study)) {
+    rows.push_back({{"time", request.time(static_cast<int>(k))}});
+  }
+  return rows;
+}
+
+std::string moment_table(const TransientComparison& study, const report::TextFormat& format) {
+  const std::vector<std::size_t> shown = shown_snapshots(study);
+  std::vector<StudyRecord> rows = time_rows(study);
+  std::vector<TableColumn> columns{{"", "t", "time", "{:.4g}"}};
+  for (const Transient& solution : study.solutions) {
+    if (solution.snapshots.empty()) continue;
+    columns.push_back({solution.id, "E[y^2]", solution.id + "-y2", "{:.5f}"});
+    columns.push_back({solution.id, "E[y'^2]", solution.id + "-v2", "{:.5f}"});
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      if (shown[row] >= solution.snapshots.size()) continue;
+      const Moments& moments = solution.snapshots[shown[row]].moments;
+      rows[row].push_back({solution.id + "-y2", moments.y2});
+      rows[row].push_back({solution.id + "-v2", moments.v2});
+    }
+  }
+  return columns.size() == 1 ? "" : table_text(rows, columns, format);
+}
+
+std::string distance_table(const TransientComparison& study, const Transient& compared_with,
+                           const report::TextFormat& format) {
+  const std::vector<std::size_t> shown = shown_snapshots(study);
+  std::vector<StudyRecord> rows = time_rows(study);
+  std::vector<TableColumn> columns{{"", "t", "time", "{:.4g}"}};
+  for (const Transient& solution : study.solutions) {
+    if (&solution == &compared_with || solution.snapshots.empty()) continue;
+    columns.push_back({solution.id, "p(y)", solution.id + "-y", "{:.5f}"});
+    columns.push_back({solution.id, "p(y')", solution.id + "-ydot", "{:.5f}"});
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const auto at = distances(solution, compared_with, shown[row]);
+      if (!at) continue;
+      rows[row].push_back({solution.id + "-y", at->y});
+      rows[row].push_back({solution.id + "-ydot", at->ydot});
+    }
+  }
+  return columns.size() == 1 ? "" : table_text(rows, columns, format);
+}
+
+std::string solution_text(const TransientComparison& study, const Transient& solution,
+                          const Transient* compared_with) {
+  std::string line = solution_line(solution.id, solution.status, solution.reason);
+  if (solution.snapshots.empty()) return line.substr(0, line.rfind(';'));
+  const double estimate = largest_estimate(solution);
+  if (std::isfinite(estimate)) {
+    line += fmt::format("{} at most {:.1e} in L1",
+                        solution.has_standard_errors     ? "expected sampling error"
+                        : solution.id.starts_with("epc") ? "difference from order n-2"
+                                                         : "estimated error",
+                        estimate);
+  } else {
+    line += "no error estimate";
+  }
+  if (compared_with && compared_with != &solution) {
+    const LargestDistances largest =
+        largest_distances(solution, *compared_with, study.options.accuracy);
+    line += fmt::format(
+        "; distance to {} at most {:.1e} in p(y) (t = {:.4g}), {:.1e} in p(y') (t "
+        "= {:.4g}); second moments differ by at most {:.1f} combined errors",
+        compared_with->id, largest.y, largest.y_time, largest.ydot, largest.ydot_time,
+        largest.moment_in_errors);
+    if (!solution.has_standard_errors) {
+      line += largest.accurate_from
+                  ? fmt::format("; within {:g} from t = {:.4g} on", study.options.accuracy,
+                                *largest.accurate_from)
+                  : fmt::format("; not within {:g} at the end", study.options.accuracy);
+    }
+  }
+  return line + fmt::format("; {} ({:.1f} s)", solution.details, solution.seconds);
+}
+
+}  // namespace
+
+std::string table(const TransientComparison& study, const report::TextFormat& format) {
+  const Transient* const compared_with = reference(study);
+  std::string text = report::wrap_text(report::case_title(study.problem), format.width);
+  text +=
+      report::wrap_text("second moments over time, from a Gaussian density at t = 0", format.width);
+  text += moment_table(study, format);
+  if (compared_with) {
+    const std::string distances_text = distance_table(study, *compared_with, format);
+    if (!distances_text.empty()) {
+      text += report::wrap_text(fmt::format("L1 distance to {}", compared_with->id), format.width) +
+              distances_text;
+    }
+  }
+  for (const Transient& solution : study.solutions) {
+    text += report::wrap_text(solution_text(study, solution, compared_with), format.width, 2);
+  }
+  return text;
+}
+
+namespace {
+
+// Returns a series without points. The marks of different solutions are at different times.
+report::FigureSeries series_of(const TransientComparison& study, const Transient& solution) {
+  const auto methods = select_methods(study.options, SelectableMethods::with_closures);
+  const auto method = std::ranges::find(methods, solution.id,
+                                        [](const SelectedMethod& one) { return one.identity.id; });
+  report::FigureSeries series = report::make_series(solution.id, method->identity.plot_style);
+  series.mark_step = methods.size();
+  series.first_mark = static_cast<std::size_t>(method - methods.begin());
+  if (solution.has_standard_errors) series.dash = "";
+  return series;
+}
+
+report::FigurePanel moment_panel(const TransientComparison& study, const std::string& title,
+                                 const std::string& label, double Moments::*moment) {
+  std::vector<report::FigureSeries> all;
+  for (const Transient& solution : study.solutions) {
+    if (solution.snapshots.empty()) continue;
+    report::FigureSeries series = series_of(study, solution);
+    for (const TransientSnapshot& s : solution.snapshots) {
+      report::FigurePoint point{.x = s.time, .y = s.moments.*moment};
+      if (solution.has_standard_errors) {
+        const double error = s.error->moments.*moment;
+        point.lower = point.y - 2 * error;
+        point.upper = point.y + 2 * error;
+      }
+      series.points.push_back(point);
+    }
+    all.push_back(std::move(series));
+  }
+  return {.title = title,
+          .x = {"{/:Italic t}", 0, study.options.until},
+          .y = report::linear_axis(label, all, &report::FigurePoint::y),
+          .series = all};
+}
+
+report::FigurePanel distance_panel(const TransientComparison& study, const Transient& compared_with,
+                                   const std::string& title, double Distances::*distance) {
+  std::vector<report::FigureSeries> all;
+  for (const Transient& solution : study.solutions) {
+    report::FigureSeries series = series_of(study, solution);
+    for (std::size_t k = 0; k < solution.snapshots.size(); ++k) {
+      if (const auto at = distances(solution, compared_with, k)) {
+        series.points.push_back({.x = solution.snapshots[k].time, .y = (*at).*distance});
+      }
+    }
+    if (!series.points.empty()) all.push_back(std::move(series));
+  }
+  return {.title = title,
+          .x = {"{/:Italic t}", 0, study.options.until},
+          .y = report::logarithmic_axis("{/:Italic L}_1", all, &report::FigurePoint::y),
+          .series = all};
+}
+
+}  // namespace
+
+report::Figure figure(const TransientComparison& study) {
+  const Transient* const compared_with = reference(study);
+  if (compared_with == nullptr) return {};
+  std::vector<report::FigurePanel> panels{
+      moment_panel(study, "mean square displacement", "E[{/:Italic y}^2]", &Moments::y2),
+      moment_panel(study, "mean square velocity", "E[{/:Italic y}'^2]", &Moments::v2)};
+  if (study.solutions.size() > 1) {
+    panels.push_back(distance_panel(study, *compared_with,
+                                    fmt::format("distance of p(y) to {}", compared_with->id),
+                                    &Distances::y));
+    panels.push_back(distance_panel(study, *compared_with,
+                                    fmt::format("distance of p(y') to {}", compared_with->id),
+                                    &Distances::ydot));
+  }
+  for (const StateVariable variable : transform::kVariables) {
+    DensityOverTime density{.edges = marginal(compared_with->snapshots.front(), variable).edges};
+    for (const TransientSnapshot& s : compared_with->snapshots) {
+      density.times.push_back(s.time);
+      density.averages.push_back(&marginal(s, variable).density);
+    }
+    panels.push_back(density_panel(
+        density,
+        fmt::format("{} by {}", variable == StateVariable::y ? "displacement" : "velocity",
+                    compared_with->id),
+        variable == StateVariable::y ? "{/:Italic y}" : "{/:Italic y}'"));
+  }
+  return {.title = report::problem_title(study.problem), .panels = panels, .columns = 2};
+}
+
+std::string netcdf(const TransientComparison& study, const std::string& command) {
+  const Transient* const compared_with = reference(study);
+  if (compared_with == nullptr) return "";
+  results::NetCdfWriter file;
+  file.write_attribute("Conventions", "CF-1.8");
+  file.write_attribute("title", "marginal densities over time of a randomly excited oscillator");
+  file.write_attribute("command", command);
+  file.write_attribute("case", study.problem.name);
+  results::write_problem_attributes(file, study.problem);
+  std::vector<std::string> ids;
+  for (const Transient& solution : study.solutions) ids.push_back(solution.id);
+  std::vector<double> times;
+  for (const TransientSnapshot& s : compared_with->snapshots) times.push_back(s.time);
+  const int solution_dimension = file.define_dimension("solution", ids.size());
+  file.write_labels("solution", solution_dimension, ids);
+  const int time = file.define_dimension("time", times.size());
+  const int bounds = file.define_dimension("bounds", 2);
+  file.write_variable("time", {time}, "time", times);
+  for (const StateVariable variable : transform::kVariables) {
+    const std::string id(name(variable));
+    const std::string meaning = variable == StateVariable::y ? "displacement y" : "velocity y'";
+    const std::vector<double>& edges = marginal(compared_with->snapshots.front(), variable).edges;
+    const int bins = file.write_cell_coordinate(id, meaning, bounds, edges);
+    std::vector<double> values;
+    for (const Transient& solution : study.solutions) {
+      for (std::size_t k = 0; k < times.size(); ++k) {
+        if (k < solution.snapshots.size()) {
+          const auto& density = marginal(solution.snapshots[k], variable).density;
+          values.insert(values.end(), density.begin(), density.end());
+        } else {
+          values.insert(values.end(), edges.size() - 1, std::numeric_limits<double>::quiet_NaN());
+        }
+      }
+    }
+    file.write_compressed<double>("p_" + id, {solution_dimension, time, bins},
+                                  fmt::format("probability density of the {}", meaning), values);
+  }
+  return file.close_and_take_bytes();
+}
+
+}  // namespace fpkcheck::study
