@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -61,48 +60,20 @@ ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
                                                     : polar::evolve(problem, options, start, times);
 }
 
-transform::TransientSnapshot make_transient_snapshot(const problem::Problem& problem,
-                                                     const ClosureSnapshot& closure,
-                                                     const TransientRequest& request) {
-  const transform::Density density =
-      transform::to_physical_coordinates(problem.frame, closure.density);
-  return {.time = closure.time,
-          .moments = closure.moments,
-          .y = transform::marginal(density, transform::StateVariable::y, request.y_edges),
-          .ydot = transform::marginal(density, transform::StateVariable::ydot, request.v_edges)};
-}
-
-transform::ErrorEstimate difference_of_orders(const transform::TransientSnapshot& snapshot,
-                                              const transform::TransientSnapshot& previous) {
-  transform::ErrorEstimate difference{.y_l1 = l1(snapshot.y, previous.y),
-                                      .ydot_l1 = l1(snapshot.ydot, previous.ydot)};
-  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    difference.moments.*moment = std::abs(snapshot.moments.*moment - previous.moments.*moment);
+std::vector<transform::TransientSnapshot> make_transient_snapshots(
+    const problem::Problem& problem, const ClosureEvolution& evolution,
+    const TransientRequest& request) {
+  std::vector<transform::TransientSnapshot> snapshots;
+  for (const ClosureSnapshot& closure : evolution.snapshots) {
+    const transform::Density density =
+        transform::to_physical_coordinates(problem.frame, closure.density);
+    snapshots.push_back(
+        {.time = closure.time,
+         .moments = closure.moments,
+         .y = transform::marginal(density, transform::StateVariable::y, request.y_edges),
+         .ydot = transform::marginal(density, transform::StateVariable::ydot, request.v_edges)});
   }
-  return difference;
-}
-
-void increase_to(double& value, double other) { value = std::max(value, other); }
-
-// Stores error estimates: the largest differences from order n-2 within half a period before and
-// after each snapshot, or at the neighbouring snapshots. The difference at one time may be 0 by
-// chance, since the differences oscillate.
-// @param differences differences at the first snapshots
-void store_error_estimates(const std::vector<transform::ErrorEstimate>& differences,
-                           double half_period,
-                           std::vector<transform::TransientSnapshot>& snapshots) {
-  for (std::size_t k = 0; k < differences.size(); ++k) {
-    transform::ErrorEstimate& error = snapshots[k].error.emplace(differences[k]);
-    for (std::size_t j = 0; j < differences.size(); ++j) {
-      const bool is_neighbour = j + 1 >= k && j <= k + 1;
-      if (!is_neighbour && std::abs(snapshots[j].time - snapshots[k].time) > half_period) continue;
-      increase_to(error.y_l1, differences[j].y_l1);
-      increase_to(error.ydot_l1, differences[j].ydot_l1);
-      for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-        increase_to(error.moments.*moment, differences[j].moments.*moment);
-      }
-    }
-  }
+  return snapshots;
 }
 
 }  // namespace
@@ -127,23 +98,15 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
   std::vector<double> times;
   for (int k = 0; k <= request.snapshots; ++k) times.push_back(request.time(k));
   const ClosureEvolution evolution = evolve(transformed, options, start, times);
-  ClosureEvolution previous;
+  transient.snapshots = make_transient_snapshots(transformed, evolution, request);
   if (options.order > 2) {
     Options lower = options;
     lower.order -= 2;
-    previous = evolve(transformed, lower, start, times);
+    const ClosureEvolution previous = evolve(transformed, lower, start, times);
+    transform::estimate_errors_by_differences(
+        make_transient_snapshots(transformed, previous, request), 1,
+        std::numbers::pi / scales.frequency, transient.snapshots);
   }
-  std::vector<transform::ErrorEstimate> differences;
-  for (std::size_t k = 0; k < evolution.snapshots.size(); ++k) {
-    transient.snapshots.push_back(
-        make_transient_snapshot(transformed, evolution.snapshots[k], request));
-    if (k < previous.snapshots.size()) {
-      differences.push_back(difference_of_orders(
-          transient.snapshots.back(),
-          make_transient_snapshot(transformed, previous.snapshots[k], request)));
-    }
-  }
-  store_error_estimates(differences, std::numbers::pi / scales.frequency, transient.snapshots);
   transient.status = evolution.status;
   transient.reason = evolution.reason;
   transient.details = fmt::format("{} x {} quadrature points, {} steps", evolution.quadrature.s,

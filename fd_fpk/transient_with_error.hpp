@@ -7,9 +7,7 @@
 namespace fpkcheck::fd_fpk {
 
 /// Computes the density over time by solve_transient(), and again on a coarser grid with a larger
-/// tolerance of the time steps. Half of the difference is the error estimate: the errors of the
-/// second computation are at least three times as large, for orders of 3 or more in space and 2 in
-/// time.
+/// tolerance of the time steps. The difference is the error estimate.
 /// @throws InputError as solve_transient()
 transform::Transient solve_transient_with_error(const problem::Problem& problem,
                                                 const Options& options,

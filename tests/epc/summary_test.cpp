@@ -82,11 +82,12 @@ TEST(ClosureSummary, WithoutARootStatesTheEndOfTheBranch) {
 
 TEST(ClosureSummary, OnTheHalfPlaneStatesTheTail) {
   const Metrics seen = solved_metrics(1, tests::closure(Formulation::moment, 4));
-  EXPECT_EQ(top_level_names(seen),
-            (std::vector<std::string>{"order", "formulation", "iterations", "residual", "condition",
-                                      "coordinates", "log_C", "coefficients", "support",
-                                      "leading_form", "distance_to_previous", "balances", "tail",
-                                      "quadrature_change", "homotopies"}));
+  EXPECT_EQ(
+      top_level_names(seen),
+      (std::vector<std::string>{"order", "formulation", "iterations", "residual", "condition",
+                                "coordinates", "log_C", "coefficients", "support", "leading_form",
+                                "distance_to_previous", "balances", "tail", "quadrature_change",
+                                "homotopies", "relaxation_rate", "relaxation_frequency"}));
   EXPECT_EQ(metric_text(seen, "formulation"), "moment");
   EXPECT_EQ(metric_text(seen, "tail.kind"), "confined");
   // The metric is the leading form of the exponent with its confinement; Q_n alone rises.
@@ -97,8 +98,9 @@ TEST(ClosureSummary, OnTheHalfPlaneStatesTheTail) {
 
 TEST(ClosureSummary, HowTheRootWasFoundIsWork) {
   const Metrics seen = solved_metrics(1, tests::closure(Formulation::polar, 4));
-  for (const char* path : {"iterations", "residual", "condition", "support.worst_direction.x1",
-                           "support.worst_direction.x2", "quadrature_change", "homotopies"}) {
+  for (const char* path :
+       {"iterations", "residual", "condition", "support.worst_direction.x1",
+        "support.worst_direction.x2", "quadrature_change", "homotopies", "relaxation_rate"}) {
     EXPECT_EQ(find_metric(seen, path)->kind, MetricKind::work) << path;
   }
   for (const char* path : {"order", "support.y_max", "leading_form", "tail.level"}) {
