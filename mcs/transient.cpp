@@ -24,9 +24,9 @@ using transform::Moments;
 using transform::Status;
 using transform::TransientRequest;
 
-// Paths of the default simulation, and its longest time in periods of all paths, without and with
-// Gaussian noise: some seconds of computing.
-constexpr double kPaths = 1e6, kMostPeriodsOfPaths = 4e6, kMostPeriodsWithNoise = 1e6;
+// Paths of the default simulation, and its most impulses, kicks and flights: some seconds of
+// computing with DuffingFlights, and with other flights.
+constexpr double kPaths = 1e6, kMostDuffingEvents = 6e7, kMostOtherEvents = 2.5e7;
 constexpr double kFewestPaths = 1000;
 constexpr int kStreams = 2048;  // paths that are simulated together
 
@@ -184,9 +184,10 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
   many_streams.streams = kStreams;
   SimulationPlan plan = make_simulation_plan(transformed, many_streams);
   plan.sampling_interval = 4 * request.until;  // no path ends its flights at samples
-  const double longest = (plan.kicks.is_present() ? kMostPeriodsWithNoise : kMostPeriodsOfPaths) *
-                         2 * std::numbers::pi / scales.frequency;
-  const double time = options.time.value_or(std::min(kPaths * request.until, longest));
+  const double events =
+      plan.oscillator.is_duffing_at_wall() ? kMostDuffingEvents : kMostOtherEvents;
+  const double time =
+      options.time.value_or(std::min(kPaths * request.until, events / plan.event_rate));
   const int repetitions =
       static_cast<int>(std::ceil(std::max(kFewestPaths, time / request.until) / kStreams));
   const double paths = static_cast<double>(repetitions) * kStreams;

@@ -175,7 +175,7 @@ class Evolution {
                std::sqrt(narrowness));
     for (int left = kMostRefinements;; --left) {
       ClosureEvolution evolution;
-      const double change = integrate(size, times, density_of, evolution);
+      const double change = integrate(size, times, density_of, left > 0, evolution);
       evolution.quadrature = size;
       if (evolution.status != Status::ok || change < kQuadratureTolerance) return evolution;
       if (left == 0) {
@@ -247,8 +247,10 @@ class Evolution {
   }
 
   // Integrates over the times, and returns the largest change by more quadrature points.
+  // @param may_stop whether the integration stops when this change exceeds the tolerance
   double integrate(const QuadraturePointCounts& size, const std::vector<double>& times,
-                   const DensityOfClosure& density_of, ClosureEvolution& evolution) const {
+                   const DensityOfClosure& density_of, bool may_stop,
+                   ClosureEvolution& evolution) const {
     const double level = level_for_start(size);
     const double support = support_energy(level, options_.tail);
     QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);
@@ -306,6 +308,7 @@ class Evolution {
       }
       const CoefficientsOfMoments::State& state = coefficients.last();
       change = std::max(change, change_on_finer_points(equations, fine_equations, coefficients));
+      if (may_stop && change >= kQuadratureTolerance) return change;
       evolution.snapshots.push_back(
           {.time = time,
            .density = density_of(make_closure_density(equations, state.a, level, options_.tail)),

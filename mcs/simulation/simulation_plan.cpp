@@ -278,6 +278,7 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
       .oscillator = oscillator,
       .kicks = kicks,
       .step = step,
+      .event_rate = rates.total_rate(),
       .burn_in = durations.burn_in,
       .short_burn_in_cause = durations.short_burn_in_cause,
       .sampling_interval = interval,

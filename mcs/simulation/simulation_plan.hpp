@@ -32,6 +32,7 @@ struct SimulationPlan {
   Oscillator oscillator;
   NoiseKicks kicks;
   double step;
+  double event_rate;  ///< expected number of impulses, kicks and flights per unit time of a stream
   double burn_in;
   ShortBurnInCause short_burn_in_cause;
   double sampling_interval;
