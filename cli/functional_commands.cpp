@@ -44,16 +44,18 @@ examples:
 constexpr const char* kPassageUsage = R"(usage: fpkcheck passage CASE --displacement B [options]
 
 First passage of the displacement y above a barrier B: probability of survival over time, mean time
-from rest and from the stationary law below the barrier, hazard (rate of passages in the limit of
-long times). Finite volumes solve the backward equation on y < B on three or more grids, whose
-differences give the error. The simulation measures the stays below the barrier and states standard
-errors. The column rice is the usual approximation by independent upward crossings at Rice's rate.
+from rest (or from --start) and from the stationary law below the barrier, hazard (rate of passages
+in the limit of long times). Finite volumes solve the backward equation on y < B on three or more
+grids, whose differences give the error. The simulation measures the stays below the barrier and
+states standard errors. The column rice is the usual approximation by independent upward crossings
+at Rice's rate.
 Exit code 0 when the estimated errors by finite volumes are below --accuracy: relative errors, and
 absolute errors of survival probabilities.
 
 examples:
   fpkcheck passage case1 --displacement 1.5
   fpkcheck passage case1 --displacement 2 --times 100,1000,10000 --methods fd-kf,fd-white
+  fpkcheck passage case1 --displacement 1.5 --start 0.5,-1
   fpkcheck passage bistable --displacement 1 --out results
 )";
 

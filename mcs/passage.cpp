@@ -66,6 +66,8 @@ class CrossingDetector {
   }
 
   bool is_above() const { return count_ > 0 && last_ >= level_; }
+  /// Whether the detector has one sample, and this sample is above the level.
+  bool starts_above() const { return count_ == 1 && is_above(); }
   double time() const { return static_cast<double>(count_) * interval_; }
 
  private:
@@ -234,13 +236,14 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, doub
   return all_sums();
 }
 
-// Simulates passages from rest: each stream starts again at rest in the round after a passage.
-// Every stream makes the same number of passages, since a limit of the time would favour short ones.
-std::optional<ValueWithError> simulate_from_rest(Simulation& simulation, double barrier,
-                                                 double rest, double mean, double most_time,
-                                                 const std::vector<double>& times,
-                                                 std::vector<ValueWithError>& survival,
-                                                 const Options& options) {
+// Simulates passages from a state in wall coordinates: each stream starts again there in the round
+// after a passage. Every stream makes the same number of passages, since a limit of the time would favour short ones.
+std::optional<ValueWithError> simulate_from_point(Simulation& simulation, double barrier,
+                                                  const transform::StartState& start, double mean,
+                                                  double most_time,
+                                                  const std::vector<double>& times,
+                                                  std::vector<ValueWithError>& survival,
+                                                  const Options& options) {
   constexpr double kMostPassages = 5e3, kFewestPerStream = 4;
   const SimulationPlan& plan = simulation.plan();
   const auto streams = static_cast<std::size_t>(plan.streams);
@@ -250,8 +253,8 @@ std::optional<ValueWithError> simulate_from_rest(Simulation& simulation, double 
   const auto passages = static_cast<std::size_t>(per_stream);
   std::vector<std::vector<double>> found(streams);
   std::vector<CrossingDetector> detectors(streams, {barrier, plan.sampling_interval});
-  for (std::size_t s = 0; s < streams; ++s) simulation.restart(s, rest, 0);
-  // From rest the mean time may be far longer than from the stationary law.
+  for (std::size_t s = 0; s < streams; ++s) simulation.restart(s, start.y, start.ydot);
+  // From a point the mean time may be far longer than from the stationary law.
   constexpr double kMostRepetitions = 4;
   const double most_rounds =
       kMostRepetitions * most_time / static_cast<double>(streams) / plan.round_time();
@@ -272,12 +275,13 @@ std::optional<ValueWithError> simulate_from_rest(Simulation& simulation, double 
         if (passage) break;
         detectors[s].add(
             y, [&](double time) { passage = time + offset; }, [](double) {});
+        if (detectors[s].starts_above()) passage = offset;
       }
       series.clear();
       if (passage) {
         if (found[s].size() < passages) found[s].push_back(*passage);
         detectors[s] = {barrier, plan.sampling_interval};
-        simulation.restart(s, rest, 0);
+        simulation.restart(s, start.y, start.ydot);
       }
       finished += found[s].size() >= passages ? 1 : 0;
     }
@@ -306,7 +310,8 @@ std::optional<ValueWithError> simulate_from_rest(Simulation& simulation, double 
 }  // namespace
 
 transform::Passage estimate_passage(const problem::Problem& problem, const Options& options,
-                                    double barrier, const std::vector<double>& times) {
+                                    double barrier, const std::vector<double>& times,
+                                    std::optional<transform::StartState> start) {
   const auto begin = std::chrono::steady_clock::now();
   transform::Passage passage{.id = id(options)};
   passage.has_standard_errors = true;
@@ -357,16 +362,21 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
         sums, [k](const StaySums& s) { return s.excess[k]; }, length));
   }
 
-  if (const auto rest = problem::rest_displacement(transformed, level)) {
-    SimulationPlan from_rest = plan;
+  if (start) {
+    start = {transformed.frame.wall_x(start->y), transformed.frame.physical_velocity(start->ydot)};
+  } else if (const auto rest = problem::rest_displacement(transformed, level)) {
+    start = {*rest, 0};
+  }
+  if (start) {
+    SimulationPlan from_point = plan;
     const double mean = passage.mean_from_stationary->value;
-    from_rest.samples_per_round = static_cast<std::uint64_t>(
+    from_point.samples_per_round = static_cast<std::uint64_t>(
         std::ceil(std::min(mean / 10 / plan.sampling_interval, kMostSamples)));
-    Simulation restarted(transformed, from_rest);
+    Simulation restarted(transformed, from_point);
     restarted.keep_series();
-    passage.mean_from_rest =
-        simulate_from_rest(restarted, level, *rest, mean, sums.front().whole * plan.streams, times,
-                           passage.survival_from_rest, options);
+    passage.mean_from_point =
+        simulate_from_point(restarted, level, *start, mean, sums.front().whole * plan.streams,
+                            times, passage.survival_from_point, options);
   }
   passage.details = fmt::format("{:.0f} stays below the barrier", stays);
   passage.reason = short_burn_in_reason(plan, options);

@@ -14,9 +14,15 @@ struct ValueWithError {
   double error = 0;
 };
 
+/// Initial state of a passage, in physical coordinates.
+struct StartState {
+  double y = 0, ydot = 0;
+};
+
 /// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Passage
-/// times from rest belong to a start at rest on the wall, or at the equilibrium; stationary ones to the
-/// stationary law below the barrier. Absent values are not computed by the method.
+/// times from a point belong to a StartState, or to a start at rest on the wall or at the equilibrium;
+/// stationary ones to the stationary law below the barrier. Absent values are not computed by the
+/// method.
 struct Passage {
   std::string id;  ///< id of the solution, such as "fd-kf", "mcs" or "rice"
   Status status = Status::failed;
@@ -24,13 +30,13 @@ struct Passage {
   double seconds = 0;
   /// Rate of passages g in the limit of long times: P(tau > t) ~ C exp(-g t)
   std::optional<ValueWithError> hazard = {};
-  std::optional<ValueWithError> mean_from_rest = {}, mean_from_stationary = {};
+  std::optional<ValueWithError> mean_from_point = {}, mean_from_stationary = {};
   /// Rate of upward crossings of the barrier in the stationary process (Rice)
   std::optional<ValueWithError> rice_rate = {};
   std::optional<ValueWithError> probability_below = {};  ///< stationary probability of y < b
   std::vector<double> times = {};
   /// Probabilities P(tau > t) at the times; empty if not computed
-  std::vector<ValueWithError> survival_from_rest = {}, survival_from_stationary = {};
+  std::vector<ValueWithError> survival_from_point = {}, survival_from_stationary = {};
   bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
   std::string details = {};          ///< grid or simulated time, for tables
 };

@@ -34,11 +34,11 @@ constexpr double kPassageTargetFraction = 0.5;
 // convergence.
 constexpr int kObservedOrder = 2;
 
-// Positions of the values of a grid in a vector, followed by the survival probabilities from rest and
+// Positions of the values of a grid in a vector, followed by the survival probabilities from the point and
 // from the stationary law.
 enum PassageValue {
   kHazard,
-  kFromRest,
+  kFromPoint,
   kFromStationary,
   kRiceRate,
   kProbabilityBelow,
@@ -51,8 +51,9 @@ struct PassageProblem {
   const Options& options;
   const problem::MotionScales& scales;
   double barrier;
-  std::optional<double> rest;  // displacement of the start at rest, if there is one
-  double waiting_rate;         // rate of the impulses that end the rest; 0 if noise ends it at once
+  std::optional<transform::StartState> start;  // in wall coordinates; empty if there is none
+  /// Rate of the impulses that end a start at rest; 0 if noise ends the rest, or for another start
+  double waiting_rate;
   Box box;  // box of the stationary density, whose right end is beyond the barrier
 };
 
@@ -122,7 +123,7 @@ double speed_before_impact(const problem::Wall& wall, double v) {
 }
 
 // Returns the weights of the velocity cells in the mean of a function of the velocity right after the
-// first impulse on a mass at rest at x = rest. A wall there reflects impulses against it.
+// first impulse on a mass at rest. A wall there reflects impulses against it.
 Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis& x2, int order) {
   constexpr int kParts = 8;  // parts of a cell, with the values at their centres
   std::vector<double> centres;
@@ -130,10 +131,10 @@ Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis&
   const AxisOperator values = point_value_operator(x2, averaging_stencil_size(order), centres);
   const problem::ImpulseLaw& law = passage.problem.impulses.law();
   const auto& wall = passage.problem.system.left_wall();
-  const bool on_wall = wall && *passage.rest <= wall->position;
+  const bool on_wall = wall && passage.start->y <= wall->position;
   // An impulse Y changes the velocity by b Y, with b = 1 unless the impulses are parametric.
   const auto& factor = passage.problem.impulse_factor;
-  const double b = factor ? (*factor)(*passage.rest, 0) : 1;
+  const double b = factor ? (*factor)(passage.start->y, 0) : 1;
   const auto impulse_probability = [&](double v) {
     const double probability = law.cumulative_probability(v / b);
     return b > 0 ? probability : 1 - probability;
@@ -159,12 +160,12 @@ Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis&
 }
 
 // Returns the functional of cell averages that evaluates the survival probability or the mean time
-// for the start at rest; under impulses after the first of them.
-Eigen::VectorXd start_at_rest(const PassageProblem& passage, const Grid& grid, int order) {
-  const Eigen::RowVectorXd of_x1 = value_at(grid.x1, order, *passage.rest);
+// at the start; from rest under impulses, after the first of them.
+Eigen::VectorXd value_at_start(const PassageProblem& passage, const Grid& grid, int order) {
+  const Eigen::RowVectorXd of_x1 = value_at(grid.x1, order, passage.start->y);
   const Eigen::RowVectorXd of_x2 = passage.waiting_rate > 0
                                        ? mean_after_impulse(passage, grid.x2, order)
-                                       : value_at(grid.x2, order, 0);
+                                       : value_at(grid.x2, order, passage.start->ydot);
   const Eigen::MatrixXd weights = of_x2.transpose() * of_x1;
   return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
 }
@@ -188,11 +189,11 @@ Eigen::VectorXd survival(const ReducedResolvent::Modes& modes, const std::vector
   return values;
 }
 
-Eigen::VectorXd passage_values(ReducedResolvent& model, const Eigen::VectorXd& from_rest,
+Eigen::VectorXd passage_values(ReducedResolvent& model, const Eigen::VectorXd& from_point,
                                const Eigen::VectorXd& from_stationary,
                                const std::vector<double>& times, double waiting_rate) {
   const Eigen::VectorXcd origin = Eigen::VectorXcd::Zero(1);
-  const auto of_rest = model.modes(from_rest), of_stationary = model.modes(from_stationary);
+  const auto of_point = model.modes(from_point), of_stationary = model.modes(from_stationary);
   const auto n = static_cast<Eigen::Index>(times.size());
   Eigen::VectorXd values = Eigen::VectorXd::Zero(kValueCount + 2 * n);
   // Modes without a contribution may be no modes of the operator.
@@ -203,9 +204,9 @@ Eigen::VectorXd passage_values(ReducedResolvent& model, const Eigen::VectorXd& f
     values(kHazard) = std::min(values(kHazard), -of_stationary.rates(j).real());
   }
   values(kFromStationary) = model.transfer(from_stationary, origin)(0).real();
-  values(kFromRest) =
-      model.transfer(from_rest, origin)(0).real() + (waiting_rate > 0 ? 1 / waiting_rate : 0);
-  values.segment(kValueCount, n) = survival(of_rest, times, waiting_rate);
+  values(kFromPoint) =
+      model.transfer(from_point, origin)(0).real() + (waiting_rate > 0 ? 1 / waiting_rate : 0);
+  values.segment(kValueCount, n) = survival(of_point, times, waiting_rate);
   values.segment(kValueCount + n, n) = survival(of_stationary, times, 0);
   return values;
 }
@@ -214,7 +215,7 @@ Eigen::VectorXd passage_values(ReducedResolvent& model, const Eigen::VectorXd& f
 // probabilities, since small probabilities have large relative errors.
 Eigen::VectorXd passage_magnitudes(const Eigen::VectorXd& values) {
   Eigen::VectorXd magnitudes = values.cwiseAbs();
-  if (magnitudes(kFromRest) == 0) magnitudes(kFromRest) = 1;  // without a start at rest
+  if (magnitudes(kFromPoint) == 0) magnitudes(kFromPoint) = 1;  // without such a start
   magnitudes.tail(values.size() - kValueCount).setOnes();
   return magnitudes;
 }
@@ -275,9 +276,9 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
   // The vector z with exp(L^T t) areas = z is the survival probability times the areas.
   const ShiftedSystem system(op, preconditioner, below.nv(), order, shift, Transposed::yes);
   ReducedResolvent model(system, areas);
-  const Eigen::VectorXd from_rest =
-      passage.rest ? Eigen::VectorXd(start_at_rest(passage, below, order).cwiseQuotient(areas))
-                   : Eigen::VectorXd(Eigen::VectorXd::Zero(areas.size()));
+  const Eigen::VectorXd from_point =
+      passage.start ? Eigen::VectorXd(value_at_start(passage, below, order).cwiseQuotient(areas))
+                    : Eigen::VectorXd(Eigen::VectorXd::Zero(areas.size()));
   const Eigen::VectorXd from_stationary = p / probability;
   Eigen::VectorXd last;
   bool agree = false;
@@ -287,7 +288,7 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
       return level;
     }
     Eigen::VectorXd values =
-        passage_values(model, from_rest, from_stationary, times, passage.waiting_rate);
+        passage_values(model, from_point, from_stationary, times, passage.waiting_rate);
     agree =
         last.size() > 0 && ((values - last).array().abs() <= krylov_errors(values).array()).all();
     last = values;
@@ -299,8 +300,8 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
         kMost);
     return level;
   }
-  const bool is_from_rest_valid = !passage.rest || last(kFromRest) > 0;
-  if (!(last(kHazard) > 0 && last(kFromStationary) > 0 && is_from_rest_valid)) {
+  const bool is_from_point_valid = !passage.start || last(kFromPoint) > 0;
+  if (!(last(kHazard) > 0 && last(kFromStationary) > 0 && is_from_point_valid)) {
     level.failure =
         "the operator below the barrier has a growing mode: the cells do not resolve the motion "
         "there; choose a barrier farther from the wall, or use mcs";
@@ -351,7 +352,8 @@ std::vector<double> automatic_times(double mean) {
 }  // namespace
 
 transform::Passage solve_passage(const problem::Problem& problem, const Options& options,
-                                 double barrier, std::vector<double> times) {
+                                 double barrier, std::vector<double> times,
+                                 std::optional<transform::StartState> start) {
   validate(options);
   const Stopwatch stopwatch;
   transform::Passage passage{.id = solution_id(options)};
@@ -372,16 +374,22 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   with_order.order = options.order.value_or(automatic_order(transformed));
   if (!has_linearised_scales(transformed))
     with_order.wall_density *= box_edge_density_factor(transformed);
-  const auto rest = problem::rest_displacement(transformed, level);
+  const bool is_at_rest = !start;
+  if (start) {
+    start = {transformed.frame.wall_x(start->y), transformed.frame.physical_velocity(start->ydot)};
+  } else if (const auto rest = problem::rest_displacement(transformed, level)) {
+    start = {*rest, 0};
+  }
   const bool waits = transformed.impulses.is_present() && !transformed.noise.is_present() &&
                      options.equation == DensityEquation::kf;
-  const PassageProblem below{.problem = transformed,
-                             .options = with_order,
-                             .scales = scales,
-                             .barrier = level,
-                             .rest = rest,
-                             .waiting_rate = waits ? transformed.impulses.arrival_rate() : 0,
-                             .box = passage_box(transformed, scales, with_order, level, deadline)};
+  const PassageProblem below{
+      .problem = transformed,
+      .options = with_order,
+      .scales = scales,
+      .barrier = level,
+      .start = start,
+      .waiting_rate = waits && is_at_rest ? transformed.impulses.arrival_rate() : 0,
+      .box = passage_box(transformed, scales, with_order, level, deadline)};
   if (level <= below.box.x1_min) {
     passage.status = Status::not_offered;
     passage.reason = "the stationary probability below the barrier is negligible";
@@ -414,14 +422,14 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
     return {converged.values(k), errors(k)};
   };
   passage.hazard = at(kHazard);
-  if (rest) passage.mean_from_rest = at(kFromRest);
+  if (start) passage.mean_from_point = at(kFromPoint);
   passage.mean_from_stationary = at(kFromStationary);
   passage.rice_rate = at(kRiceRate);
   passage.probability_below = at(kProbabilityBelow);
   passage.times = times;
   const auto n = static_cast<Eigen::Index>(times.size());
   for (Eigen::Index k = 0; k < n; ++k) {
-    if (rest) passage.survival_from_rest.push_back(at(kValueCount + k));
+    if (start) passage.survival_from_point.push_back(at(kValueCount + k));
     passage.survival_from_stationary.push_back(at(kValueCount + n + k));
   }
   passage.details = fmt::format("{} x {} cells", converged.nx, converged.nv);

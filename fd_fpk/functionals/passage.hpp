@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fd_fpk/options.hpp"
@@ -17,8 +18,10 @@ namespace fpkcheck::fd_fpk {
 /// continued beyond the barrier, gives the stationary start and Rice's rate. The errors follow from
 /// three or more grids (ConvergedValues).
 /// @param times times of the survival probabilities; automatic times if empty
+/// @param start start of Passage::mean_from_point; empty for a start at rest
 /// @throws InputError for invalid options
 transform::Passage solve_passage(const problem::Problem& problem, const Options& options,
-                                 double barrier, std::vector<double> times);
+                                 double barrier, std::vector<double> times,
+                                 std::optional<transform::StartState> start = {});
 
 }  // namespace fpkcheck::fd_fpk

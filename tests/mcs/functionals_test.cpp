@@ -76,7 +76,7 @@ TEST(SimulatedPassage, HasTheValuesOfAnIndependentMethodInCase1) {
     EXPECT_LE(found->error, 0.05 * exact);
   };
   expect(passage.hazard, 0.00945683);
-  expect(passage.mean_from_rest, 114.2740);
+  expect(passage.mean_from_point, 114.2740);
   expect(passage.mean_from_stationary, 102.1617);
   expect(passage.rice_rate, 0.0211775);
   expect(passage.survival_from_stationary[0], 0.96522 * std::exp(-0.945683));

@@ -27,13 +27,13 @@ TEST(Passage, HasTheValuesOfAnIndependentMethodInCase1) {
   const Passage passage = solve_passage(tests::paper_case(1), {}, 1.5, {10, 100});
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   expect_value(passage.hazard, 0.00945683, "hazard");
-  expect_value(passage.mean_from_rest, 114.2740, "mean from rest");
+  expect_value(passage.mean_from_point, 114.2740, "mean from rest");
   expect_value(passage.mean_from_stationary, 102.1617, "mean from stationary");
   expect_value(passage.rice_rate, 0.0211775, "Rice's rate");
   // S(t) ~ C exp(-g t) with C = 0.96522
   EXPECT_NEAR(passage.survival_from_stationary[1].value, 0.96522 * std::exp(-0.945683), 1e-3);
   EXPECT_LT(passage.survival_from_stationary[0].value, 1);
-  EXPECT_GT(passage.survival_from_rest[0].value, passage.survival_from_stationary[0].value);
+  EXPECT_GT(passage.survival_from_point[0].value, passage.survival_from_stationary[0].value);
 }
 
 // The hazard is smaller than the rate of upcrossings nu / P, since passages come in clumps, and the
@@ -54,6 +54,21 @@ TEST(Passage, HasASmallerHazardThanTheRateOfUpcrossings) {
     integral += kStep * (survival[k].value + survival[k + 1].value) / 2;
   }
   EXPECT_NEAR(integral, passage.mean_from_stationary->value, 1e-2 * integral);
+}
+
+// Noise ends the rest at once. The simulation (mcs-white) gives 0.2790 +- 0.0004 for the start at (0.5,
+// 2), which moves towards the barrier, and 1.98 +- 0.07 for (0.5, -2), which first impacts the wall.
+TEST(Passage, StartsAtAGivenState) {
+  const auto p = tests::make_problem({.damping = 0.3, .intensity = 0.3});
+  const Options white{.equation = DensityEquation::white, .accuracy = 0.1};
+  const Passage rest = solve_passage(p, white, 1, {10});
+  const Passage at_wall = solve_passage(p, white, 1, {10}, transform::StartState{0, 0});
+  ASSERT_EQ(rest.status, Status::ok) << rest.reason;
+  EXPECT_DOUBLE_EQ(at_wall.mean_from_point->value, rest.mean_from_point->value);
+  const Passage up = solve_passage(p, white, 1, {10}, transform::StartState{0.5, 2});
+  const Passage down = solve_passage(p, white, 1, {10}, transform::StartState{0.5, -2});
+  EXPECT_NEAR(up.mean_from_point->value, 0.279, 0.01);
+  EXPECT_NEAR(down.mean_from_point->value, 1.98, 0.2);
 }
 
 TEST(Passage, RefusesABarrierOutsideTheWalls) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -116,6 +117,46 @@ TEST(PassageOptions, NeedABarrierAndValidTimes) {
   EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError);
 }
 
+TEST(PassageOptions, RefuseInvalidStarts) {
+  PassageOptions options;
+  options.displacement = 1;
+  for (const char* start : {"", "0.5", "0.5,1,2", "a,1", "1,0", "1.2,0", "-0.1,0", "0.5,inf"}) {
+    options.start = start;
+    EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError) << start;
+  }
+}
+
+// Motion towards the wall returns with 0.7 of the speed. A wrong sign of the velocity would increase
+// the probability of a passage before t = 3 from 0.3 to 0.6.
+TEST(PassageFromAPoint, AgreesWithTheSimulation) {
+  const auto problem = tests::make_problem({.damping = 0.3, .restitution = 0.7, .intensity = 0.3});
+  PassageOptions options;
+  options.displacement = 1;
+  options.start = "0.3,-1.2";
+  options.times = "3,10";
+  options.time = 1e5;
+  options.accuracy = 0.05;
+  options.max_seconds = 60;
+  const PassageStudy study = study_passage(problem, options, {});
+  const auto &fd = study.passages.at(0), &simulated = study.passages.at(1);
+  ASSERT_EQ(fd.status, Status::ok) << fd.reason;
+  ASSERT_EQ(simulated.status, Status::ok) << simulated.reason;
+  const auto expect_agreement = [](const transform::ValueWithError& a,
+                                   const transform::ValueWithError& b) {
+    constexpr double kStandardErrors = 4;
+    EXPECT_NEAR(a.value, b.value, std::hypot(a.error, kStandardErrors * b.error));
+  };
+  expect_agreement(*fd.mean_from_point, *simulated.mean_from_point);
+  for (std::size_t k = 0; k < 2; ++k) {
+    expect_agreement(fd.survival_from_point.at(k), simulated.survival_from_point.at(k));
+  }
+  const Json found = Json::parse(study::json(study, "fpkcheck passage"));
+  const Json& passage = found.at("cases").at(0).at("passage");
+  EXPECT_EQ(passage.at("start").at("ydot"), -1.2);
+  EXPECT_EQ(passage.at("solutions").at(0).at("mean_from_start"), fd.mean_from_point->value);
+  EXPECT_TRUE(passage.at("solutions").at(0).at("survival").at(0).contains("from_start"));
+}
+
 // A negative factor of skewed impulses, and a restitution coefficient that decreases with the speed: the
 // mean time from rest would change with a wrong sign, factor or speed of the first impulse.
 TEST(PassageFromRest, AgreesWithTheSimulationUnderParametricImpulses) {
@@ -145,7 +186,7 @@ factor = -1.5
   ASSERT_EQ(fd.status, Status::ok) << fd.reason;
   ASSERT_EQ(simulated.status, Status::ok) << simulated.reason;
   for (const auto mean :
-       {&transform::Passage::mean_from_rest, &transform::Passage::mean_from_stationary}) {
+       {&transform::Passage::mean_from_point, &transform::Passage::mean_from_stationary}) {
     const auto &a = *(fd.*mean), &b = *(simulated.*mean);
     EXPECT_NEAR(a.value, b.value, 3.5 * b.error + 2 * a.error);
     EXPECT_LT(3.5 * b.error + 2 * a.error, 0.1 * a.value);

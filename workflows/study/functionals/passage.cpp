@@ -24,17 +24,28 @@ using transform::Status;
 using transform::ValueWithError;
 using Quantity = std::optional<ValueWithError> Passage::*;
 
+// Name of the start other than the stationary law, in keys and tables.
+struct PointName {
+  std::string key, text;
+};
+PointName point_name(const PassageOptions& options) {
+  if (!options.start) return {"rest", "rest"};
+  return {"start", "(" + *options.start + ")"};
+}
+
 struct NamedQuantity {
-  const char* key;   // key in JSON
-  const char* name;  // name in tables
+  std::string key;   // key in JSON
+  std::string name;  // name in tables
   Quantity quantity;
 };
-constexpr NamedQuantity kQuantities[] = {
-    {"hazard", "hazard", &Passage::hazard},
-    {"mean_from_rest", "mean time from rest", &Passage::mean_from_rest},
-    {"mean_from_stationary", "mean time, stationary start", &Passage::mean_from_stationary},
-    {"rice_rate", "rate of upcrossings (Rice)", &Passage::rice_rate},
-    {"probability_below", "probability below the barrier", &Passage::probability_below}};
+std::vector<NamedQuantity> named_quantities(const PassageOptions& options) {
+  const auto [key, text] = point_name(options);
+  return {{"hazard", "hazard", &Passage::hazard},
+          {"mean_from_" + key, "mean time from " + text, &Passage::mean_from_point},
+          {"mean_from_stationary", "mean time, stationary start", &Passage::mean_from_stationary},
+          {"rice_rate", "rate of upcrossings (Rice)", &Passage::rice_rate},
+          {"probability_below", "probability below the barrier", &Passage::probability_below}};
+}
 
 std::vector<double> parse_times(const PassageOptions& options) {
   std::vector<double> times;
@@ -48,6 +59,31 @@ std::vector<double> parse_times(const PassageOptions& options) {
     times.push_back(*number);
   }
   return times;
+}
+
+// Returns the start Y,V of the options.
+// @throws InputError unless Y is below the barrier and between the walls
+std::optional<transform::StartState> parse_start(const problem::Problem& problem,
+                                                 const PassageOptions& options) {
+  if (!options.start) return std::nullopt;
+  const auto refuse = [&](const std::string& requirement) {
+    throw InputError(fmt::format("--start {} ({})", base::in_quotes(*options.start), requirement));
+  };
+  const std::vector<std::string> parts = split_at_commas(*options.start);
+  std::optional<double> y, ydot;
+  if (parts.size() == 2) {
+    y = parse_finite_number(parts[0]);
+    ydot = parse_finite_number(parts[1]);
+  }
+  if (!y || !ydot) refuse("must be the displacement and the velocity Y,V, as 0.5,-1");
+  if (!(*y < *options.displacement)) {
+    refuse(fmt::format("Y must be below the barrier {:g}", *options.displacement));
+  }
+  const auto& wall = problem.system.left_wall();
+  if (wall && *y < wall->position) {
+    refuse(fmt::format("Y must not be behind the wall at {:g}", wall->position));
+  }
+  return transform::StartState{*y, *ydot};
 }
 
 // Returns the approximation by independent upward crossings at Rice's rate: the hazard nu / P, and
@@ -73,6 +109,8 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
       base::Description<PassageOptions>("passage ")
           .add("displacement", &PassageOptions::displacement,
                {"B", "barrier: first passage of y above B"}, base::finite_numbers())
+          .add("start", &PassageOptions::start,
+               {"Y,V", "start at the displacement Y with the velocity V (default: at rest)"})
           .add(
               "times", &PassageOptions::times,
               {"LIST",
@@ -91,11 +129,12 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
   }
   const double barrier = *options.displacement;
   std::vector<double> times = parse_times(options);
+  const auto start = parse_start(problem, options);
   PassageStudy study{problem, options, {}};
   for_each_selected_method(problem, options, listener, [&](const SelectedMethod& method) {
-    study.passages.push_back(method.fd
-                                 ? fd_fpk::solve_passage(problem, *method.fd, barrier, times)
-                                 : mcs::estimate_passage(problem, *method.mcs, barrier, times));
+    study.passages.push_back(
+        method.fd ? fd_fpk::solve_passage(problem, *method.fd, barrier, times, start)
+                  : mcs::estimate_passage(problem, *method.mcs, barrier, times, start));
     // The simulation uses the automatic times of the finite volumes.
     if (times.empty()) times = study.passages.back().times;
   });
@@ -113,6 +152,8 @@ bool has_converged(const PassageStudy& study) {
 
 std::string json(const PassageStudy& study, const std::string& command) {
   using results::Json;
+  const auto quantities = named_quantities(study.options);
+  const std::string from_point = "from_" + point_name(study.options).key;
   Json solutions = Json::array();
   for (const Passage& p : study.passages) {
     Json one{{"solution", p.id},
@@ -120,7 +161,7 @@ std::string json(const PassageStudy& study, const std::string& command) {
              {"reason", p.reason},
              {"seconds", p.seconds}};
     Json error = Json::object();
-    for (const auto& [key, label, quantity] : kQuantities) {
+    for (const auto& [key, label, quantity] : quantities) {
       const auto& value = p.*quantity;
       one[key] = value ? Json(value->value) : Json();
       error[key] = value && !is_rice(p) ? Json(value->error) : Json();
@@ -132,11 +173,11 @@ std::string json(const PassageStudy& study, const std::string& command) {
       };
       survival.push_back(
           {{"time", p.times[k]},
-           {"from_rest", at(p.survival_from_rest, &ValueWithError::value)},
+           {from_point, at(p.survival_from_point, &ValueWithError::value)},
            {"from_stationary", at(p.survival_from_stationary, &ValueWithError::value)}});
       survival_error.push_back(
           {{"time", p.times[k]},
-           {"from_rest", at(p.survival_from_rest, &ValueWithError::error)},
+           {from_point, at(p.survival_from_point, &ValueWithError::error)},
            {"from_stationary", at(p.survival_from_stationary, &ValueWithError::error)}});
     }
     one["survival"] = std::move(survival);
@@ -145,12 +186,17 @@ std::string json(const PassageStudy& study, const std::string& command) {
     one["error_is"] = is_rice(p) ? Json() : Json(error_kind(p.has_standard_errors));
     solutions.push_back(std::move(one));
   }
-  const Json passage{{"barrier", {{"displacement", *study.options.displacement}}},
-                     {"solutions", std::move(solutions)}};
+  Json passage{{"barrier", {{"displacement", *study.options.displacement}}},
+               {"solutions", std::move(solutions)}};
+  if (const auto start = parse_start(study.problem, study.options)) {
+    passage["start"] = {{"y", start->y}, {"ydot", start->ydot}};
+  }
   return functional_json(study.problem, "passage", passage, command);
 }
 
 std::string csv(const PassageStudy& study) {
+  const auto quantities = named_quantities(study.options);
+  const std::string from_point = "survival_from_" + point_name(study.options).key;
   std::vector<StudyRecord> rows;
   for (const Passage& p : study.passages) {
     const auto add = [&](const std::string& quantity, base::Value time,
@@ -162,11 +208,11 @@ std::string csv(const PassageStudy& study) {
                       {"value", value.value},
                       {"error", is_rice(p) ? base::Value() : base::Value(value.error)}});
     };
-    for (const auto& [key, label, quantity] : kQuantities) {
+    for (const auto& [key, label, quantity] : quantities) {
       if (p.*quantity) add(key, {}, *(p.*quantity));
     }
-    for (std::size_t k = 0; k < p.survival_from_rest.size(); ++k) {
-      add("survival_from_rest", p.times[k], p.survival_from_rest[k]);
+    for (std::size_t k = 0; k < p.survival_from_point.size(); ++k) {
+      add(from_point, p.times[k], p.survival_from_point[k]);
     }
     for (std::size_t k = 0; k < p.survival_from_stationary.size(); ++k) {
       add("survival_from_stationary", p.times[k], p.survival_from_stationary[k]);
@@ -181,14 +227,15 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
       fmt::format("first passage of y above {:g}; survival: probability that y has stayed below",
                   *study.options.displacement),
       format.width);
+  const auto quantities = named_quantities(study.options);
   std::vector<TableColumn> columns{{"", "", "what", "", report::kAlwaysShown, true}};
   std::vector<StudyRecord> rows;
-  for (const auto& named : kQuantities) rows.push_back({{"what", std::string(named.name)}});
+  for (const auto& named : quantities) rows.push_back({{"what", std::string(named.name)}});
   const auto with_times =
       std::ranges::find_if(study.passages, [](const Passage& p) { return !p.times.empty(); });
   const std::vector<double> times =
       with_times == study.passages.end() ? std::vector<double>{} : with_times->times;
-  for (const char* start : {"rest", "stationary"}) {
+  for (const std::string& start : {point_name(study.options).text, std::string("stationary")}) {
     for (const double t : times) {
       rows.push_back({{"what", fmt::format("survival from {}, t = {:g}", start, t)}});
     }
@@ -205,11 +252,11 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
       }
       ++row;
     };
-    for (const auto& named : kQuantities) {
+    for (const auto& named : quantities) {
       const auto& value = p.*(named.quantity);
       add(value ? &*value : nullptr);
     }
-    for (const auto* survival : {&p.survival_from_rest, &p.survival_from_stationary}) {
+    for (const auto* survival : {&p.survival_from_point, &p.survival_from_stationary}) {
       for (std::size_t k = 0; k < times.size(); ++k) {
         add(k < survival->size() ? &(*survival)[k] : nullptr);
       }

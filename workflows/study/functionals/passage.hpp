@@ -17,6 +17,8 @@ namespace fpkcheck::study {
 
 struct PassageOptions : FunctionalOptions {
   std::optional<double> displacement{};
+  /// Start Y,V; a start at rest if empty
+  std::optional<std::string> start{};
   /// Times of the survival probabilities, comma-separated
   std::optional<std::string> times{};
 };
