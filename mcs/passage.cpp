@@ -24,9 +24,9 @@ using transform::Status;
 using transform::ValueWithError;
 
 constexpr double kSamplesPerPeriod = 60;
-// Relative standard error of the mean time at which the simulation ends, and its longest time in
-// periods of all streams, about 15 s of computing
-constexpr double kGoal = 0.01, kMostPeriods = 3e6;
+// Relative standard error of the mean time at which the simulation ends, and the limits of its time:
+// periods of all streams, for the samples, and impulses, kicks and flights; about 10 s of computing
+constexpr double kGoal = 0.01, kMostPeriods = 2e6, kMostPassageEvents = 6e7;
 // Fewest stays for a result, and for the end of the simulation at the goal: the standard error of few
 // stays, which come in clumps, may be accidentally small.
 constexpr double kFewestStays = 100, kFewestStaysAtGoal = 1000;
@@ -114,7 +114,8 @@ SimulationPlan passage_plan(const problem::Problem& problem, const Options& opti
   SimulationPlan plan = make_simulation_plan(problem, options);
   const double period = 2 * std::numbers::pi / frequency;
   plan.sampling_interval = period / kSamplesPerPeriod;
-  const double time = options.time.value_or(kMostPeriods * period);
+  const double time =
+      options.time.value_or(std::min(kMostPeriods * period, kMostPassageEvents / plan.event_rate));
   const double samples = time / plan.streams / plan.sampling_interval;
   plan.samples_per_round =
       static_cast<std::uint64_t>(std::ceil(std::min(samples / kRounds, kMostSamples)));

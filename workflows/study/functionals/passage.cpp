@@ -118,7 +118,7 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
                "the finite volumes)"}),
       "largest relative error of the finite volumes, for status ok",
       "simulated time of the stationary process (default: until the standard error of the mean is "
-      "1 %, at most about 15 s of computing)");
+      "1 %, at most about 10 s of computing)");
   return description;
 }
 
