@@ -32,12 +32,14 @@ constexpr const char* kSensitivityUsage = R"(usage: fpkcheck sensitivity CASE [o
 Derivatives of the stationary moments with respect to each parameter of the case, with all other
 parameters fixed; impulse.rate changes at a fixed intensity. Finite volumes differentiate the equation
 L p = 0 on three or more grids, whose differences give the error. The simulation uses common random
-numbers for the changed problems and states standard errors.
+numbers for the changed problems and states standard errors. Closures, such as epc-polar-n6, are
+solved for the changed problems; their errors are the differences from order n-2.
 Exit code 0 when the estimated errors of all elasticities by finite volumes are below --accuracy.
 
 examples:
   fpkcheck sensitivity case1
   fpkcheck sensitivity case1 --parameters system.restitution --methods fd-kf
+  fpkcheck sensitivity case1 --methods fd,epc-polar-n6,epc-moment-n6
   fpkcheck sensitivity coulomb --out results
 )";
 

@@ -103,8 +103,9 @@ void set_status(const RootSearchResult& root, double quadrature_tolerance,
         root.quadrature_change, quadrature_tolerance, root.quadrature.s, root.quadrature.t);
     return;
   }
-  solution.reason = inadmissible_reason.empty() ? common_inadmissible_reason(root, solution, summary)
-                                                : inadmissible_reason;
+  solution.reason = inadmissible_reason.empty()
+                        ? common_inadmissible_reason(root, solution, summary)
+                        : inadmissible_reason;
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
 }
 

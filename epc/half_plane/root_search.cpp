@@ -20,7 +20,6 @@ using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMaxRefinements = 4;
-constexpr double kLongestSeconds = 1e9;  // duration in seconds that the clock can represent
 
 // Multiplies the number of quadrature points in the plane by more than 2.
 QuadraturePointCounts refined_size(const QuadraturePointCounts& size) {
@@ -54,10 +53,7 @@ class RootSearch {
       : formulation_(formulation),
         options_(options),
         unit_(formulation.rate_of_change_unit()),
-        deadline_(
-            std::chrono::steady_clock::now() +
-            std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                std::chrono::duration<double>(std::min(options.max_seconds, kLongestSeconds)))) {}
+        deadline_(deadline_after(options.max_seconds)) {}
 
   RootSearchResult run() {
     solve_orders();
@@ -288,6 +284,13 @@ class RootSearch {
 };
 
 }  // namespace
+
+std::chrono::steady_clock::time_point deadline_after(double seconds) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double kLongest = 1e9;  // duration in seconds that the clock can represent
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                            std::chrono::duration<double>(std::min(seconds, kLongest)));
+}
 
 RootSearchResult find_root(const ClosureFormulation& formulation, const Options& options) {
   return RootSearch(formulation, options).run();

@@ -141,12 +141,6 @@ double mass_beyond(const QuadraturePoints& points, const VectorXd& mass, double 
 
 using Clock = std::chrono::steady_clock;
 
-Clock::time_point deadline_after(double seconds) {
-  constexpr double kLongestSeconds = 1e9;  // duration that the clock can represent
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                            std::chrono::duration<double>(std::min(seconds, kLongestSeconds)));
-}
-
 QuadraturePointCounts scaled(const QuadraturePointCounts& size, double factor) {
   const auto times = [factor](int count) { return static_cast<int>(std::ceil(count * factor)); };
   return {times(size.s), times(size.t), times(size.wall)};

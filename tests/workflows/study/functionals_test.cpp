@@ -109,6 +109,20 @@ TEST(PassageReport, HasTheKeysOfTheContract) {
   EXPECT_TRUE(one.at("survival").at(1).at("from_rest").is_null());
 }
 
+TEST(SensitivityStudy, JudgesClosuresByTheirErrorsWithoutEffectOnTheExitCode) {
+  SensitivityOptions options;
+  options.parameters = "system.damping";
+  options.methods = "epc-moment-n2";
+  const SensitivityStudy alone = study_sensitivity(tests::paper_case(1), options, {});
+  EXPECT_EQ(alone.solutions.at(0).status, Status::inaccurate);
+  EXPECT_FALSE(has_converged(alone));
+  options.methods = "epc-polar-n6,epc-moment-n2";
+  SensitivityStudy both = study_sensitivity(tests::paper_case(1), options, {});
+  EXPECT_EQ(both.solutions.at(0).status, Status::ok) << both.solutions.at(0).reason;
+  both.solutions.push_back({.id = "fd-kf", .status = Status::ok});
+  EXPECT_TRUE(has_converged(both));
+}
+
 TEST(PassageOptions, NeedABarrierAndValidTimes) {
   EXPECT_THROW(study_passage(tests::paper_case(1), {}, {}), InputError);
   PassageOptions options;

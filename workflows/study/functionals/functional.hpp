@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -122,6 +123,16 @@ bool are_converged(const std::vector<Result>& results) {
     return is_ok(result) || result.status == transform::Status::not_offered;
   };
   return std::ranges::all_of(results, is_acceptable) && std::ranges::any_of(results, is_ok);
+}
+
+/// Returns the results of finite volumes and simulations: closures may fail, because their accuracy is
+/// a result of the command.
+template <class Result>
+std::vector<Result> without_closures(const std::vector<Result>& results) {
+  std::vector<Result> others;
+  std::ranges::copy_if(results, std::back_inserter(others),
+                       [](const Result& result) { return !result.id.starts_with("epc"); });
+  return others;
 }
 
 }  // namespace fpkcheck::study

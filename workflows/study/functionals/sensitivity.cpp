@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "epc/sensitivities.hpp"
 #include "fd_fpk/functionals/sensitivities.hpp"
 #include "mcs/sensitivities.hpp"
 #include "problem/parameter_derivative.hpp"
@@ -26,7 +27,7 @@ using transform::Sensitivities;
 // Steps of the difference quotients, relative to the parameter. The quotients of the matrix of the
 // finite volumes have errors of about 1e-8; a simulation needs a step that changes the moments by
 // more than its rounding errors and by less than a tenth.
-constexpr double kMatrixStep = 1e-4, kSimulationStep = 0.02;
+constexpr double kMatrixStep = 1e-4, kClosureStep = 1e-3, kSimulationStep = 0.02;
 
 std::vector<std::string> selected_parameters(const problem::Problem& problem,
                                              const SensitivityOptions& options) {
@@ -52,6 +53,24 @@ double elasticity_error(const Sensitivities& s, const ExpectationDerivatives& on
 
 bool has_derivatives(const Sensitivities& s) { return !s.expectations.empty(); }
 
+// Changes the status `ok` to `inaccurate` if the error of an elasticity exceeds the accuracy.
+void require_accurate(double accuracy, Sensitivities& s) {
+  double largest = 0;
+  for (const ExpectationDerivatives& one : s.expectations) {
+    for (std::size_t k = 0; k < s.parameters.size(); ++k) {
+      if (std::isnan(elasticity(s, one, k))) continue;
+      const double error = elasticity_error(s, one, k);
+      if (!(error <= largest)) largest = error;
+    }
+  }
+  if (s.status != transform::Status::ok || largest <= accuracy) return;
+  s.status = transform::Status::inaccurate;
+  s.reason = std::isnan(largest)
+                 ? "the derivatives have no error estimate"
+                 : fmt::format("an elasticity has the estimated error {:.1e} (--accuracy {:g})",
+                               largest, accuracy);
+}
+
 }  // namespace
 
 const base::Description<SensitivityOptions>& sensitivity_option_descriptions() {
@@ -62,7 +81,8 @@ const base::Description<SensitivityOptions>& sensitivity_option_descriptions() {
                 "keys of parameters, such as system.damping,impulse.rate (default: all numbers of "
                 "the case)"}),
       "largest error of an elasticity by the finite volumes, for status ok",
-      "simulated time of each changed problem (default: a sixteenth of that of `fpkcheck mcs`)");
+      "simulated time of each changed problem (default: a sixteenth of that of `fpkcheck mcs`)",
+      "ids of methods: fd-kf, fd-white, .., epc-polar-n6, epc-moment-n8, .., mcs");
   return description;
 }
 
@@ -71,20 +91,29 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
                                    const methods::ProgressListener& listener) {
   const auto keys = selected_parameters(problem, options);
   SensitivityStudy study{problem, options, {}};
-  for_each_selected_method(problem, options, listener, [&](const SelectedMethod& method) {
-    std::vector<problem::ParameterDerivative> parameters;
-    for (const std::string& key : keys) {
-      parameters.push_back(
-          problem::parameter_derivative(problem, key, method.fd ? kMatrixStep : kSimulationStep));
-    }
-    study.solutions.push_back(method.fd
-                                  ? fd_fpk::solve_sensitivities(problem, *method.fd, parameters)
-                                  : mcs::estimate_sensitivities(problem, *method.mcs, parameters));
-  });
+  for_each_selected_method(
+      problem, options, listener,
+      [&](const SelectedMethod& method) {
+        std::vector<problem::ParameterDerivative> parameters;
+        for (const std::string& key : keys) {
+          parameters.push_back(problem::parameter_derivative(problem, key,
+                                                             method.fd    ? kMatrixStep
+                                                             : method.epc ? kClosureStep
+                                                                          : kSimulationStep));
+        }
+        study.solutions.push_back(
+            method.fd    ? fd_fpk::solve_sensitivities(problem, *method.fd, parameters)
+            : method.epc ? epc::solve_sensitivities(problem, *method.epc, parameters)
+                         : mcs::estimate_sensitivities(problem, *method.mcs, parameters));
+        if (method.epc) require_accurate(options.accuracy, study.solutions.back());
+      },
+      SelectableMethods::with_closures);
   return study;
 }
 
-bool has_converged(const SensitivityStudy& study) { return are_converged(study.solutions); }
+bool has_converged(const SensitivityStudy& study) {
+  return are_converged(without_closures(study.solutions));
+}
 
 std::string json(const SensitivityStudy& study, const std::string& command) {
   using results::Json;
@@ -176,7 +205,7 @@ report::Figure figure(const SensitivityStudy& study) {
   const Sensitivities& reference = *with_values;
   for (const std::string& wanted : {std::string("E[y^2]"), std::string("E[y'^2]")}) {
     std::vector<report::FigureSeries> series;
-    const auto methods = select_methods(study.options);
+    const auto methods = select_methods(study.options, SelectableMethods::with_closures);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const SelectedMethod& method = methods[m];
       const auto found = std::ranges::find(study.solutions, method.identity.id, &Sensitivities::id);

@@ -211,10 +211,7 @@ const Transient* reference(const TransientComparison& study) {
 }
 
 bool has_converged(const TransientComparison& study) {
-  std::vector<Transient> judged;
-  std::ranges::copy_if(study.solutions, std::back_inserter(judged),
-                       [](const Transient& solution) { return !solution.id.starts_with("epc"); });
-  return are_converged(judged);
+  return are_converged(without_closures(study.solutions));
 }
 
 std::string json(const TransientComparison& study, const std::string& command) {
