@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -18,8 +19,10 @@ namespace {
 using transform::kDifferentiatedMoments;
 using transform::Status;
 
-// Simulated time of each changed problem, as a fraction of the automatic time of a simulation
-constexpr double kTimeShare = 1.0 / 16;
+// Simulated time of each changed problem, as a fraction of the automatic time of a simulation, and most
+// impulses, kicks and flights of all problems: about 10 s of computing with DuffingFlights, and with
+// other flights
+constexpr double kTimeShare = 1.0 / 16, kMostDuffingChanges = 1e8, kMostOtherChanges = 4e7;
 
 // Returns the moments of every stream, in the order of kDifferentiatedMoments.
 std::vector<std::vector<double>> stream_moments_of(const problem::Problem& problem,
@@ -60,9 +63,14 @@ transform::Sensitivities estimate_sensitivities(
   Options nominal_options = options;
   SimulationPlan nominal = make_simulation_plan(transformed, nominal_options);
   if (!options.time) {
-    const double time =
+    const double automatic =
         kTimeShare * static_cast<double>(nominal.rounds) * nominal.round_time() * nominal.streams;
-    nominal_options.time = time;
+    std::size_t problems = 1;
+    for (const auto& parameter : parameters) problems += parameter.terms.size();
+    const double events =
+        nominal.oscillator.is_duffing_at_wall() ? kMostDuffingChanges : kMostOtherChanges;
+    nominal_options.time =
+        std::min(automatic, events / nominal.event_rate / static_cast<double>(problems));
     nominal = make_simulation_plan(transformed, nominal_options);
   }
 

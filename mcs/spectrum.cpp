@@ -34,8 +34,9 @@ constexpr double kLength = 100;
 constexpr std::size_t kShortest = 256, kLongest = 1 << 18;  // samples of a segment
 // Length of all segments in a run with automatic time, which gives standard errors of about 1.5 %
 constexpr double kSegments = 2500;
-// Most impulses, kicks and flights of the default simulation, about 8 s of computing
-constexpr double kMostSpectrumEvents = 4e7;
+// Most impulses, kicks and flights of the default simulation, about 8 s of computing; a sample takes
+// as long as kEventsPerSample of them
+constexpr double kMostSpectrumEvents = 4e7, kEventsPerSample = 0.25;
 
 // Squared magnitudes of the windowed Fourier transform, as a one-sided spectral density at the
 // frequencies 2 pi k / (segment length), k = 0 .. n/2.
@@ -156,9 +157,9 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
   plan.sampling_interval = kPi / nyquist;
   const std::size_t length = segment_length(scales.slowest_decay_rate, plan.sampling_interval);
   plan.samples_per_round = length / 2;
-  const double time = options.time.value_or(
-      std::min(kSegments * static_cast<double>(length) * plan.sampling_interval,
-               kMostSpectrumEvents / plan.event_rate));
+  const double time = options.time.value_or(std::min(
+      kSegments * static_cast<double>(length) * plan.sampling_interval,
+      kMostSpectrumEvents / (plan.event_rate + kEventsPerSample / plan.sampling_interval)));
   plan.rounds = static_cast<std::uint64_t>(
       std::max(4.0, std::ceil(time / (plan.streams * plan.round_time()))));
 

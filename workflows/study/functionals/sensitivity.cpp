@@ -81,7 +81,7 @@ const base::Description<SensitivityOptions>& sensitivity_option_descriptions() {
                 "keys of parameters, such as system.damping,impulse.rate (default: all numbers of "
                 "the case)"}),
       "largest error of an elasticity by the finite volumes, for status ok",
-      "simulated time of each changed problem (default: a sixteenth of that of `fpkcheck mcs`)",
+      "simulated time of each changed problem (default: a sixteenth of that of `fpkcheck mcs`, or about 10 s of computing)",
       "ids of methods: fd-kf, fd-white, .., epc-polar-n6, epc-moment-n8, .., mcs");
   return description;
 }
