@@ -266,7 +266,8 @@ class Evolution {
     const VectorXd start_moments = equations.basis_means(start_mass);
     if (!coefficients.find(start_moments)) {
       evolution.status = Status::not_converged;
-      evolution.reason = "no closure has the moments of the initial density; widen it";
+      evolution.reason =
+          "no closure has the moments of the initial density; choose one closer to the stationary density";
       return 0;
     }
     numerics::BdfIntegrator integrator(
@@ -289,7 +290,7 @@ class Evolution {
     for (const double time : times) {
       if ((time > 0 && !integrator.advance(time)) || !coefficients.find(integrator.state())) {
         evolution.status = Status::not_converged;
-        const double last = evolution.snapshots.back().time;
+        const double last = evolution.snapshots.empty() ? 0 : evolution.snapshots.back().time;
         evolution.reason =
             Clock::now() > deadline_
                 ? fmt::format("t = {:.4g} not reached in {:g} s (max_seconds)", time,
