@@ -41,7 +41,6 @@ examples:
   fpkcheck run case1 --against measured_y.csv:lab --against measured_v.csv:lab
   fpkcheck run case1 --against mine.csv:mine,equation=km4,impact=delta,order=6
   fpkcheck run case1 --until 30
-      (densities over time; options: fpkcheck run --until 30 --help)
   fpkcheck run case1 --figures pdf,tex --figure-width 85 --curves epc-gaussian,mcs
 
 A FILE of --against has one of these formats (docs/external.md), with or without a header line:
@@ -72,9 +71,13 @@ int run_command(const CommandCall& call) {
   base::Values given;
   std::optional<std::string> list;
   std::vector<std::string> against;
+  std::optional<double> until;  // density_over_time_command() treats all runs with this option
   po::options_description own;
   own.add_options()("methods", make_optional_option(list, "LIST"),
                     "solvers, families or ids of methods, separated by commas (default: all)");
+  own.add_options()("until", make_optional_option(until, "T"),
+                    "densities over time, 0 .. T, of one case; fpkcheck run --until T --help "
+                    "lists the options");
   own.add_options()(
       "against", po::value(&against)->value_name("FILE[:LABEL][,KEY=VALUE]")->composing(),
       "also compare the density in FILE (formats above), for a single case; may be repeated. Files "

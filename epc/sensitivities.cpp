@@ -80,7 +80,8 @@ transform::Sensitivities solve_sensitivities(
     result.reason = found.failure;
     return result;
   }
-  const bool has_errors = previous.derivatives.size() == parameters.size();
+  const bool has_errors =
+      previous.failure.empty() && previous.derivatives.size() == parameters.size();
   for (const auto& parameter : parameters) {
     result.parameters.push_back(parameter.parameter);
     result.parameter_values.push_back(parameter.value);

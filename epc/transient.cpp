@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -25,6 +26,8 @@ using transform::TransientRequest;
 // Smallest deviations of the initial density, relative to the stationary deviations and to the root
 // mean square of an impulse.
 constexpr double kOfStationary = 0.3, kOfImpulse = 0.5;
+// Shortest time limit of the closure of order n-2, which takes less time than that of order n.
+constexpr double kShortestSeconds = 0.1;
 
 std::string narrow_start_reason(const problem::Problem& problem,
                                 const problem::MotionScales& scales, const problem::Gaussian& start,
@@ -48,10 +51,11 @@ std::string transient_unsupported_reason(const problem::Problem& problem, const 
   if (options.formulation == Formulation::gaussian) {
     return "the closure over time needs the formulation moment or polar";
   }
+  if (std::string reason = unsupported_reason(problem, options); !reason.empty()) return reason;
   if (options.formulation == Formulation::polar && contact::force_presses_on_single_wall(problem)) {
     return "the closure over time supports no mass at rest in contact; use fd or mcs";
   }
-  return unsupported_reason(problem, options);
+  return "";
 }
 
 ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
@@ -102,6 +106,8 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
   if (options.order > 2) {
     Options lower = options;
     lower.order -= 2;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    lower.max_seconds = std::max(kShortestSeconds, options.max_seconds - elapsed.count());
     const ClosureEvolution previous = evolve(transformed, lower, start, times);
     transform::estimate_errors_by_differences(
         make_transient_snapshots(transformed, previous, request), 1,

@@ -6,12 +6,12 @@
 
 namespace fpkcheck::epc {
 
-/// Computes the density over time by the formulations `moment` and `polar`, with the order n and the
-/// order n-2. The differences between the orders estimate the errors. See half_plane::evolve().
+/// Computes the density over time by the formulations `moment` and `polar`, with the order n and
+/// the order n-2. The differences between the orders estimate the errors. See half_plane::evolve().
 ///
 /// The status is `not_offered` for the formulation `gaussian`, for problems that solve() does not
-/// support, and for an initial density much narrower than the stationary density or than an impulse:
-/// the exact density is then a spike on a broad density, which no exponential polynomial
+/// support, and for an initial density much narrower than the stationary density or than an
+/// impulse: the exact density is then a spike on a broad density, which no exponential polynomial
 /// approximates.
 /// @param problem problem in any coordinates
 /// @throws InputError for invalid options, or an initial mean behind a wall

@@ -126,6 +126,10 @@ struct TransientOptions {
   /// Highest order of BDF, 1 .. 5. BDF of an order above 2 is unstable on part of the imaginary
   /// axis, close to the eigenvalues of the rotating oscillator.
   int max_order = 2;
+  /// Most cells of an automatic grid. Time steps on more than 10 000 cells take minutes.
+  double max_cells = 10000;
+  /// Whether the integration continues after a snapshot with the status `inadmissible`
+  bool continues_if_inadmissible = false;
   /// Function that is called with the completed fraction of the integration time; may be empty
   std::function<void(double)> progress{};
 };

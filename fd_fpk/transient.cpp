@@ -27,45 +27,21 @@ namespace {
 
 using transform::Status;
 
-// Half-width of the box in standard deviations of the initial density.
-constexpr double kInitialBoxDeviations = 6;
 constexpr double kCellsPerDeviation = 5;
-
-// Returns the largest energy v^2/2 + V(y) between the walls, on the ellipse of
-// kInitialBoxDeviations standard deviations of the initial density.
-double max_initial_energy(const problem::System& system,
-                          const problem::EffectivePotential& potential, const problem::Gaussian& start) {
-  constexpr int kDirections = 120;
-  double most = -HUGE_VAL;
-  for (int n = 0; n < kDirections; ++n) {
-    const double angle = 2 * std::numbers::pi * n / kDirections;
-    double y = start.mean_displacement +
-               kInitialBoxDeviations * start.displacement_deviation * std::cos(angle);
-    if (system.left_wall()) y = std::max(y, system.left_wall()->position);
-    if (system.right_wall()) y = std::min(y, system.right_wall()->position);
-    const double v =
-        start.mean_velocity + kInitialBoxDeviations * start.velocity_deviation * std::sin(angle);
-    most = std::max(most, v * v / 2 + potential(y));
-  }
-  return most;
-}
 
 // Returns a box for the initial density, the stationary density and all states that the initial
 // energy can reach.
 Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                  const Options& options, const problem::Gaussian& start, const Deadline& deadline) {
+                  const Options& options, const problem::Gaussian& start,
+                  const Deadline& deadline) {
   const auto& system = problem.system;
   Box box = stationary_box(problem, scales, options, deadline);
-  const problem::UndampedOrbits orbits(problem);
-  const double energy = max_initial_energy(system, orbits.potential(), start);
-  const auto half_cycles = orbits.half_cycles(energy);
+  const problem::StateRange reached = problem::reachable_states(problem, start);
   if (!options.x1_max) {
-    if (!system.left_wall()) box.x1_min = std::min(box.x1_min, half_cycles.front().left);
-    if (!system.right_wall()) box.x1_max = std::max(box.x1_max, half_cycles.back().right);
+    if (!system.left_wall()) box.x1_min = std::min(box.x1_min, reached.y_low);
+    if (!system.right_wall()) box.x1_max = std::max(box.x1_max, reached.y_high);
   }
-  if (!options.x2_max) {
-    box.x2_max = std::max(box.x2_max, std::sqrt(2 * (energy - orbits.lowest_potential())));
-  }
+  if (!options.x2_max) box.x2_max = std::max(box.x2_max, reached.v_high);
   return box;
 }
 
@@ -143,15 +119,13 @@ void check_snapshot(const problem::WallFrame& frame, const Grid& grid, const Den
 }
 
 // Returns a discretisation that resolves the initial and the stationary density, with at most
-// kMaxTransientCells cells. Time steps on more than kMaxTransientCells cells take minutes. A
-// density in narrow wells, or at rest under rare impulses, is narrower than the cells;
-// kTransientLimits detects the insufficient resolution.
+// `max_cells` cells. A density in narrow wells, or at rest under rare impulses, is narrower than
+// the cells; kTransientLimits detects the insufficient resolution.
 Discretisation discretise_within_limit(const problem::Problem& problem, const Box& box,
-                                       Options& options) {
-  constexpr double kMaxTransientCells = 10000;
+                                       double max_cells, Options& options) {
   Discretisation on = discretise(problem, options, box);
-  if (options.nx || options.nv || on.cells <= kMaxTransientCells) return on;
-  options.refinement *= std::sqrt(kMaxTransientCells / on.cells);
+  if (options.nx || options.nv || on.cells <= max_cells) return on;
+  options.refinement *= std::sqrt(max_cells / on.cells);
   return discretise(problem, options, box);
 }
 
@@ -181,7 +155,11 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
        .steps_per_factorisation = kStepsPerFactorisation});
 
   result.status = Status::ok;
-  for (int n = 0; n <= transient.snapshots && result.status == Status::ok; ++n) {
+  const auto may_continue = [&] {
+    return result.status == Status::ok ||
+           (result.status == Status::inadmissible && transient.continues_if_inadmissible);
+  };
+  for (int n = 0; n <= transient.snapshots && may_continue(); ++n) {
     const double time =
         n == transient.snapshots ? transient.until : n * (transient.until / transient.snapshots);
     LinearCvodeIntegrator::StepResult to{0, 0};
@@ -216,12 +194,12 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
                                      const TransientOptions& transient) {
   const problem::MotionScales scales = problem::scales(problem);
   const problem::WallFrame& frame = problem.frame;
-  const problem::Gaussian start = problem::initial_density(
-      problem, scales,
-      {.displacement_deviation = transient.start_displacement,
-       .velocity_deviation = transient.start_velocity,
-       .mean_displacement = transient.start_mean_displacement,
-       .mean_velocity = transient.start_mean_velocity});
+  const problem::Gaussian start =
+      problem::initial_density(problem, scales,
+                               {.displacement_deviation = transient.start_displacement,
+                                .velocity_deviation = transient.start_velocity,
+                                .mean_displacement = transient.start_mean_displacement,
+                                .mean_velocity = transient.start_mean_velocity});
   TransientResult result;
   result.start_displacement = start.displacement_deviation;
   result.start_velocity = start.velocity_deviation;
@@ -231,7 +209,7 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
   const Deadline deadline(options.max_seconds);
   const Box box = transient_box(problem, scales, options, start, deadline);
   Options on_grid = refine_for_initial_density(options, box.lengths, start);
-  const Discretisation on = discretise_within_limit(problem, box, on_grid);
+  const Discretisation on = discretise_within_limit(problem, box, transient.max_cells, on_grid);
   const Grid& grid = on.grid;
   result.regularisation_length = on.regularisation_length;
   if (!on.failure.empty()) {

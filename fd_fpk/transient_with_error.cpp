@@ -16,7 +16,8 @@ namespace {
 
 using transform::TransientRequest;
 
-// Ratio of the refinements of the coarse and the fine grid, and of the tolerances of the time steps.
+// Ratio of the refinements of the coarse and the fine grid, and of the tolerances of the time
+// steps.
 constexpr double kCoarsening = 0.7, kToleranceRatio = 10;
 // Share of the difference that is the error estimate. The errors of the coarse solution were 2.8
 // times those of the fine solution for a linear oscillator, so that 0.56 would suffice there.
@@ -71,6 +72,8 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
                                  .start_mean_velocity = request.start.mean_velocity};
   TransientOptions on_coarse = on_fine;
   on_coarse.relative_tolerance *= kToleranceRatio;
+  on_coarse.max_cells *= kCoarsening * kCoarsening;
+  on_coarse.continues_if_inadmissible = true;
   Options coarser = options;
   coarser.refinement *= kCoarsening;
   auto coarse_solution =

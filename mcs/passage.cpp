@@ -24,11 +24,12 @@ using transform::Status;
 using transform::ValueWithError;
 
 constexpr double kSamplesPerPeriod = 60;
-// Relative standard error of the mean time at which the simulation ends, and the limits of its time:
-// periods of all streams, for the samples, and impulses, kicks and flights; about 10 s of computing
+// Relative standard error of the mean time at which the simulation ends, and the limits of its
+// time: periods of all streams, for the samples, and impulses, kicks and flights; about 10 s of
+// computing
 constexpr double kGoal = 0.01, kMostPeriods = 2e6, kMostPassageEvents = 6e7;
-// Fewest stays for a result, and for the end of the simulation at the goal: the standard error of few
-// stays, which come in clumps, may be accidentally small.
+// Fewest stays for a result, and for the end of the simulation at the goal: the standard error of
+// few stays, which come in clumps, may be accidentally small.
 constexpr double kFewestStays = 100, kFewestStaysAtGoal = 1000;
 // Most samples of a stream in a round, since a round keeps its samples
 constexpr double kMostSamples = 1e5;
@@ -36,13 +37,14 @@ constexpr int kRounds = 50;  // number of rounds of the longest simulation
 // Time after which the hazard is constant, in decay times of the slowest mode
 constexpr double kDecayTimes = 3;
 
-// Finds the crossings of a level in evenly spaced samples, by linear interpolation between samples. A
-// parabola through three samples finds excursions above the level between samples.
+// Finds the crossings of a level in evenly spaced samples, by linear interpolation between samples.
+// A parabola through three samples finds excursions above the level between samples.
 class CrossingDetector {
  public:
   CrossingDetector(double level, double interval) : level_(level), interval_(interval) {}
 
-  /// Calls `up` and `down` with the times of the crossings between the last samples and the next one.
+  /// Calls `up` and `down` with the times of the crossings between the last samples and the next
+  /// one.
   template <class Up, class Down>
   void add(double y, const Up& up, const Down& down) {
     if (count_ >= 1 && y >= level_ && last_ < level_) {
@@ -110,12 +112,20 @@ ValueWithError mean_from_stationary(const std::vector<StaySums>& streams) {
 }
 
 SimulationPlan passage_plan(const problem::Problem& problem, const Options& options,
-                            double frequency) {
+                            const problem::MotionScales& scales, double barrier) {
   SimulationPlan plan = make_simulation_plan(problem, options);
-  const double period = 2 * std::numbers::pi / frequency;
+  const double period = 2 * std::numbers::pi / scales.frequency;
   plan.sampling_interval = period / kSamplesPerPeriod;
-  const double time =
-      options.time.value_or(std::min(kMostPeriods * period, kMostPassageEvents / plan.event_rate));
+  // An excursion that ends with an impact on the right wall may be shorter than the interval, and
+  // its kink is no parabola (CrossingDetector).
+  constexpr double kSamplesToWall = 8;
+  if (const auto& right = problem.system.right_wall()) {
+    const double time_to_wall = (right->position - barrier) / scales.velocity_deviation;
+    plan.sampling_interval = std::min(plan.sampling_interval, time_to_wall / kSamplesToWall);
+  }
+  const double most_samples = kMostPeriods * kSamplesPerPeriod;
+  const double time = options.time.value_or(
+      std::min(most_samples * plan.sampling_interval, kMostPassageEvents / plan.event_rate));
   const double samples = time / plan.streams / plan.sampling_interval;
   plan.samples_per_round =
       static_cast<std::uint64_t>(std::ceil(std::min(samples / kRounds, kMostSamples)));
@@ -140,8 +150,8 @@ class StayCounter {
     if (!closing_) sums_.whole = detector_.time();
   }
 
-  /// Ends the counting: only a stay that has begun is completed by further samples. Without the stays
-  /// at the end, which are longer than others, the estimates would be biased.
+  /// Ends the counting: only a stay that has begun is completed by further samples. Without the
+  /// stays at the end, which are longer than others, the estimates would be biased.
   void close() {
     closing_ = true;
     if (!detector_.is_above()) sums_.below += sums_.whole - entered_;
@@ -193,8 +203,8 @@ double stay_count(const std::vector<StaySums>& streams) {
   return stays;
 }
 
-// Simulates the stationary process until the goal, and returns the sums of all streams. If a stay lasts
-// as long as the simulation, the result is empty.
+// Simulates the stationary process until the goal, and returns the sums of all streams. If a stay
+// lasts as long as the simulation, the result is empty.
 std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, double barrier,
                                                     double hazard_time,
                                                     const std::vector<double>& times,
@@ -238,7 +248,8 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, doub
 }
 
 // Simulates passages from a state in wall coordinates: each stream starts again there in the round
-// after a passage. Every stream makes the same number of passages, since a limit of the time would favour short ones.
+// after a passage. Every stream makes the same number of passages, since a limit of the time would
+// favour short ones.
 std::optional<ValueWithError> simulate_from_point(Simulation& simulation, double barrier,
                                                   const transform::StartState& start, double mean,
                                                   double most_time,
@@ -327,7 +338,7 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
     return passage;
   }
   const problem::MotionScales scales = problem::scales(transformed);
-  const SimulationPlan plan = passage_plan(transformed, options, scales.frequency);
+  const SimulationPlan plan = passage_plan(transformed, options, scales, level);
   Simulation stationary(transformed, plan);
   stationary.keep_series();
   const auto found =

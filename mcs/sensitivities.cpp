@@ -19,9 +19,9 @@ namespace {
 using transform::kDifferentiatedMoments;
 using transform::Status;
 
-// Simulated time of each changed problem, as a fraction of the automatic time of a simulation, and most
-// impulses, kicks and flights of all problems: about 10 s of computing with DuffingFlights, and with
-// other flights
+// Simulated time of each changed problem, as a fraction of the automatic time of a simulation, and
+// most impulses, kicks and flights of all problems: about 10 s of computing, with DuffingFlights
+// and with other flights respectively
 constexpr double kTimeShare = 1.0 / 16, kMostDuffingChanges = 1e8, kMostOtherChanges = 4e7;
 
 // Returns the moments of every stream, in the order of kDifferentiatedMoments.

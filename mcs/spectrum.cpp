@@ -34,8 +34,8 @@ constexpr double kLength = 100;
 constexpr std::size_t kShortest = 256, kLongest = 1 << 18;  // samples of a segment
 // Length of all segments in a run with automatic time, which gives standard errors of about 1.5 %
 constexpr double kSegments = 2500;
-// Most impulses, kicks and flights of the default simulation, about 8 s of computing; a sample takes
-// as long as kEventsPerSample of them
+// Most impulses, kicks and flights of the default simulation, about 8 s of computing; a sample
+// takes as long as kEventsPerSample of them
 constexpr double kMostSpectrumEvents = 4e7, kEventsPerSample = 0.25;
 
 // Squared magnitudes of the windowed Fourier transform, as a one-sided spectral density at the

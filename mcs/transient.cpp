@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/normal.hpp>
 #include <chrono>
 #include <cmath>
 #include <numbers>
 
+#include "base/input_error.hpp"
 #include "base/process/parallel_for.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/motion/taylor_flight.hpp"
@@ -59,6 +61,8 @@ struct SnapshotSums {
   }
 };
 
+double normal_probability(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
+
 // Draws independent initial states from a Gaussian, truncated at the walls.
 class InitialStates {
  public:
@@ -66,6 +70,11 @@ class InitialStates {
       : left_(system.left_wall() ? system.left_wall()->position : -HUGE_VAL),
         right_(system.right_wall() ? system.right_wall()->position : HUGE_VAL),
         density_(density) {
+    const auto probability = [&](double y) {
+      return normal_probability((y - density.mean_displacement) / density.displacement_deviation);
+    };
+    if (std::isfinite(left_)) left_probability_ = probability(left_);
+    if (std::isfinite(right_)) right_probability_ = probability(right_);
     for (std::uint32_t stream = 0; stream < kStreams; ++stream) {
       normal_.emplace_back(standard_normal_impulses(), seed, stream, RandomNumberPurpose::start);
     }
@@ -73,16 +82,22 @@ class InitialStates {
 
   State draw(std::size_t stream) {
     const auto next = [&] { return normal_[stream].next_impulse().amplitude; };
-    double y = 0;
-    do {
-      y = density_.mean_displacement + density_.displacement_deviation * next();
-    } while (y < left_ || y > right_);
+    // Probability of a displacement up to y, and its inverse function
+    const double below = left_probability_;
+    const double probability = below + normal_probability(next()) * (right_probability_ - below);
+    const double deviations =
+        boost::math::quantile(boost::math::normal(), std::clamp(probability, kLeast, 1 - kLeast));
+    const double y = std::clamp(
+        density_.mean_displacement + density_.displacement_deviation * deviations, left_, right_);
     return {.y = y, .v = density_.mean_velocity + density_.velocity_deviation * next()};
   }
 
  private:
+  static constexpr double kLeast = 1e-15;  // least probability with a finite quantile
+
   double left_, right_;
   problem::Gaussian density_;
+  double left_probability_ = 0, right_probability_ = 1;
   std::vector<ImpulseSource> normal_;
 };
 
@@ -95,9 +110,13 @@ transform::Marginal make_marginal(const std::vector<double>& counts,
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
     const double width = edges[b + 1] - edges[b], probability = counts[b + 1] / paths;
     const double error = std::sqrt(probability * (1 - probability) / paths);
+    // Wilson's interval of a probability, which is not empty for an empty bin
+    const double z2 = kIn95Percent * kIn95Percent / paths;
+    const double centre = (probability + z2 / 2) / (1 + z2);
+    const double half = kIn95Percent * std::sqrt(error * error + z2 / (4 * paths)) / (1 + z2);
     marginal.density.push_back(probability / width);
-    marginal.lower.push_back(std::max(0.0, (probability - kIn95Percent * error) / width));
-    marginal.upper.push_back((probability + kIn95Percent * error) / width);
+    marginal.lower.push_back(std::max(0.0, centre - half) / width);
+    marginal.upper.push_back((centre + half) / width);
     // The mean of the absolute value of a normal error
     expected_l1 += std::sqrt(2 / std::numbers::pi) * error;
   }
@@ -188,6 +207,12 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
       plan.oscillator.is_duffing_at_wall() ? kMostDuffingEvents : kMostOtherEvents;
   const double time =
       options.time.value_or(std::min(kPaths * request.until, events / plan.event_rate));
+  constexpr double kMostPaths = 1e9;
+  if (time / request.until > kMostPaths) {
+    throw InputError(
+        fmt::format("--time {:g}: more than {:g} paths of the duration {:g}; reduce it", time,
+                    kMostPaths, request.until));
+  }
   const int repetitions =
       static_cast<int>(std::ceil(std::max(kFewestPaths, time / request.until) / kStreams));
   const double paths = static_cast<double>(repetitions) * kStreams;

@@ -2,12 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/input_error.hpp"
 #include "problem/equivalent_linearisation.hpp"
+#include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::problem {
+namespace {
+
+constexpr double kReachedDeviations = 6;
+
+// Returns the largest energy v^2/2 + V(y) between the walls, on the ellipse of
+// kReachedDeviations standard deviations of the initial density.
+double max_initial_energy(const System& system, const EffectivePotential& potential,
+                          const Gaussian& start) {
+  constexpr int kDirections = 120;
+  double most = -HUGE_VAL;
+  for (int n = 0; n < kDirections; ++n) {
+    const double angle = 2 * std::numbers::pi * n / kDirections;
+    double y = start.mean_displacement +
+               kReachedDeviations * start.displacement_deviation * std::cos(angle);
+    if (system.left_wall()) y = std::max(y, system.left_wall()->position);
+    if (system.right_wall()) y = std::min(y, system.right_wall()->position);
+    const double v =
+        start.mean_velocity + kReachedDeviations * start.velocity_deviation * std::sin(angle);
+    most = std::max(most, v * v / 2 + potential(y));
+  }
+  return most;
+}
+
+}  // namespace
 
 Gaussian initial_density(const Problem& problem, const MotionScales& scales,
                          const InitialDensityOptions& options) {
@@ -33,6 +60,14 @@ Gaussian initial_density(const Problem& problem, const MotionScales& scales,
                     frame.physical_y(start.mean_displacement)));
   }
   return start;
+}
+
+StateRange reachable_states(const Problem& problem, const Gaussian& density) {
+  const UndampedOrbits orbits(problem);
+  const double energy = max_initial_energy(problem.system, orbits.potential(), density);
+  const auto half_cycles = orbits.half_cycles(energy);
+  return {half_cycles.front().left, half_cycles.back().right,
+          std::sqrt(2 * (energy - orbits.lowest_potential()))};
 }
 
 }  // namespace fpkcheck::problem

@@ -19,8 +19,8 @@ struct StartState {
   double y = 0, ydot = 0;
 };
 
-/// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Passage
-/// times from a point belong to a StartState, or to a start at rest on the wall or at the equilibrium;
+/// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Passage times
+/// from a point belong to a StartState, or to a start at rest on the wall or at the equilibrium;
 /// stationary ones to the stationary law below the barrier. Absent values are not computed by the
 /// method.
 struct Passage {

@@ -44,9 +44,10 @@ struct Transient {
   std::string details = {};  ///< grid, order or number of paths, for tables
 };
 
-/// Estimates the errors of the snapshots by the differences to less accurate snapshots. The error at
-/// one time is `share` times the largest difference within half a period before and after, and at
-/// the neighbouring snapshots. The difference at one time may be 0 by chance, since it oscillates.
+/// Estimates the errors of the snapshots by the differences to less accurate snapshots. The error
+/// at one time is `share` times the largest difference within half a period before and after, and
+/// at the neighbouring snapshots. The difference at one time may be 0 by chance, since it
+/// oscillates.
 /// @param less_accurate snapshots at the first of the same times, with the same bins
 void estimate_errors_by_differences(const std::vector<TransientSnapshot>& less_accurate,
                                     double share, double half_period,

@@ -30,8 +30,8 @@ double residual_norm(const VectorXd& residual, const MatrixXd& covariance, doubl
 
 namespace {
 
-// Returns L^-1 J^T L^-T, where G = L L^T is the covariance matrix: the transposed Jacobian in a basis
-// that is orthonormal under the density.
+// Returns L^-1 J^T L^-T, where G = L L^T is the covariance matrix: the transposed Jacobian in a
+// basis that is orthonormal under the density.
 MatrixXd transposed_orthonormal_jacobian(const MatrixXd& jacobian, const MatrixXd& covariance) {
   const Eigen::LLT<MatrixXd> factors(covariance);
   const MatrixXd scaled = factors.matrixL().solve(jacobian);

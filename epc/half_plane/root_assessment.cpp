@@ -16,7 +16,8 @@ using transform::Status;
 std::string common_inadmissible_reason(const RootSearchResult& root,
                                        const transform::Solution& solution,
                                        const Summary& summary) {
-  // Growth rate of an unstable root, in units of the relaxation rate.
+  // Largest growth rate of an accepted root, in units of rate_of_change_unit(). Rounding errors
+  // give small growth rates.
   constexpr double kGrowthLimit = 1e-3;
   constexpr double kBeyondLevelLimit = 1e-3;
   if (!(std::abs(solution.mass - 1) <= kMassTolerance)) {
@@ -35,7 +36,7 @@ std::string common_inadmissible_reason(const RootSearchResult& root,
   if (!(growth <= kGrowthLimit * root.rate_of_change_unit)) {
     return fmt::format(
         "the root is unstable: deviations of the moments grow at the rate {:.1e} under the moment "
-        "equations, so that no density of this form relaxes to the root",
+        "equations, and almost all densities of this form near the root leave it",
         growth);
   }
   return "";

@@ -23,11 +23,12 @@ using Eigen::VectorXd;
 using transform::Status;
 
 // Tolerances of CVODE for the moments. The basis functions have a variance of about 1. At 1e-6 the
-// moments of order 8 miss a maximum of the entropy at t = 0.8 in case 1, and the density is wrong by
-// 0.05 in L1.
+// errors of the moments of order 8 lead to another density in case 1, which is wrong by 0.05 in L1
+// at t = 1.
 constexpr double kTimeTolerance = 1e-7;
-// Largest confinement level in deviations of v of the stationary density. At larger levels moments
-// of order 8 vary by 1e4 deviations, and the integration of case 1 needs a tolerance of 1e-10.
+// Largest confinement level in deviations of v of the stationary density. At a level of 9
+// deviations basis functions of order 8 have values of 1e4 at the level, and case 1 needs a
+// tolerance of 1e-10.
 constexpr double kLevelDeviations = 6.5;
 // Probability beyond kEdgeOfLevel times the confinement level from which a density is inadmissible.
 // Densities that do not depend on the level have less than 3e-6, the others 2e-5 and more.
@@ -56,11 +57,9 @@ class CoefficientsOfMoments {
   }
 
   const State& last() const { return last_; }
-  /// Returns the Cholesky factors of the covariance matrix M of the density last().
-  const Eigen::LLT<MatrixXd>& covariance() {
-    factorise(last_);
-    return factors_;
-  }
+  /// Returns the Cholesky factors of the covariance matrix M of the density last(); null if M is
+  /// not numerically positive definite.
+  const Eigen::LLT<MatrixXd>* covariance() { return factorise(last_) ? &factors_ : nullptr; }
 
   /// Finds the coefficients for the moments m by damped Newton steps, and keeps them as last(). The
   /// covariance matrix of an earlier density serves as long as the steps shorten fast.
@@ -74,8 +73,7 @@ class CoefficientsOfMoments {
     double before = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
       VectorXd step = factors_.solve(m - state.moments);
-      // The length of the step in Fisher's metric is the standard deviation of the change of Q_n.
-      double length = std::sqrt(std::max(0.0, step.dot(m - state.moments)));
+      double length = fisher_length(step, m - state.moments);
       if (!std::isfinite(length)) return false;
       if (length < kTolerance) {
         last_ = std::move(state);
@@ -84,7 +82,8 @@ class CoefficientsOfMoments {
       if (length > kFastContraction * before && !is_factorised(state)) {
         if (!factorise(state)) return false;
         step = factors_.solve(m - state.moments);
-        length = std::sqrt(std::max(0.0, step.dot(m - state.moments)));
+        length = fisher_length(step, m - state.moments);
+        if (!std::isfinite(length)) return false;
       }
       before = length;
       std::optional<State> next = shortened_step(state, step, length, m);
@@ -103,18 +102,26 @@ class CoefficientsOfMoments {
     return state;
   }
 
+  // Returns the length of a step in Fisher's metric, the standard deviation of the change of Q_n;
+  // NaN if it is not finite.
+  static double fisher_length(const VectorXd& step, const VectorXd& moment_change) {
+    const double square = step.dot(moment_change);
+    return square < 0 ? 0 : std::sqrt(square);
+  }
+
   bool is_factorised(const State& state) const {
     return factorised_at_.size() == state.a.size() && factorised_at_ == state.a;
   }
   bool factorise(const State& state) {
     if (is_factorised(state)) return true;
     factors_.compute(equations_.covariance(state.density));
-    factorised_at_ = state.a;
-    return factors_.info() == Eigen::Success;
+    const bool is_positive_definite = factors_.info() == Eigen::Success;
+    factorised_at_ = is_positive_definite ? state.a : VectorXd();
+    return is_positive_definite;
   }
 
-  // Returns the state after the longest part of a step, of a length of at most 1 in Fisher's metric,
-  // that decreases ln Z(a) - a^T m.
+  // Returns the state after the longest part of a step, of a length of at most 1 in Fisher's
+  // metric, that decreases ln Z(a) - a^T m.
   std::optional<State> shortened_step(const State& from, const VectorXd& step, double length,
                                       const VectorXd& m) const {
     constexpr double kLongestStep = 1, kLeastFraction = 1e-3, kRounding = 1e-12;
@@ -267,7 +274,8 @@ class Evolution {
     if (!coefficients.find(start_moments)) {
       evolution.status = Status::not_converged;
       evolution.reason =
-          "no closure has the moments of the initial density; choose one closer to the stationary density";
+          "no closure has the moments of the initial density; choose one closer to the stationary "
+          "density";
       return 0;
     }
     numerics::BdfIntegrator integrator(
@@ -280,9 +288,11 @@ class Evolution {
          .jacobian =
              [&](const VectorXd& m, Eigen::Ref<MatrixXd> jacobian) {
                if (!coefficients.find(m)) return false;
-               jacobian = coefficients.covariance()
-                              .solve(equations.jacobian(coefficients.last().density).transpose())
-                              .transpose();
+               const auto* const covariance = coefficients.covariance();
+               if (covariance == nullptr) return false;
+               jacobian =
+                   covariance->solve(equations.jacobian(coefficients.last().density).transpose())
+                       .transpose();
                return true;
              }},
         start_moments, {.relative = kTimeTolerance, .absolute = kTimeTolerance});
@@ -302,8 +312,9 @@ class Evolution {
         break;
       }
       const CoefficientsOfMoments::State& state = coefficients.last();
-      change = std::max(change, change_on_finer_points(equations, fine_equations, coefficients));
-      if (may_stop && change >= kQuadratureTolerance) return change;
+      const double now = change_on_finer_points(equations, fine_equations, coefficients);
+      if (!(now <= change)) change = now;
+      if (may_stop && !(change < kQuadratureTolerance)) return change;
       evolution.snapshots.push_back(
           {.time = time,
            .density = density_of(make_closure_density(equations, state.a, level, options_.tail)),
@@ -323,16 +334,17 @@ class Evolution {
     return change;
   }
 
-  // Returns the change of the exponent Q_n, in standard deviations, and of the rates of the moments,
-  // in units of the rate of change, by more quadrature points.
+  // Returns the change of the exponent Q_n, in standard deviations, and of the rates of the
+  // moments, in units of the rate of change, by more quadrature points.
   double change_on_finer_points(const ClosureEquations& equations,
                                 const ClosureEquations& fine_equations,
                                 CoefficientsOfMoments& coefficients) const {
     const CoefficientsOfMoments::State& state = coefficients.last();
     const auto fine = fine_equations.evaluate_density(state.a);
-    if (!fine.finite) return std::numeric_limits<double>::infinity();
+    const auto* const covariance = coefficients.covariance();
+    if (!fine.finite || covariance == nullptr) return std::numeric_limits<double>::infinity();
     const auto norm = [&](const VectorXd& difference) {
-      return coefficients.covariance().matrixL().solve(difference).norm();
+      return covariance->matrixL().solve(difference).norm();
     };
     const double of_moments = norm(fine_equations.basis_means(fine.mass) - state.moments);
     const double of_rates = norm(fine_equations.residual(fine) - equations.residual(state.density));

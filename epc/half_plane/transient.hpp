@@ -13,11 +13,11 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// A closure at one time, in the coordinates of the problem.
+/// A closure at one time.
 struct ClosureSnapshot {
   double time;
-  transform::SmoothDensity density;
-  transform::Moments moments;
+  transform::SmoothDensity density;  ///< in the coordinates of the problem
+  transform::Moments moments;        ///< in physical coordinates
 };
 
 struct ClosureEvolution {
@@ -35,19 +35,21 @@ using DensityOfClosure = std::function<transform::SmoothDensity(const ClosureDen
 ///
 ///     dm/dt = R(a(m)),   m = E[phi],   dR/dm = J M^-1,
 ///
-/// with the residual R and its Jacobian J of GalerkinSystem and the covariance matrix M of the basis
-/// functions phi. The coefficients a(m) of the density with the moments m maximise its entropy: they
-/// are the minimum of the convex function ln Z(a) - a^T m, whose Hessian matrix is M. CVODE
-/// integrates the moments, which change smoothly, unlike the coefficients of a narrow density.
+/// with the residual R and its Jacobian J of GalerkinSystem and the covariance matrix M of the
+/// basis functions phi. The coefficients a(m) of the density with the moments m maximise its
+/// entropy: they are the minimum of the convex function ln Z(a) - a^T m, whose Hessian matrix is M.
+/// CVODE integrates the moments, which change smoothly, unlike the coefficients of a narrow
+/// density.
 ///
 /// The confinement level is constant. It is the level of the stationary closure, but at least an
-/// energy that contains the initial density. The initial density of the closure has the moments m of
-/// the initial Gaussian.
+/// energy that contains the initial density. The initial density of the closure has the moments m
+/// of the initial Gaussian.
 ///
-/// The status is `inadmissible` from the first snapshot with more than 1e-5 of the probability
-/// beyond 0.8 of the level: the confinement then determines the density (Junk's singularity). The
-/// status is `not_converged` if the integration fails, or if more quadrature points change the
-/// density.
+/// The status is `inadmissible` if more than 1e-5 of the probability lies beyond 0.8 of the level
+/// at a snapshot. The moments are then beyond those of densities whose exponent Q_n falls at
+/// infinity; the excess lies in a maximum at the level, so that the confinement determines the
+/// density (Junk, Math. Models Methods Appl. Sci. 10 (2000) 1001). The status is `not_converged` if
+/// the integration fails, or if more quadrature points change the density.
 /// @param options order n and tail of the closure
 /// @param times increasing times; the first is 0
 ClosureEvolution evolve(const ClosureFormulation& formulation, const problem::Problem& problem,

@@ -20,6 +20,7 @@
 #include "numerics/roots/bracketed_root.hpp"
 #include "problem/effective_potential.hpp"
 #include "problem/problem_features.hpp"
+#include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -30,12 +31,12 @@ using transform::ValueWithError;
 // Error, as a fraction of Options::accuracy, at which no finer grid is tried
 constexpr double kPassageTargetFraction = 0.5;
 
-// The survival probability jumps across the orbit that grazes the barrier, which limits the order of
-// convergence.
+// The survival probability jumps across the orbit that grazes the barrier, which limits the order
+// of convergence.
 constexpr int kObservedOrder = 2;
 
-// Positions of the values of a grid in a vector, followed by the survival probabilities from the point and
-// from the stationary law.
+// Positions of the values of a grid in a vector, followed by the survival probabilities from the
+// point and from the stationary law.
 enum PassageValue {
   kHazard,
   kFromPoint,
@@ -122,8 +123,8 @@ double speed_before_impact(const problem::Wall& wall, double v) {
                                   high);
 }
 
-// Returns the weights of the velocity cells in the mean of a function of the velocity right after the
-// first impulse on a mass at rest. A wall there reflects impulses against it.
+// Returns the weights of the velocity cells in the mean of a function of the velocity right after
+// the first impulse on a mass at rest. A wall there reflects impulses against it.
 Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis& x2, int order) {
   constexpr int kParts = 8;  // parts of a cell, with the values at their centres
   std::vector<double> centres;
@@ -170,8 +171,8 @@ Eigen::VectorXd value_at_start(const PassageProblem& passage, const Grid& grid, 
   return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
 }
 
-// Survival probabilities at the times, from the modes of the Krylov space. At rest the mass waits for
-// an impulse of rate lambda before the modes begin.
+// Survival probabilities at the times, from the modes of the Krylov space. At rest the mass waits
+// for an impulse of rate lambda before the modes begin.
 Eigen::VectorXd survival(const ReducedResolvent::Modes& modes, const std::vector<double>& times,
                          double waiting_rate) {
   Eigen::VectorXd values(times.size());
@@ -220,8 +221,8 @@ Eigen::VectorXd passage_magnitudes(const Eigen::VectorXd& values) {
   return magnitudes;
 }
 
-// Returns the largest differences between two successive Krylov spaces. The survival at short times,
-// to which many modes contribute, converges last.
+// Returns the largest differences between two successive Krylov spaces. The survival at short
+// times, to which many modes contribute, converges last.
 Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
   constexpr double kOfValues = 1e-5, kOfSurvival = 1e-3;
   Eigen::VectorXd errors = kOfValues * values.cwiseAbs();
@@ -314,10 +315,11 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
   return level;
 }
 
-// Returns the box of the stationary density, enlarged for the motion that reaches the barrier: it
-// impacts the wall with the speed w and comes from there with w/r.
+// Returns the box of the stationary density, enlarged for the motion that reaches the barrier or
+// comes from the start: it impacts the wall with the speed w and comes from there with w/r.
 Box passage_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                const Options& options, double barrier, const Deadline& deadline) {
+                const Options& options, double barrier,
+                const std::optional<transform::StartState>& start, const Deadline& deadline) {
   constexpr double kImpulseDeviations = 5.5;
   constexpr double kBeyond = 0.5;  // shortest part of the box beyond the barrier, in deviations
   Box box = stationary_box(problem, scales, options, deadline);
@@ -327,7 +329,16 @@ Box passage_box(const problem::Problem& problem, const problem::MotionScales& sc
   for (const double y : potential.extrema()) {
     if (y < barrier && potential(y) < potential(lowest)) lowest = y;
   }
-  const double speed = std::sqrt(2 * std::max(0.0, potential(barrier) - potential(lowest)));
+  double energy = std::max(0.0, potential(barrier) - potential(lowest));
+  const double energy_of_start =
+      start ? start->ydot * start->ydot / 2 + potential(start->y) - potential(lowest) : 0;
+  if (energy_of_start > energy) {
+    energy = energy_of_start;
+    const auto half_cycles =
+        problem::UndampedOrbits(problem).half_cycles(energy + potential(lowest));
+    if (!wall) box.x1_min = std::min(box.x1_min, half_cycles.front().left);
+  }
+  const double speed = std::sqrt(2 * energy);
   const double restitution = wall ? std::max(0.1, wall->restitution_at(speed)) : 1;
   const auto& law = problem.impulses.law();
   const double of_impulse = problem.impulses.is_present()
@@ -374,12 +385,13 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   with_order.order = options.order.value_or(automatic_order(transformed));
   if (!has_linearised_scales(transformed))
     with_order.wall_density *= box_edge_density_factor(transformed);
-  const bool is_at_rest = !start;
+  const auto rest = problem::rest_displacement(transformed, level);
   if (start) {
     start = {transformed.frame.wall_x(start->y), transformed.frame.physical_velocity(start->ydot)};
-  } else if (const auto rest = problem::rest_displacement(transformed, level)) {
+  } else if (rest) {
     start = {*rest, 0};
   }
+  const bool is_at_rest = start && rest && start->y == *rest && start->ydot == 0;
   const bool waits = transformed.impulses.is_present() && !transformed.noise.is_present() &&
                      options.equation == DensityEquation::kf;
   const PassageProblem below{
@@ -389,14 +401,14 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
       .barrier = level,
       .start = start,
       .waiting_rate = waits && is_at_rest ? transformed.impulses.arrival_rate() : 0,
-      .box = passage_box(transformed, scales, with_order, level, deadline)};
+      .box = passage_box(transformed, scales, with_order, level, start, deadline)};
   if (level <= below.box.x1_min) {
     passage.status = Status::not_offered;
     passage.reason = "the stationary probability below the barrier is negligible";
     return passage;
   }
-  // Smaller shifts slow down the convergence of the survival at short times, larger shifts that of the
-  // hazard.
+  // Smaller shifts slow down the convergence of the survival at short times, larger shifts that of
+  // the hazard.
   constexpr double kShift = 4;
   const double shift = kShift * scales.velocity_deviation / scales.displacement_deviation;
   if (times.empty()) {

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -97,6 +98,13 @@ void Simulation::restart(std::size_t stream, double y, double v) {
     const Impulse next = streams_[stream].source.next_impulse();
     branch.time_to_impulse = next.waiting;
     branch.amplitude = next.amplitude;
+    if (plan_->excitation.arrivals == Excitation::Arrivals::even) {
+      // The phase of evenly spaced kicks is random. Their amplitudes are Gaussian.
+      const Impulse other = streams_[stream].source.next_impulse();
+      const double deviations =
+          (other.amplitude - plan_->excitation.mean) / plan_->excitation.width;
+      branch.time_to_impulse *= std::erfc(-deviations / std::numbers::sqrt2) / 2;
+    }
   }
 }
 

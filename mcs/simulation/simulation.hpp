@@ -37,8 +37,8 @@ class Simulation {
   void run_round();
   /// Advances all streams by `time` without statistics and series.
   void advance_without_records(double time);
-  /// Puts a stream at (y, v). The next sample is half a sampling interval later, and the next impulse
-  /// comes after a new waiting time.
+  /// Puts a stream at (y, v). The next sample is half a sampling interval later, and the next
+  /// impulse comes after a new waiting time.
   void restart(std::size_t stream, double y, double v);
 
   const SimulationPlan& plan() const { return *plan_; }

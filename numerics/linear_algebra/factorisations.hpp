@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-/// LU factorisation, singular values and eigenvalues of dense matrices, and Cholesky factorisation of
-/// block-banded matrices.
+/// LU factorisation, singular values and eigenvalues of dense matrices, and Cholesky factorisation
+/// of block-banded matrices.
 namespace fpkcheck::numerics {
 
 /// LU factors of a square matrix with partial pivoting. Only factorisations.cpp includes Eigen's
@@ -28,8 +28,8 @@ class LuFactors {
 /// Returns the singular values of a matrix in decreasing order.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
-/// Returns the eigenvalue of a square matrix with the largest real part, and of a conjugate pair the
-/// one with the positive imaginary part.
+/// Returns the eigenvalue of a square matrix with the largest real part, and of a conjugate pair
+/// the one with the positive imaginary part.
 std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& matrix);
 
 struct SingularityIndicators {

@@ -83,10 +83,11 @@ TEST(ClosureOverTime, SatisfiesTheBalanceOfPower) {
   const auto power = [&](const transform::Moments& m) {
     return problem.impulses.rate_times_moment(2) / 2 - system.damping() * m.v2;
   };
-  for (const auto& options : {closure(Formulation::moment, 4), closure(Formulation::polar, 4)}) {
+  for (const auto& options : {closure(Formulation::moment, 6), closure(Formulation::polar, 4)}) {
     SCOPED_TRACE(name(options.formulation));
     const Transient result = solve_transient(problem, options, request(0.4, 4));
-    ASSERT_EQ(result.snapshots.size(), 5u) << result.reason;
+    ASSERT_EQ(result.status, Status::ok) << result.reason;
+    ASSERT_EQ(result.snapshots.size(), 5u);
     const auto& s = result.snapshots;
     // Simpson's rule for the work in two intervals
     const double h = 0.1;
@@ -149,8 +150,8 @@ TEST(ClosureOverTime, IsMirroredWithTheProblem) {
   from_right.y_edges = uniform_edges(-4.8, 0.2, 20);
   const Transient a = solve_transient(left, closure(Formulation::moment, 4), from_left);
   const Transient b = solve_transient(right, closure(Formulation::moment, 4), from_right);
-  ASSERT_EQ(a.snapshots.size(), 2u) << a.reason;
-  ASSERT_EQ(b.snapshots.size(), 2u) << b.reason;
+  ASSERT_EQ(a.status, Status::ok) << a.reason;
+  ASSERT_EQ(b.status, Status::ok) << b.reason;
   EXPECT_NEAR(a.snapshots[1].moments.y1, -b.snapshots[1].moments.y1, 1e-9);
   EXPECT_NEAR(a.snapshots[1].moments.v1, -b.snapshots[1].moments.v1, 1e-9);
   for (std::size_t k = 0; k < 20; ++k) {

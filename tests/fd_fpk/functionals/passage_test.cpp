@@ -56,8 +56,9 @@ TEST(Passage, HasASmallerHazardThanTheRateOfUpcrossings) {
   EXPECT_NEAR(integral, passage.mean_from_stationary->value, 1e-2 * integral);
 }
 
-// Noise ends the rest at once. The simulation (mcs-white) gives 0.2790 +- 0.0004 for the start at (0.5,
-// 2), which moves towards the barrier, and 1.98 +- 0.07 for (0.5, -2), which first impacts the wall.
+// Noise ends the rest at once. The simulation (mcs-white) gives 0.2790 +- 0.0004 for the start at
+// (0.5, 2), which moves towards the barrier, and 1.98 +- 0.07 for (0.5, -2), which first impacts
+// the wall.
 TEST(Passage, StartsAtAGivenState) {
   const auto p = tests::make_problem({.damping = 0.3, .intensity = 0.3});
   const Options white{.equation = DensityEquation::white, .accuracy = 0.1};

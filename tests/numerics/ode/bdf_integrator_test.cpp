@@ -44,8 +44,8 @@ TEST(BdfIntegrator, MeetsTheToleranceOfAStiffSystem) {
   EXPECT_LT(error_at_one(1e-10), 1e-8);
 }
 
-// x' = -2 t from 1 with the time as second component ends at t = 1, where x = 1 - t^2 = 0. States x <
-// 0 are outside of the domain.
+// x' = -2 t from 1 with the time as second component ends at t = 1, where x = 1 - t^2 = 0. States x
+// < 0 are outside of the domain.
 OdeSystem falling_system() {
   return {.rate =
               [](const VectorXd& x, Eigen::Ref<VectorXd> rate) {

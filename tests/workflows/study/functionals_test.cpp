@@ -140,8 +140,8 @@ TEST(PassageOptions, RefuseInvalidStarts) {
   }
 }
 
-// Motion towards the wall returns with 0.7 of the speed. A wrong sign of the velocity would increase
-// the probability of a passage before t = 3 from 0.3 to 0.6.
+// Motion towards the wall returns with 0.7 of the speed. A wrong sign of the velocity would
+// increase the probability of a passage before t = 3 from 0.3 to 0.6.
 TEST(PassageFromAPoint, AgreesWithTheSimulation) {
   const auto problem = tests::make_problem({.damping = 0.3, .restitution = 0.7, .intensity = 0.3});
   PassageOptions options;
@@ -171,8 +171,9 @@ TEST(PassageFromAPoint, AgreesWithTheSimulation) {
   EXPECT_TRUE(passage.at("solutions").at(0).at("survival").at(0).contains("from_start"));
 }
 
-// A negative factor of skewed impulses, and a restitution coefficient that decreases with the speed: the
-// mean time from rest would change with a wrong sign, factor or speed of the first impulse.
+// A negative factor of skewed impulses, and a restitution coefficient that decreases with the
+// speed: the mean time from rest would change with a wrong sign, factor or speed of the first
+// impulse.
 TEST(PassageFromRest, AgreesWithTheSimulationUnderParametricImpulses) {
   std::istringstream ini(R"([system]
 damping = 0.3

@@ -55,8 +55,12 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
       .add("accuracy", member(&FunctionalOptions::accuracy), {"A", accuracy_help},
            positive_numbers())
       .with_default(defaults.accuracy)
-      .add("max_seconds", member(&FunctionalOptions::max_seconds),
-           {"S", "time limit in seconds of each method except the simulation"}, positive_numbers())
+      .add(
+          "max_seconds", member(&FunctionalOptions::max_seconds),
+          {"S",
+           "time limit in seconds of the finite volumes, and of each root of a closure or its density over "
+           "time"},
+          positive_numbers())
       .with_default(defaults.max_seconds)
       .add("time", member(&FunctionalOptions::time), {"T", time_help}, positive_numbers())
       .add("seed", member(&FunctionalOptions::seed), {"N", "seed of the simulation"},
@@ -77,8 +81,8 @@ struct SelectedMethod {
 
 enum class SelectableMethods { finite_volumes_and_simulations, with_closures };
 
-/// Returns the methods of the comma-separated list FunctionalOptions::methods. The item "fd" selects
-/// "fd-kf".
+/// Returns the methods of the comma-separated list FunctionalOptions::methods. The item "fd"
+/// selects "fd-kf".
 /// @throws InputError if an item selects no method, or a closure that is not selectable
 std::vector<SelectedMethod> select_methods(
     const FunctionalOptions& options,
@@ -125,8 +129,8 @@ bool are_converged(const std::vector<Result>& results) {
   return std::ranges::all_of(results, is_acceptable) && std::ranges::any_of(results, is_ok);
 }
 
-/// Returns the results of finite volumes and simulations: closures may fail, because their accuracy is
-/// a result of the command.
+/// Returns the results of finite volumes and simulations: closures may fail, because their accuracy
+/// is a result of the command.
 template <class Result>
 std::vector<Result> without_closures(const std::vector<Result>& results) {
   std::vector<Result> others;

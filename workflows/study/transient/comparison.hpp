@@ -41,8 +41,17 @@ TransientComparison compare_over_time(const problem::Problem& problem,
                                       const TransientComparisonOptions& options,
                                       const methods::ProgressListener& listener);
 
-/// Returns the solution with which the others are compared: the first by finite volumes, or else the
-/// first simulation, with a density at the end time; null if there is none.
+/// Changes the status `ok` to `inaccurate` if the mass in the bins differs from 1, if a distance to
+/// the reference contradicts the accuracy, or if the L1 error exceeds it. The error is the estimate
+/// of the method, or the distance to the reference plus the error of the reference if that is
+/// smaller.
+/// @param compared_with reference that solves the same equation; null without a reference
+void require_accurate(double accuracy, const transform::Transient* compared_with,
+                      transform::Transient& solution);
+
+/// Returns the solution with which the others are compared: the first by finite volumes, or else
+/// the first simulation, with a density at the end time and the status ok or inaccurate; null if
+/// there is none.
 const transform::Transient* reference(const TransientComparison& study);
 
 /// Returns whether the status of finite volumes and simulations that support the problem is `ok`,

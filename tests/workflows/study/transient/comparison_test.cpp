@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
@@ -119,6 +120,45 @@ TEST(TransientComparison, JudgesClosuresByTheDistanceToTheReference) {
   EXPECT_EQ(strict.solutions[0].status, Status::inaccurate);
   EXPECT_FALSE(strict.solutions[0].reason.empty());
   EXPECT_EQ(strict.solutions[1].status, Status::ok);
+}
+
+TEST(TransientComparison, RequiresTheAccuracyOfTheEstimateAndOfTheDistance) {
+  const auto judged = [](double p, double estimate, double of_reference, bool is_compared) {
+    const Transient compared_with = solution("fd-kf", 0.75, of_reference);
+    Transient closure = solution("epc-polar-n6", p, estimate);
+    require_accurate(0.01, is_compared ? &compared_with : nullptr, closure);
+    return closure;
+  };
+  // The arguments are the probability (distance 2 |p - 0.75|), and the errors of both solutions.
+  EXPECT_EQ(judged(0.75, 0.005, 0.001, true).status, Status::ok);
+  EXPECT_EQ(judged(0.75, 0.02, 0.001, true).status, Status::ok) << "the distance is smaller";
+  EXPECT_EQ(judged(0.80, 0.005, 0.001, true).status, Status::inaccurate) << "contradiction";
+  EXPECT_EQ(judged(0.75, 0.02, 0.001, false).status, Status::inaccurate);
+  EXPECT_EQ(judged(0.75, 0.005, 0.001, false).status, Status::ok);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(judged(0.75, 0.005, none, true).status, Status::ok);
+  EXPECT_EQ(judged(0.75, none, none, true).status, Status::inaccurate);
+  EXPECT_EQ(judged(0.75, none, 0.001, true).status, Status::ok);
+
+  Transient outside = solution("mcs", 0.75, 0.001);
+  outside.has_standard_errors = true;
+  outside.snapshots[1].y.density[0] -= 0.01;
+  require_accurate(0.01, nullptr, outside);
+  EXPECT_EQ(outside.status, Status::inaccurate) << "a mass of 0.01 is outside the bins";
+}
+
+// A mean far beyond the stationary density: the bins contain the density.
+TEST(TransientComparison, HasBinsForTheInitialDensity) {
+  TransientComparisonOptions options;
+  options.until = 1;
+  options.snapshots = 1;
+  options.methods = "mcs";
+  options.time = 3e3;
+  options.start_mean_y = 12;
+  const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
+  const TransientComparison study = compare_over_time(problem, options, {});
+  EXPECT_EQ(study.solutions.at(0).status, Status::ok) << study.solutions.at(0).reason;
+  EXPECT_GT(study.solutions[0].snapshots[0].y.edges.back(), 12);
 }
 
 TEST(TransientComparison, RefusesUnknownMethods) {
