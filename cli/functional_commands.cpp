@@ -64,15 +64,16 @@ examples:
 constexpr const char* kOverTimeUsage = R"(usage: fpkcheck run CASE --until T [options]
 
 Densities p(y, t) and p(y', t) over time, from a Gaussian density at t = 0, by finite volumes,
-closures and simulation. The table has second moments and the L1 distances to the finite volumes,
-or else to the simulation.
+closures and simulation. The table has second moments, and L1 distances to the finite volumes. Without
+finite volumes the L1 distances refer to the simulation.
   fd    finite volumes on two grids with two tolerances of the time steps, whose difference gives
         the error
   epc   epc-moment and epc-polar, any order: exact moment equations with the moments as state; the
         difference from order n-2 gives the error
   mcs   independent paths, with sampling errors
 The status of finite volumes and closures is ok if their error is at most --accuracy. Exit code 0
-when finite volumes and simulation have status ok, at least one of them; closures may fail.
+when every finite-volume solution and simulation of the list has status ok or does not support the
+problem, and at least one has status ok. The status of closures does not change the exit code.
 
 examples:
   fpkcheck run case1 --until 30

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "backward/generator/normal_equations.hpp"
+#include "base/process/stopwatch.hpp"
 #include "control_variates/solution.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -55,7 +56,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
         "control functions exist only for one left wall at the equilibrium, constant damping and "
         "impulses");
   }
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   const DepositLayout layout = make_deposit_layout(problem, choose_cells(problem, options));
   if (lattice_bytes(layout.grid) * options.simulation.streams > kMostBytes) {
     return solve_plain(problem, options, "impulses this small need too much memory");
@@ -93,8 +94,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     }
   }
   mcs::require_accuracy(options.simulation, solution);
-  solution.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  solution.seconds = stopwatch.seconds();
   return solution;
 }
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "base/process/stopwatch.hpp"
 #include "epc/solve.hpp"
 
 namespace fpkcheck::epc {
@@ -58,7 +58,7 @@ transform::Sensitivities solve_sensitivities(
     const problem::Problem& problem, const Options& options,
     const std::vector<problem::ParameterDerivative>& parameters) {
   validate(options);
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   transform::Sensitivities result{.id = id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
@@ -74,7 +74,7 @@ transform::Sensitivities solve_sensitivities(
     lower.order -= 2;
     previous = moment_derivatives(transformed, lower, parameters);
   }
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = stopwatch.seconds();
   if (!found.failure.empty()) {
     result.status = Status::not_converged;
     result.reason = found.failure;

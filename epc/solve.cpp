@@ -1,7 +1,6 @@
 #include "epc/solve.hpp"
 
-#include <chrono>
-
+#include "base/process/stopwatch.hpp"
 #include "epc/contact/coordinates.hpp"
 #include "epc/formulations.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -27,15 +26,14 @@ Result solve_formulation(const problem::Problem& problem, const Options& options
 
 Result solve(const problem::Problem& problem, const Options& options) {
   validate(options);
-  const auto start = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   Result result = solve_formulation(problem, options);
   auto& [solution, summary] = result;
   summary.order = options.order;
   summary.formulation = options.formulation;
   solution.identity = identity(options);
   solution.metrics = metrics(summary, summary.moments);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  solution.seconds = elapsed.count();
+  solution.seconds = stopwatch.seconds();
   return result;
 }
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "base/process/stopwatch.hpp"
 #include "epc/contact/coordinates.hpp"
 #include "epc/formulations.hpp"
 #include "epc/half_plane/transient.hpp"
@@ -25,7 +25,7 @@ using transform::TransientRequest;
 
 // Smallest deviations of the initial density, relative to the stationary deviations and to the root
 // mean square of an impulse.
-constexpr double kOfStationary = 0.3, kOfImpulse = 0.5;
+constexpr double kLeastStationaryFraction = 0.3, kLeastImpulseFraction = 0.5;
 // Shortest time limit of the closure of order n-2, which takes less time than that of order n.
 constexpr double kShortestSeconds = 0.1;
 
@@ -38,8 +38,9 @@ std::string narrow_start_reason(const problem::Problem& problem,
       has_impulses
           ? std::sqrt(problem.impulses.rate_times_moment(2) / problem.impulses.arrival_rate())
           : 0;
-  const double least_y = kOfStationary * scales.displacement_deviation;
-  const double least_v = std::max(kOfStationary * scales.velocity_deviation, kOfImpulse * impulse);
+  const double least_y = kLeastStationaryFraction * scales.displacement_deviation;
+  const double least_v = std::max(kLeastStationaryFraction * scales.velocity_deviation,
+                                  kLeastImpulseFraction * impulse);
   if (start.displacement_deviation >= least_y && start.velocity_deviation >= least_v) return "";
   return fmt::format(
       "the initial density is too narrow for a closure: deviations {:.3g} and {:.3g}; use at least "
@@ -85,7 +86,7 @@ std::vector<transform::TransientSnapshot> make_transient_snapshots(
 transform::Transient solve_transient(const problem::Problem& problem, const Options& options,
                                      const TransientRequest& request) {
   validate(options);
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   transform::Transient transient{.id = id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
@@ -106,19 +107,17 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
   if (options.order > 2) {
     Options lower = options;
     lower.order -= 2;
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    lower.max_seconds = std::max(kShortestSeconds, options.max_seconds - elapsed.count());
+    lower.max_seconds = std::max(kShortestSeconds, options.max_seconds - stopwatch.seconds());
     const ClosureEvolution previous = evolve(transformed, lower, start, times);
     transform::estimate_errors_by_differences(
-        make_transient_snapshots(transformed, previous, request), 1,
+        make_transient_snapshots(transformed, previous, request),
         std::numbers::pi / scales.frequency, transient.snapshots);
   }
   transient.status = evolution.status;
   transient.reason = evolution.reason;
   transient.details = fmt::format("{} x {} quadrature points, {} steps", evolution.quadrature.s,
                                   evolution.quadrature.t, evolution.steps);
-  transient.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  transient.seconds = stopwatch.seconds();
   return transient;
 }
 

@@ -7,12 +7,12 @@
 
 #include <Eigen/Core>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
 #include "fd_fpk/stationary/solve_on_one_grid.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "problem/motion_scales.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -57,9 +57,9 @@ class Solver {
     if (along && are_characteristics_required(problem_))
       return solve_with(TransportScheme::characteristics);
     // The transport of first choice and the alternative transport each have half of the time limit.
-    Result first = solve_with(
-        along ? TransportScheme::characteristics : TransportScheme::upwind,
-        Deadline(options_.tolerance ? deadline_.limit_seconds() : deadline_.limit_seconds() / 2));
+    Result first = solve_with(along ? TransportScheme::characteristics : TransportScheme::upwind,
+                              base::Deadline(options_.tolerance ? deadline_.limit_seconds()
+                                                                : deadline_.limit_seconds() / 2));
     // If upwind differences are the first choice, their error estimate must be small (kSmallError).
     if (first.solution.is_ok() && (along || has_small_error(first))) return first;
     // An alternative transport does not reach the tolerance faster than the transport of first
@@ -84,7 +84,7 @@ class Solver {
 
   Result solve_with(TransportScheme transport) const { return solve_with(transport, deadline_); }
 
-  Result solve_with(TransportScheme transport, const Deadline& deadline) const {
+  Result solve_with(TransportScheme transport, const base::Deadline& deadline) const {
     Options options = options_;
     options.transport = transport;
     // Transport along characteristics has no adjustable order.
@@ -118,14 +118,14 @@ class Solver {
   const Options& options_;
   // Fraction of max_seconds; a running solve ends only at the next check of the deadline.
   static constexpr double kDeadlineFraction = 0.98;
-  Deadline deadline_;
+  base::Deadline deadline_;
 };
 
 }  // namespace
 
 Result solve(const problem::Problem& problem, const Options& options) {
   validate(options);
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   Result result = Solver(problem, options).solve();
   auto& [solution, summary] = result;
   solution.seconds = stopwatch.seconds();

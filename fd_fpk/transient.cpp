@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/operator/impact_rate.hpp"
@@ -16,7 +17,6 @@
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "problem/initial_density.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/undamped_orbits.hpp"
@@ -33,7 +33,7 @@ constexpr double kCellsPerDeviation = 5;
 // energy can reach.
 Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
                   const Options& options, const problem::Gaussian& start,
-                  const Deadline& deadline) {
+                  const base::Deadline& deadline) {
   const auto& system = problem.system;
   Box box = stationary_box(problem, scales, options, deadline);
   const problem::StateRange reached = problem::reachable_states(problem, start);
@@ -132,7 +132,7 @@ Discretisation discretise_within_limit(const problem::Problem& problem, const Bo
 void integrate_in_time(const problem::Problem& problem, const Options& options,
                        const TransientOptions& transient, const problem::Gaussian& gaussian,
                        const Discretisation& on, const FokkerPlanckOperator& op,
-                       Preconditioner& preconditioner, const Deadline& deadline,
+                       Preconditioner& preconditioner, const base::Deadline& deadline,
                        TransientResult& result) {
   constexpr long kMostSteps = 1000000;  // maximum number of steps between two snapshots
   // Tolerance of GMRES as a fraction of the local error; the residual of GMRES causes a loss of
@@ -206,7 +206,7 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
   result.start_mean_displacement = frame.physical_y(start.mean_displacement);
   result.start_mean_velocity = frame.physical_velocity(start.mean_velocity);
 
-  const Deadline deadline(options.max_seconds);
+  const base::Deadline deadline(options.max_seconds);
   const Box box = transient_box(problem, scales, options, start, deadline);
   Options on_grid = refine_for_initial_density(options, box.lengths, start);
   const Discretisation on = discretise_within_limit(problem, box, transient.max_cells, on_grid);
@@ -240,7 +240,7 @@ TransientResult solve_transient(const problem::Problem& problem, const Options& 
   if (const std::string why = transient_unsupported_reason(transformed, options); !why.empty()) {
     throw InputError(fmt::format("no density over time: {}", why));
   }
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   TransientResult result = solve_without_timing(transformed, options, transient);
   result.seconds = stopwatch.seconds();
   return result;

@@ -5,8 +5,8 @@
 #include <future>
 #include <numbers>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/applicability.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "fd_fpk/transient.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/conservative_remap.hpp"
@@ -19,9 +19,6 @@ using transform::TransientRequest;
 // Ratio of the refinements of the coarse and the fine grid, and of the tolerances of the time
 // steps.
 constexpr double kCoarsening = 0.7, kToleranceRatio = 10;
-// Share of the difference that is the error estimate. The errors of the coarse solution were 2.8
-// times those of the fine solution for a linear oscillator, so that 0.56 would suffice there.
-constexpr double kErrorShare = 1;
 
 transform::Marginal averages_over_bins(const std::vector<double>& cell_edges,
                                        const std::vector<double>& cell_averages,
@@ -63,7 +60,7 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
     transient.status = transform::Status::not_offered;
     return transient;
   }
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   const TransientOptions on_fine{.until = request.until,
                                  .snapshots = request.snapshots,
                                  .start_displacement = request.start.displacement_deviation,
@@ -82,7 +79,7 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
   const TransientResult coarse = coarse_solution.get();
   transient.snapshots = make_transient_snapshots(fine, request);
   transform::estimate_errors_by_differences(
-      make_transient_snapshots(coarse, request), kErrorShare,
+      make_transient_snapshots(coarse, request),
       std::numbers::pi / problem::scales(transformed).frequency, transient.snapshots);
   transient.status = fine.status;
   transient.reason = fine.reason;

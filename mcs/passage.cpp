@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <optional>
 
 #include "base/process/parallel_for.hpp"
+#include "base/process/stopwatch.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
@@ -324,7 +324,7 @@ std::optional<ValueWithError> simulate_from_point(Simulation& simulation, double
 transform::Passage estimate_passage(const problem::Problem& problem, const Options& options,
                                     double barrier, const std::vector<double>& times,
                                     std::optional<transform::StartState> start) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   transform::Passage passage{.id = id(options)};
   passage.has_standard_errors = true;
   const problem::Problem transformed =
@@ -349,8 +349,7 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
         found ? fmt::format("only {} passages in the simulated time; increase --time", stays)
               : "a stay below the barrier lasted longer than the simulation; increase --time";
     passage.status = Status::not_converged;
-    passage.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    passage.seconds = stopwatch.seconds();
     return passage;
   }
   const std::vector<StaySums>& sums = *found;
@@ -374,11 +373,7 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
         sums, [k](const StaySums& s) { return s.excess[k]; }, length));
   }
 
-  if (start) {
-    start = {transformed.frame.wall_x(start->y), transformed.frame.physical_velocity(start->ydot)};
-  } else if (const auto rest = problem::rest_displacement(transformed, level)) {
-    start = {*rest, 0};
-  }
+  start = transform::passage_start(transformed, level, start);
   if (start) {
     SimulationPlan from_point = plan;
     const double mean = passage.mean_from_stationary->value;
@@ -393,7 +388,7 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
   passage.details = fmt::format("{:.0f} stays below the barrier", stays);
   passage.reason = short_burn_in_reason(plan, options);
   passage.status = passage.reason.empty() ? Status::ok : Status::not_converged;
-  passage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  passage.seconds = stopwatch.seconds();
   return passage;
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <utility>
 
+#include "base/process/stopwatch.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/estimate/stream_averages.hpp"
 #include "mcs/estimate/stream_weights.hpp"
@@ -50,7 +50,7 @@ std::vector<std::vector<double>> stream_moments_of(const problem::Problem& probl
 transform::Sensitivities estimate_sensitivities(
     const problem::Problem& problem, const Options& options,
     const std::vector<problem::ParameterDerivative>& parameters) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   transform::Sensitivities result{.id = id(options)};
   result.has_standard_errors = true;
   const problem::Problem transformed =
@@ -110,7 +110,7 @@ transform::Sensitivities estimate_sensitivities(
                   static_cast<double>(nominal.rounds) * nominal.round_time() * nominal.streams);
   result.reason = short_burn_in_reason(nominal, options);
   result.status = result.reason.empty() ? Status::ok : Status::not_converged;
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = stopwatch.seconds();
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "base/process/stopwatch.hpp"
 #include "mcs/estimate/density_estimate.hpp"
 #include "mcs/estimate/stream_averages.hpp"
 #include "mcs/estimate/stream_weights.hpp"
@@ -415,7 +415,7 @@ void require_solvable(const problem::Problem& problem, const Options& options) {
 }
 
 Result solve(const problem::Problem& problem, const Options& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   Result result;
   auto& solution = result.solution;
   auto& summary = result.summary;
@@ -463,8 +463,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   set_status(plan, options, summary, solution, unreached_reason);
   if (!options.controlled) require_accuracy(options, solution);
   solution.metrics = metrics(summary);
-  solution.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  solution.seconds = stopwatch.seconds();
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "base/process/parallel_for.hpp"
+#include "base/process/stopwatch.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/estimate/stream_averages.hpp"
 #include "mcs/estimate/stream_weights.hpp"
@@ -140,7 +140,7 @@ std::size_t segment_length(double decay_rate, double interval) {
 transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Options& options,
                                       transform::StateVariable variable,
                                       const std::vector<double>& frequencies) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   transform::Spectrum spectrum{.id = id(options), .variable = variable};
   spectrum.frequencies = frequencies;
   spectrum.has_standard_errors = true;
@@ -242,8 +242,7 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
         decay_times, kShortestLength);
   }
   spectrum.status = spectrum.reason.empty() ? Status::ok : Status::not_converged;
-  spectrum.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  spectrum.seconds = stopwatch.seconds();
   return spectrum;
 }
 

@@ -5,16 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/normal.hpp>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "base/input_error.hpp"
 #include "base/process/parallel_for.hpp"
+#include "base/process/stopwatch.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/motion/taylor_flight.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
+#include "numerics/statistics.hpp"
 #include "problem/initial_density.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/coordinate_transformation.hpp"
@@ -61,8 +62,6 @@ struct SnapshotSums {
   }
 };
 
-double normal_probability(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
-
 // Draws independent initial states from a Gaussian, truncated at the walls.
 class InitialStates {
  public:
@@ -71,7 +70,8 @@ class InitialStates {
         right_(system.right_wall() ? system.right_wall()->position : HUGE_VAL),
         density_(density) {
     const auto probability = [&](double y) {
-      return normal_probability((y - density.mean_displacement) / density.displacement_deviation);
+      return numerics::normal_probability((y - density.mean_displacement) /
+                                          density.displacement_deviation);
     };
     if (std::isfinite(left_)) left_probability_ = probability(left_);
     if (std::isfinite(right_)) right_probability_ = probability(right_);
@@ -84,7 +84,8 @@ class InitialStates {
     const auto next = [&] { return normal_[stream].next_impulse().amplitude; };
     // Probability of a displacement up to y, and its inverse function
     const double below = left_probability_;
-    const double probability = below + normal_probability(next()) * (right_probability_ - below);
+    const double probability =
+        below + numerics::normal_probability(next()) * (right_probability_ - below);
     const double deviations =
         boost::math::quantile(boost::math::normal(), std::clamp(probability, kLeast, 1 - kLeast));
     const double y = std::clamp(
@@ -104,16 +105,16 @@ class InitialStates {
 transform::Marginal make_marginal(const std::vector<double>& counts,
                                   const std::vector<double>& edges, double paths,
                                   double& expected_l1) {
-  constexpr double kIn95Percent = 1.959964;
   transform::Marginal marginal{.edges = edges, .density = {}, .lower = {}, .upper = {}};
   expected_l1 = 0;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
     const double width = edges[b + 1] - edges[b], probability = counts[b + 1] / paths;
     const double error = std::sqrt(probability * (1 - probability) / paths);
     // Wilson's interval of a probability, which is not empty for an empty bin
-    const double z2 = kIn95Percent * kIn95Percent / paths;
+    const double z2 = numerics::kNormal95 * numerics::kNormal95 / paths;
     const double centre = (probability + z2 / 2) / (1 + z2);
-    const double half = kIn95Percent * std::sqrt(error * error + z2 / (4 * paths)) / (1 + z2);
+    const double half =
+        numerics::kNormal95 * std::sqrt(error * error + z2 / (4 * paths)) / (1 + z2);
     marginal.density.push_back(probability / width);
     marginal.lower.push_back(std::max(0.0, centre - half) / width);
     marginal.upper.push_back((centre + half) / width);
@@ -187,7 +188,7 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
 
 transform::Transient estimate_transient(const problem::Problem& problem, const Options& options,
                                         const TransientRequest& request) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   transform::Transient transient{.id = id(options)};
   transient.has_standard_errors = true;
   const problem::Problem transformed =
@@ -226,8 +227,7 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
   }
   transient.status = Status::ok;
   transient.details = fmt::format("{:.0f} paths", paths);
-  transient.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  transient.seconds = stopwatch.seconds();
   return transient;
 }
 

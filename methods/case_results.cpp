@@ -1,7 +1,6 @@
 #include "methods/case_results.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "backward/residual/density_residuals.hpp"
 #include "base/input_error.hpp"
 #include "base/process/parallel_for.hpp"
+#include "base/process/stopwatch.hpp"
 #include "methods/run_cases.hpp"
 #include "transform/coordinate_transformation.hpp"
 
@@ -38,7 +38,7 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
 
 compare::GuaranteedBounds guaranteed_bounds(const problem::Problem& problem,
                                             const backward::Options& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   compare::GuaranteedBounds bounds{.reason = {}, .seconds = 0, .each = {}};
   const bool completed = run_unless_out_of_memory([&] {
     const backward::GuaranteedBounds computed = backward::compute_bounds(problem, options);
@@ -48,7 +48,7 @@ compare::GuaranteedBounds guaranteed_bounds(const problem::Problem& problem,
     }
   });
   if (!completed) bounds = {.reason = kOutOfMemory, .seconds = 0, .each = {}};
-  bounds.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  bounds.seconds = stopwatch.seconds();
   return bounds;
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace fpkcheck::numerics {
@@ -10,6 +12,9 @@ namespace fpkcheck::numerics {
 /// The 0.975 quantile of the standard normal law, rounded to seven digits: half-width of a 95 %
 /// confidence interval in standard errors.
 inline constexpr double kNormal95 = 1.959964;
+
+/// Returns the probability that a standard normal variable is at most x.
+inline double normal_probability(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 
 /// Returns the median of a sample, for an even number of values the larger of the two middle
 /// values.

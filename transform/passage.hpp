@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "problem/problem.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::transform {
@@ -14,10 +15,19 @@ struct ValueWithError {
   double error = 0;
 };
 
-/// Initial state of a passage, in physical coordinates.
+/// Initial state of a passage.
 struct StartState {
   double y = 0, ydot = 0;
 };
+
+/// Returns the start of the passages from a point, in wall coordinates: the given state, or rest
+/// below the barrier (problem::rest_displacement()). The result is empty if no state is given and
+/// the mass does not rest below the barrier.
+/// @param transformed problem in wall coordinates
+/// @param barrier barrier in wall coordinates
+/// @param given state in physical coordinates
+std::optional<StartState> passage_start(const problem::Problem& transformed, double barrier,
+                                        const std::optional<StartState>& given);
 
 /// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Passage times
 /// from a point belong to a StartState, or to a start at rest on the wall or at the equilibrium;

@@ -6,10 +6,10 @@
 namespace fpkcheck::transform {
 namespace {
 
-ErrorEstimate difference(const TransientSnapshot& a, const TransientSnapshot& b, double share) {
-  ErrorEstimate result{.y_l1 = share * l1(a.y, b.y), .ydot_l1 = share * l1(a.ydot, b.ydot)};
+ErrorEstimate difference(const TransientSnapshot& a, const TransientSnapshot& b) {
+  ErrorEstimate result{.y_l1 = l1(a.y, b.y), .ydot_l1 = l1(a.ydot, b.ydot)};
   for (const auto& [name, symbol, moment, size] : kMoments) {
-    result.moments.*moment = share * std::abs(a.moments.*moment - b.moments.*moment);
+    result.moments.*moment = std::abs(a.moments.*moment - b.moments.*moment);
   }
   return result;
 }
@@ -25,12 +25,11 @@ void increase_to(const ErrorEstimate& other, ErrorEstimate& error) {
 }  // namespace
 
 void estimate_errors_by_differences(const std::vector<TransientSnapshot>& less_accurate,
-                                    double share, double half_period,
-                                    std::vector<TransientSnapshot>& snapshots) {
+                                    double half_period, std::vector<TransientSnapshot>& snapshots) {
   const std::size_t count = std::min(less_accurate.size(), snapshots.size());
   std::vector<ErrorEstimate> differences;
   for (std::size_t k = 0; k < count; ++k) {
-    differences.push_back(difference(snapshots[k], less_accurate[k], share));
+    differences.push_back(difference(snapshots[k], less_accurate[k]));
   }
   for (std::size_t k = 0; k < count; ++k) {
     ErrorEstimate& error = snapshots[k].error.emplace(differences[k]);

@@ -45,12 +45,10 @@ struct Transient {
 };
 
 /// Estimates the errors of the snapshots by the differences to less accurate snapshots. The error
-/// at one time is `share` times the largest difference within half a period before and after, and
-/// at the neighbouring snapshots. The difference at one time may be 0 by chance, since it
-/// oscillates.
+/// at one time is the largest difference within half a period before and after, and at the
+/// neighbouring snapshots: the differences oscillate, and one of them may be 0 by chance.
 /// @param less_accurate snapshots at the first of the same times, with the same bins
 void estimate_errors_by_differences(const std::vector<TransientSnapshot>& less_accurate,
-                                    double share, double half_period,
-                                    std::vector<TransientSnapshot>& snapshots);
+                                    double half_period, std::vector<TransientSnapshot>& snapshots);
 
 }  // namespace fpkcheck::transform

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
+#include "base/process/stopwatch.hpp"
 #include "epc/half_plane/newton.hpp"
 #include "numerics/linear_algebra/factorisations.hpp"
 
@@ -53,7 +53,7 @@ class RootSearch {
       : formulation_(formulation),
         options_(options),
         unit_(formulation.rate_of_change_unit()),
-        deadline_(deadline_after(options.max_seconds)) {}
+        deadline_(options.max_seconds) {}
 
   RootSearchResult run() {
     solve_orders();
@@ -88,7 +88,7 @@ class RootSearch {
 
   // The first call after the deadline stores the reason of failure.
   bool is_past_deadline() {
-    if (std::chrono::steady_clock::now() < deadline_) return false;
+    if (!deadline_.has_passed()) return false;
     if (std::exchange(deadline_reported_, true)) return true;
     root_.failure = fmt::format("no root was found in {:g} s (max_seconds){}", options_.max_seconds,
                                 root_.failure.empty() ? "" : "; last failure: " + root_.failure);
@@ -215,8 +215,8 @@ class RootSearch {
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
     if (result.converged) return result;
-    const numerics::SolutionCurve homotopy_curve = follow_homotopy(
-        start.equations, start.a, [this] { return std::chrono::steady_clock::now() >= deadline_; });
+    const numerics::SolutionCurve homotopy_curve =
+        follow_homotopy(start.equations, start.a, [this] { return deadline_.has_passed(); });
     const bool end_reached = homotopy_curve.end == numerics::TerminationReason::end_reached;
     ++homotopies_;
     iterations_ += homotopy_curve.iterations;
@@ -277,20 +277,13 @@ class RootSearch {
   const ClosureFormulation& formulation_;
   const Options& options_;
   double unit_;
-  std::chrono::steady_clock::time_point deadline_;
+  base::Deadline deadline_;
   RootSearchResult root_;
   int iterations_ = 0, homotopies_ = 0;
   bool deadline_reported_ = false;
 };
 
 }  // namespace
-
-std::chrono::steady_clock::time_point deadline_after(double seconds) {
-  using Clock = std::chrono::steady_clock;
-  constexpr double kLongest = 1e9;  // duration in seconds that the clock can represent
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                            std::chrono::duration<double>(std::min(seconds, kLongest)));
-}
 
 RootSearchResult find_root(const ClosureFormulation& formulation, const Options& options) {
   return RootSearch(formulation, options).run();

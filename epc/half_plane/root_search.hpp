@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <complex>
 #include <limits>
 #include <optional>
@@ -110,9 +109,6 @@ class ClosureFormulation {
   /// Largest decay ratio with which the root search accepts a confinement level.
   virtual double decay_ratio_limit(SearchStage stage) const = 0;
 };
-
-/// Returns the time after `seconds` of a search that begins now.
-std::chrono::steady_clock::time_point deadline_after(double seconds);
 
 /// Searches for the root of the requested order by solving the even orders in turn. Each order
 /// starts from the density of order n - 2, on a domain adapted to that density. If the start from

@@ -4,13 +4,12 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "epc/half_plane/newton.hpp"
+#include "base/process/stopwatch.hpp"
 #include "numerics/ode/bdf_integrator.hpp"
 #include "problem/motion_scales.hpp"
 
@@ -30,8 +29,9 @@ constexpr double kTimeTolerance = 1e-7;
 // deviations basis functions of order 8 have values of 1e4 at the level, and case 1 needs a
 // tolerance of 1e-10.
 constexpr double kLevelDeviations = 6.5;
-// Probability beyond kEdgeOfLevel times the confinement level from which a density is inadmissible.
-// Densities that do not depend on the level have less than 3e-6, the others 2e-5 and more.
+// Probability beyond kEdgeOfLevel times the confinement level above which a density is
+// inadmissible. In case 1 the probability is below 3e-6 for densities that do not depend on the
+// level, and at least 2e-5 for the others.
 constexpr double kEdgeOfLevel = 0.8, kBeyondEdgeLimit = 1e-5;
 // Probability of the initial density beyond the edge from which the level is increased.
 constexpr double kStartBeyondEdge = 1e-8;
@@ -61,8 +61,9 @@ class CoefficientsOfMoments {
   /// not numerically positive definite.
   const Eigen::LLT<MatrixXd>* covariance() { return factorise(last_) ? &factors_ : nullptr; }
 
-  /// Finds the coefficients for the moments m by damped Newton steps, and keeps them as last(). The
-  /// covariance matrix of an earlier density serves as long as the steps shorten fast.
+  /// Finds the coefficients for the moments m by damped Newton steps, and stores the state as
+  /// last(). The steps use the covariance matrix of an earlier density while each step is at most
+  /// kFastContraction times as long as the previous step.
   /// @return false if the moments belong to no density, as far as the search finds
   bool find(const VectorXd& m) {
     constexpr double kTolerance = 1e-9, kFastContraction = 0.2;
@@ -87,9 +88,13 @@ class CoefficientsOfMoments {
       }
       before = length;
       std::optional<State> next = shortened_step(state, step, length, m);
-      if (!next && is_factorised(state)) return false;
-      if (next) state = std::move(*next);
-      if (!next) before = 0;  // the next iteration computes the covariance matrix
+      if (next) {
+        state = std::move(*next);
+      } else if (is_factorised(state)) {
+        return false;
+      } else {
+        before = 0;  // the next iteration computes the covariance matrix
+      }
     }
     return false;
   }
@@ -126,8 +131,8 @@ class CoefficientsOfMoments {
                                       const VectorXd& m) const {
     constexpr double kLongestStep = 1, kLeastFraction = 1e-3, kRounding = 1e-12;
     const double before = from.density.log_normalisation - from.a.dot(m);
-    for (double fraction = std::min(1.0, kLongestStep / length);
-         fraction > kLeastFraction * std::min(1.0, kLongestStep / length); fraction /= 2) {
+    const double longest = std::min(1.0, kLongestStep / length);
+    for (double fraction = longest; fraction > kLeastFraction * longest; fraction /= 2) {
       std::optional<State> to = state_at(from.a + fraction * step);
       if (!to) continue;
       const double after = to->density.log_normalisation - to->a.dot(m);
@@ -146,8 +151,6 @@ double mass_beyond(const QuadraturePoints& points, const VectorXd& mass, double 
   return (points.energy.array() > energy).select(mass, 0).sum();
 }
 
-using Clock = std::chrono::steady_clock;
-
 QuadraturePointCounts scaled(const QuadraturePointCounts& size, double factor) {
   const auto times = [factor](int count) { return static_cast<int>(std::ceil(count * factor)); };
   return {times(size.s), times(size.t), times(size.wall)};
@@ -162,7 +165,7 @@ class Evolution {
         options_(options),
         start_(start),
         scales_(problem::scales(problem)),
-        deadline_(deadline_after(options.max_seconds)),
+        deadline_(options.max_seconds),
         stationary_(stationary_density()) {}
 
   ClosureEvolution run(const std::vector<double>& times, const DensityOfClosure& density_of) {
@@ -175,16 +178,15 @@ class Evolution {
                    options_.order, stationary_level() / stationary_.temperature, SearchStage::last),
                std::sqrt(narrowness));
     for (int left = kMostRefinements;; --left) {
-      ClosureEvolution evolution;
-      const double change = integrate(size, times, density_of, left > 0, evolution);
-      evolution.quadrature = size;
-      if (evolution.status != Status::ok || change < kQuadratureTolerance) return evolution;
+      ClosureEvolution evolution = integrate(size, times, density_of, left > 0);
+      const bool is_resolved = evolution.quadrature_change < kQuadratureTolerance;
+      if (evolution.status != Status::ok || is_resolved) return evolution;
       if (left == 0) {
         evolution.status = Status::not_converged;
         evolution.reason = fmt::format(
             "more quadrature points change Q_n by {:.1e} standard deviations (limit {:.0e}): {} x "
             "{} points do not resolve the density; widen the initial density",
-            change, kQuadratureTolerance, size.s, size.t);
+            evolution.quadrature_change, kQuadratureTolerance, size.s, size.t);
         return evolution;
       }
       size = scaled(size, 1.5);
@@ -247,11 +249,13 @@ class Evolution {
                                           std::move(points), size);
   }
 
-  // Integrates over the times, and returns the largest change by more quadrature points.
-  // @param may_stop whether the integration stops when this change exceeds the tolerance
-  double integrate(const QuadraturePointCounts& size, const std::vector<double>& times,
-                   const DensityOfClosure& density_of, bool may_stop,
-                   ClosureEvolution& evolution) const {
+  // Integrates over the times.
+  // @param stops_if_unresolved whether the integration stops before the first snapshot that more
+  //   quadrature points change by more than the tolerance
+  ClosureEvolution integrate(const QuadraturePointCounts& size, const std::vector<double>& times,
+                             const DensityOfClosure& density_of, bool stops_if_unresolved) const {
+    ClosureEvolution evolution;
+    evolution.quadrature = size;
     const double level = level_for_start(size);
     const double support = support_energy(level, options_.tail);
     QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);
@@ -276,12 +280,12 @@ class Evolution {
       evolution.reason =
           "no closure has the moments of the initial density; choose one closer to the stationary "
           "density";
-      return 0;
+      return evolution;
     }
     numerics::BdfIntegrator integrator(
         {.rate =
              [&](const VectorXd& m, Eigen::Ref<VectorXd> rate) {
-               if (Clock::now() > deadline_ || !coefficients.find(m)) return false;
+               if (deadline_.has_passed() || !coefficients.find(m)) return false;
                rate = equations.residual(coefficients.last().density);
                return true;
              },
@@ -296,25 +300,26 @@ class Evolution {
                return true;
              }},
         start_moments, {.relative = kTimeTolerance, .absolute = kTimeTolerance});
-    double change = 0;
+    double& change = evolution.quadrature_change;
     for (const double time : times) {
       if ((time > 0 && !integrator.advance(time)) || !coefficients.find(integrator.state())) {
         evolution.status = Status::not_converged;
         const double last = evolution.snapshots.empty() ? 0 : evolution.snapshots.back().time;
         evolution.reason =
-            Clock::now() > deadline_
+            deadline_.has_passed()
                 ? fmt::format("t = {:.4g} not reached in {:g} s (max_seconds)", time,
                               options_.max_seconds)
                 : fmt::format(
-                      "no closure found after t = {:.4g}: the moments approach those of a "
+                      "no closure has the moments after t = {:.4g}: they approach the moments of a "
                       "singular density",
                       last);
         break;
       }
       const CoefficientsOfMoments::State& state = coefficients.last();
-      const double now = change_on_finer_points(equations, fine_equations, coefficients);
-      if (!(now <= change)) change = now;
-      if (may_stop && !(change < kQuadratureTolerance)) return change;
+      const double change_of_snapshot =
+          change_on_finer_points(equations, fine_equations, coefficients);
+      if (!(change_of_snapshot <= change)) change = change_of_snapshot;
+      if (stops_if_unresolved && !(change < kQuadratureTolerance)) return evolution;
       evolution.snapshots.push_back(
           {.time = time,
            .density = density_of(make_closure_density(equations, state.a, level, options_.tail)),
@@ -330,8 +335,7 @@ class Evolution {
       }
     }
     evolution.steps = integrator.step_count();
-    evolution.rate_evaluations = integrator.rate_evaluation_count();
-    return change;
+    return evolution;
   }
 
   // Returns the change of the exponent Q_n, in standard deviations, and of the rates of the
@@ -371,7 +375,7 @@ class Evolution {
   const Options& options_;
   const problem::Gaussian& start_;
   problem::MotionScales scales_;
-  Clock::time_point deadline_;
+  base::Deadline deadline_;
   ClosureDensity stationary_;
 };
 

@@ -24,8 +24,11 @@ struct ClosureEvolution {
   std::vector<ClosureSnapshot> snapshots;
   transform::Status status = transform::Status::ok;
   std::string reason;
-  long steps = 0, rate_evaluations = 0;
+  long steps = 0;  ///< time steps of CVODE
   QuadraturePointCounts quadrature{};
+  /// Largest change by more quadrature points: of the exponent Q_n, in standard deviations, or of
+  /// the rates of the moments, in units of the frequency
+  double quadrature_change = 0;
 };
 
 /// Density of a closure, with the factors of the formulation.
@@ -41,9 +44,9 @@ using DensityOfClosure = std::function<transform::SmoothDensity(const ClosureDen
 /// CVODE integrates the moments, which change smoothly, unlike the coefficients of a narrow
 /// density.
 ///
-/// The confinement level is constant. It is the level of the stationary closure, but at least an
-/// energy that contains the initial density. The initial density of the closure has the moments m
-/// of the initial Gaussian.
+/// The confinement level is constant: the level of the stationary closure, but at most 6.5 standard
+/// deviations of the velocity, and at least an energy that contains the initial density. The
+/// initial density of the closure has the moments m of the initial Gaussian.
 ///
 /// The status is `inadmissible` if more than 1e-5 of the probability lies beyond 0.8 of the level
 /// at a snapshot. The moments are then beyond those of densities whose exponent Q_n falls at

@@ -62,7 +62,7 @@ struct Characteristics::Position {
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid,
                                  double impulse_rate, int characteristics_per_cell,
-                                 const Deadline& deadline)
+                                 const base::Deadline& deadline)
     : grid_(grid),
       deadline_(deadline),
       flow_(system),

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/characteristics/flow.hpp"
 #include "fd_fpk/characteristics/rest_points.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "problem/impulse_law.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -72,7 +72,8 @@ class Characteristics {
   /// boundary
   /// @param deadline time at which the construction stops with a failure_reason()
   Characteristics(const problem::System& system, const Grid& grid, double impulse_rate,
-                  int characteristics_per_cell, const Deadline& deadline = Deadline::unlimited());
+                  int characteristics_per_cell,
+                  const base::Deadline& deadline = base::Deadline::unlimited());
 
   /// Returns the characteristics that start at the boundary of the box, or in a cell that no other
   /// characteristic crosses. After an impact the mass of a characteristic from the boundary
@@ -142,7 +143,7 @@ class Characteristics {
   void find_continuations_at_walls(std::vector<Characteristic>& tracks) const;
 
   const Grid& grid_;
-  Deadline deadline_;
+  base::Deadline deadline_;
   bool out_of_time_ = false;
   Flow flow_;
   double rate_;

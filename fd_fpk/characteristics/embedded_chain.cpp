@@ -109,7 +109,7 @@ namespace {
 class Chain {
  public:
   Chain(const problem::Problem& problem, const Grid& grid, int characteristics_per_cell,
-        const Deadline& deadline)
+        const base::Deadline& deadline)
       : grid_(grid),
         jumps_(cell_jump_matrices(grid.x2, problem.impulses.law())),
         characteristics_(problem.system, grid, problem.impulses.arrival_rate(),
@@ -171,7 +171,8 @@ constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
 // Adds to q, of mass 1, the solution d, of mass 0, of (1 - J T) d + q (1, d) = J T q - q.
 void correct_by_gmres(const Chain& chain, const ChainAggregation& aggregation, double tolerance,
-                      const Deadline& deadline, Eigen::VectorXd& after, StationaryMasses& result) {
+                      const base::Deadline& deadline, Eigen::VectorXd& after,
+                      StationaryMasses& result) {
   const Eigen::VectorXd defect = chain.apply_jump(chain.apply_flow(after)) - after;
   const double norm = defect.cwiseAbs().sum();
   if (norm <= tolerance) return;
@@ -204,7 +205,7 @@ int block_count(const problem::Problem& problem, const problem::MotionScales& sc
 
 StationaryMasses stationary_masses(const problem::Problem& problem,
                                    const problem::MotionScales& scales, const Grid& grid,
-                                   int characteristics_per_cell, const Deadline& deadline) {
+                                   int characteristics_per_cell, const base::Deadline& deadline) {
   Chain chain(problem, grid, characteristics_per_cell, deadline);
   const auto& characteristics = chain.characteristics();
   const auto& points = characteristics.rest_points();

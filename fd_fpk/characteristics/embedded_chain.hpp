@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/characteristics/transport_operator.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/problem.hpp"
 
@@ -74,6 +74,6 @@ struct StationaryMasses {
 StationaryMasses stationary_masses(const problem::Problem& problem,
                                    const problem::MotionScales& scales, const Grid& grid,
                                    int characteristics_per_cell,
-                                   const Deadline& deadline = Deadline::unlimited());
+                                   const base::Deadline& deadline = base::Deadline::unlimited());
 
 }  // namespace fpkcheck::fd_fpk

@@ -53,12 +53,12 @@ void estimate_errors(const std::vector<Level>& levels, const Eigen::VectorXd& sc
 
 ConvergedValues converge_on_grids(const std::function<LevelValues(double refinement)>& evaluate,
                                   int order, double tolerance, const Magnitudes& magnitudes,
-                                  const Deadline& deadline) {
+                                  const base::Deadline& deadline) {
   constexpr double q = transform::kRefinementRatio;
   // Ratio of the computing times on successive grids
   constexpr double kTimeRatio = 3;
   const auto timed = [&](double refinement) {
-    const Stopwatch stopwatch;
+    const base::Stopwatch stopwatch;
     Level level{evaluate(refinement)};
     level.seconds = stopwatch.seconds();
     return level;
@@ -104,7 +104,7 @@ ConvergedValues converge_on_grids(const problem::Problem& problem, const Options
   // case1 by 6e-7 and its derivatives by 4e-6, relative. With the box of a density the two numbers
   // are 2e-5 and 1e-4 (`fpkcheck sensitivity case1 --methods fd-kf`).
   constexpr double kEdgeDensityFactor = 1e-2;
-  const Deadline deadline(options.max_seconds);
+  const base::Deadline deadline(options.max_seconds);
   Options on_grid = options;
   on_grid.wall_density *= kEdgeDensityFactor;
   on_grid.order = options.order.value_or(automatic_order(problem));

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -42,12 +42,12 @@ using Magnitudes = std::function<Eigen::VectorXd(const Eigen::VectorXd& values)>
 /// @param tolerance relative error at which no finer grid is tried
 ConvergedValues converge_on_grids(const std::function<LevelValues(double refinement)>& evaluate,
                                   int order, double tolerance, const Magnitudes& magnitudes,
-                                  const Deadline& deadline);
+                                  const base::Deadline& deadline);
 
 /// Function that computes the values from the stationary solution on one grid. If its result is
 /// empty, it has stored a reason in `failure`.
 using StationaryFunctionals = std::function<Eigen::VectorXd(
-    DirectSolution& on, const Deadline& deadline, std::string& failure)>;
+    DirectSolution& on, const base::Deadline& deadline, std::string& failure)>;
 
 /// Computes functionals of the generator and of the stationary density by converge_on_grids().
 /// @pre unsupported_reason() and transient_unsupported_reason() are empty

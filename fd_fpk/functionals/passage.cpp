@@ -234,7 +234,7 @@ Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
 // agree.
 LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
                             const std::vector<double>& times, double shift,
-                            const Deadline& deadline) {
+                            const base::Deadline& deadline) {
   constexpr int kStep = 10, kMost = 120;
   const problem::Problem& problem = passage.problem;
   const Options options = with_refined_cells(passage.options, refinement);
@@ -319,7 +319,7 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
 // comes from the start: it impacts the wall with the speed w and comes from there with w/r.
 Box passage_box(const problem::Problem& problem, const problem::MotionScales& scales,
                 const Options& options, double barrier,
-                const std::optional<transform::StartState>& start, const Deadline& deadline) {
+                const std::optional<transform::StartState>& start, const base::Deadline& deadline) {
   constexpr double kImpulseDeviations = 5.5;
   constexpr double kBeyond = 0.5;  // shortest part of the box beyond the barrier, in deviations
   Box box = stationary_box(problem, scales, options, deadline);
@@ -366,7 +366,7 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
                                  double barrier, std::vector<double> times,
                                  std::optional<transform::StartState> start) {
   validate(options);
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   transform::Passage passage{.id = solution_id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
@@ -379,18 +379,14 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
     passage.status = Status::not_offered;
     return passage;
   }
-  const Deadline deadline(options.max_seconds);
+  const base::Deadline deadline(options.max_seconds);
   const problem::MotionScales scales = problem::scales(transformed);
   Options with_order = options;
   with_order.order = options.order.value_or(automatic_order(transformed));
   if (!has_linearised_scales(transformed))
     with_order.wall_density *= box_edge_density_factor(transformed);
+  start = transform::passage_start(transformed, level, start);
   const auto rest = problem::rest_displacement(transformed, level);
-  if (start) {
-    start = {transformed.frame.wall_x(start->y), transformed.frame.physical_velocity(start->ydot)};
-  } else if (rest) {
-    start = {*rest, 0};
-  }
   const bool is_at_rest = start && rest && start->y == *rest && start->ydot == 0;
   const bool waits = transformed.impulses.is_present() && !transformed.noise.is_present() &&
                      options.equation == DensityEquation::kf;

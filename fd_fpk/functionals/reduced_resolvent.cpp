@@ -18,7 +18,7 @@ ReducedResolvent::ReducedResolvent(const ShiftedSystem& system, const Eigen::Vec
                                    Eigen::VectorXd stationary)
     : system_(system), stationary_(std::move(stationary)), norm_(b.norm()), basis_(b / norm_) {}
 
-bool ReducedResolvent::extend(int count, const Deadline& deadline) {
+bool ReducedResolvent::extend(int count, const base::Deadline& deadline) {
   basis_.conservativeResize(Eigen::NoChange, size_ + count + 1);
   hessenberg_.conservativeResize(size_ + count + 1, size_ + count);
   const double tolerance = std::min(kTolerance / weight_of_last_, kLargestTolerance);

@@ -4,8 +4,8 @@
 #include <complex>
 #include <string>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/functionals/shifted_system.hpp"
-#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -27,7 +27,7 @@ class ReducedResolvent {
 
   /// Adds `count` vectors to the basis.
   /// @return whether the linear systems were solved; otherwise failure_reason() gives the reason
-  bool extend(int count, const Deadline& deadline);
+  bool extend(int count, const base::Deadline& deadline);
 
   int size() const { return size_; }
   const std::string& failure_reason() const { return failure_; }

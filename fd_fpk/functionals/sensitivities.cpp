@@ -35,7 +35,7 @@ Eigen::VectorXd moment_values(const problem::Problem& problem, const Grid& grid,
 // Returns the moments, then the derivatives of all moments for each parameter.
 Eigen::VectorXd sensitivities_on_grid(const problem::Problem& problem, const Options& options,
                                       const std::vector<problem::ParameterDerivative>& parameters,
-                                      DirectSolution& on, const Deadline& deadline,
+                                      DirectSolution& on, const base::Deadline& deadline,
                                       std::string& failure) {
   const Grid& grid = on.discretisation.grid;
   const int order = transport_order(options);
@@ -85,7 +85,7 @@ transform::Sensitivities solve_sensitivities(
     const problem::Problem& problem, const Options& options,
     const std::vector<problem::ParameterDerivative>& parameters) {
   validate(options);
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   transform::Sensitivities result{.id = solution_id(options)};
   for (const auto& parameter : parameters) {
     result.parameters.push_back(parameter.parameter);
@@ -100,7 +100,8 @@ transform::Sensitivities solve_sensitivities(
   }
   Options with_order = options;
   with_order.order = options.order.value_or(automatic_order(transformed));
-  const auto on_grid = [&](DirectSolution& on, const Deadline& deadline, std::string& failure) {
+  const auto on_grid = [&](DirectSolution& on, const base::Deadline& deadline,
+                           std::string& failure) {
     return sensitivities_on_grid(transformed, with_order, parameters, on, deadline, failure);
   };
   // Magnitudes of the moments. E[y] may be 0 and has the magnitude of the root mean square.

@@ -22,7 +22,7 @@ ShiftedSystem::ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner& pre
 }
 
 std::optional<Eigen::VectorXd> ShiftedSystem::solve(const Eigen::VectorXd& b, double tolerance,
-                                                    const Deadline& deadline,
+                                                    const base::Deadline& deadline,
                                                     std::string& failure) const {
   const bool is_transposed = transposed_ == Transposed::yes;
   if (factors_) {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "numerics/linear_algebra/block_banded_lu.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -32,7 +32,7 @@ class ShiftedSystem {
   /// @param tolerance relative residual of GMRES
   /// @return the solution; empty with a reason in `failure`
   std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b, double tolerance,
-                                       const Deadline& deadline, std::string& failure) const;
+                                       const base::Deadline& deadline, std::string& failure) const;
 
  private:
   const FokkerPlanckOperator& op_;

@@ -57,7 +57,7 @@ Eigen::VectorXd largest_modes(const ReducedResolvent::Modes& modes, double varia
 // the densities of two successive spaces agree.
 Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
                                  transform::StateVariable variable, double shift, int order,
-                                 DirectSolution& on, const Deadline& deadline,
+                                 DirectSolution& on, const base::Deadline& deadline,
                                  std::string& failure) {
   constexpr int kStep = 10, kMost = 200;
   const Grid& grid = on.discretisation.grid;
@@ -103,7 +103,7 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
                                    transform::StateVariable variable,
                                    const std::vector<double>& frequencies) {
   validate(options);
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   transform::Spectrum spectrum{.id = solution_id(options), .variable = variable};
   spectrum.frequencies = frequencies;
   const problem::Problem transformed =
@@ -117,7 +117,8 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
   const double shift = 2 * scales.velocity_deviation / scales.displacement_deviation;
   const int order = options.order.value_or(automatic_order(transformed));
   const double target = kTargetFraction * options.accuracy;
-  const auto on_grid = [&](DirectSolution& on, const Deadline& deadline, std::string& failure) {
+  const auto on_grid = [&](DirectSolution& on, const base::Deadline& deadline,
+                           std::string& failure) {
     return spectrum_on_grid(frequencies, variable, shift, order, on, deadline, failure);
   };
   const auto scale = [](const Eigen::VectorXd& values) -> Eigen::VectorXd {

@@ -12,7 +12,7 @@ using namespace numerics::sundials_owned;
 struct GmresCallbackData {
   const LinearMap& a;
   const ApproximateSolve& approximate_solve;
-  const Deadline& deadline;
+  const base::Deadline& deadline;
   bool deadline_exceeded = false;
   CallbackExceptionStore thrown = {};
 };
@@ -40,7 +40,7 @@ int precondition(void* data, N_Vector r, N_Vector z, sunrealtype, int) {
 
 GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
                   const Eigen::VectorXd& b, const Eigen::VectorXd& weights, double tolerance,
-                  const Deadline& deadline) {
+                  const base::Deadline& deadline) {
   constexpr int kBasis = 100;
   constexpr int kRestarts = 4;
   QuietContext context;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "fd_fpk/stopwatch.hpp"
+#include "base/process/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -30,6 +30,6 @@ struct GmresResult {
 /// of `a` and `approximate_solve`
 GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
                   const Eigen::VectorXd& b, const Eigen::VectorXd& weights, double tolerance,
-                  const Deadline& deadline = Deadline::unlimited());
+                  const base::Deadline& deadline = base::Deadline::unlimited());
 
 }  // namespace fpkcheck::fd_fpk

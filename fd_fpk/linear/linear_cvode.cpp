@@ -69,7 +69,7 @@ LinearOdeSystem linear_ode_system(const FokkerPlanckOperator& op, Preconditioner
                        Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }};
 }
 
-LinearOdeSystem with_deadline_check(const Deadline& deadline, LinearOdeSystem system) {
+LinearOdeSystem with_deadline_check(const base::Deadline& deadline, LinearOdeSystem system) {
   system.times = [&deadline, times = std::move(system.times)](const Eigen::VectorXd& p) {
     if (deadline.has_passed()) throw DeadlineExceeded();
     return times(p);

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/linear/gmres.hpp"
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
-#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -27,7 +27,7 @@ struct DeadlineExceeded {};
 
 /// Returns the given system with products L P that throw DeadlineExceeded after the deadline.
 /// @param deadline must outlive the returned system
-LinearOdeSystem with_deadline_check(const Deadline& deadline, LinearOdeSystem system);
+LinearOdeSystem with_deadline_check(const base::Deadline& deadline, LinearOdeSystem system);
 
 /// Settings of the step control of CVODE; absent settings have the default values of CVODE.
 struct BdfSettings {

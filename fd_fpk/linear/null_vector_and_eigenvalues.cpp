@@ -7,14 +7,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/linear/gmres.hpp"
 #include "fd_fpk/linear/klu.hpp"
-#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
 NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                       const Eigen::VectorXd& start, const Deadline& deadline) {
+                       const Eigen::VectorXd& start, const base::Deadline& deadline) {
   constexpr double kTolerance = 1e-13;
   if (!preconditioner.factorise_stationary())
     return {std::nullopt, 0, preconditioner.failure_reason()};
@@ -22,7 +22,7 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
   const auto approximate_solve = [&](Eigen::Ref<Eigen::VectorXd> b) {
     preconditioner.solve_in_place(b);
   };
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   auto [correction, iterations, failure] =
       gmres(times, approximate_solve, -(op * start), op.areas, kTolerance, deadline);
   const double seconds = stopwatch.seconds();

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
-#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -25,7 +25,7 @@ struct NullVector {
 /// is consistent.
 NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
                        const Eigen::VectorXd& start,
-                       const Deadline& deadline = Deadline::unlimited());
+                       const base::Deadline& deadline = base::Deadline::unlimited());
 
 /// Computes the null vector of mass 1 of an unstable operator by inverse iteration with KLU factors
 /// of the whole matrix L. A solver without a test of well-posedness would return the null vector of

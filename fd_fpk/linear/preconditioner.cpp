@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fd_fpk/stopwatch.hpp"
+#include "base/process/stopwatch.hpp"
 #include "problem/motion_scales.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -73,7 +73,7 @@ Preconditioner::Preconditioner(const problem::System& system, double loss,
 }
 
 bool Preconditioner::factor_with_klu(const SparseColumnMatrix& matrix) {
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   const bool succeeded = klu_.factorise(matrix);
   are_stationary_ = succeeded && &matrix == &approximation_;
   matrix_scale_ = 1;

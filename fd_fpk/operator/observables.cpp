@@ -10,6 +10,7 @@
 
 #include "fd_fpk/axis/axis_operators.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
+#include "numerics/statistics.hpp"
 #include "problem/balances.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -78,9 +79,7 @@ double integrate_function(const problem::System& system, const Grid& grid,
 }
 
 Eigen::VectorXd normal_cell_averages(const Axis& axis, double deviation, double centre) {
-  const auto cdf = [&](double x) {
-    return 0.5 * std::erfc(-(x - centre) / (deviation * std::sqrt(2.0)));
-  };
+  const auto cdf = [&](double x) { return numerics::normal_probability((x - centre) / deviation); };
   Eigen::VectorXd averages(axis.cell_count());
   for (int i = 0; i < axis.cell_count(); ++i)
     averages(i) = cdf(axis.face_position(i + 1)) - cdf(axis.face_position(i));

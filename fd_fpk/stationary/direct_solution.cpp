@@ -18,7 +18,8 @@ namespace {
 constexpr double kLeastReduction = 1e-4;
 
 DirectSolution solve_on_grid(const problem::Problem& problem, const problem::MotionScales& scales,
-                             const Options& options, const Box& box, const Deadline& deadline) {
+                             const Options& options, const Box& box,
+                             const base::Deadline& deadline) {
   Discretisation discretisation = discretise(problem, options, box);
   if (!discretisation.failure.empty()) {
     std::string failure = discretisation.failure;
@@ -67,7 +68,7 @@ enum class LengthScalesOfBox { given, of_density };
 // cells smooth the tails.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
                                         const problem::MotionScales& scales, const Options& options,
-                                        const Deadline& deadline, Box& box,
+                                        const base::Deadline& deadline, Box& box,
                                         LengthScalesOfBox lengths = LengthScalesOfBox::given) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
@@ -78,7 +79,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   int updates = 0;
   BoxEdgeDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
-    const Stopwatch stopwatch;
+    const base::Stopwatch stopwatch;
     DirectSolution direct = solve_on_grid(problem, scales, options, box, deadline);
     if (!direct.averages || !direct.converged) return direct;
     if (lengths == LengthScalesOfBox::of_density) {
@@ -130,7 +131,7 @@ bool is_resolved(const problem::Problem& problem, const Options& options,
 }  // namespace
 
 Box stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                   const Options& options, const Deadline& deadline) {
+                   const Options& options, const base::Deadline& deadline) {
   constexpr double kCoarse = 0.5;
   Box box = initial_box(problem, scales, options);
   const bool are_lengths_needed = !has_linearised_scales(problem);
@@ -148,7 +149,7 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
 }
 
 DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
-                              const Options& options, const Deadline& deadline) {
+                              const Options& options, const base::Deadline& deadline) {
   constexpr int kRefinements = 2;
   // Largest number of cells of a grid that is refined; refining a larger grid takes minutes
   constexpr int kMostCellsRefined = 8000;
@@ -161,7 +162,7 @@ DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBo
   Options on_grid = options;
   std::optional<DirectSolution> coarser;
   for (int refinement = 0;; ++refinement) {
-    const Stopwatch stopwatch;
+    const base::Stopwatch stopwatch;
     DirectSolution direct = solve_in_wide_enough_box(problem, scales, on_grid, deadline, box);
     if (coarser && !direct.averages && deadline.has_passed()) return std::move(*coarser);
     const bool automatic = options.refine_unresolved && !options.nx && !options.nv;

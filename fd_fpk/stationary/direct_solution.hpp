@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "fd_fpk/options.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -39,7 +39,7 @@ struct ScalesAndBox {
 /// move outwards until the stationary density at the end, computed on coarse grids, is negligible.
 /// Without has_linearised_scales(), the result also contains the length scales of the density.
 Box stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                   const Options& options, const Deadline& deadline);
+                   const Options& options, const base::Deadline& deadline);
 
 /// Computes the null vector in a box at whose ends the density is negligible, on a grid that
 /// resolves the density. The solver adapts box and grid as far as the options leave box and grid
@@ -49,6 +49,6 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
 /// be rejected. An automatic grid is refined, first at a spike at the origin, while the density
 /// violates kAutomaticGridLimits and the deadline has not passed.
 DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
-                              const Options& options, const Deadline& deadline);
+                              const Options& options, const base::Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

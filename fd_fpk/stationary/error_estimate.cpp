@@ -198,7 +198,7 @@ double expected_seconds(const Summary& on) {
 // eighth of the time limit. The number of further grids is extrapolated from the error estimate of
 // the last three grids.
 bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, const Options& options,
-                            double accuracy, const Deadline& deadline) {
+                            double accuracy, const base::Deadline& deadline) {
   constexpr double kTimeFraction = 8, kLeastOrder = 0.5;
   const double order =
       std::clamp(error.observed_order, kLeastOrder, 1.0 * order_of_convergence(options));
@@ -245,7 +245,7 @@ ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& opti
   Result &fine = grids.fine, middle, coarse;
   Moments box_truncation;
   const auto solve_on_fine_grid = [&] {
-    const Stopwatch stopwatch;
+    const base::Stopwatch stopwatch;
     fine = solve(options);
     grids.fine_seconds = stopwatch.seconds();
   };
@@ -332,7 +332,7 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
 }
 
 Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
-                             const Deadline& deadline, const RefinementGoal& goal,
+                             const base::Deadline& deadline, const RefinementGoal& goal,
                              const std::optional<Box>& known_box) {
   double slower = kTimeRatio;
   ThreeGrids grids = solve_on_three_grids(solve, options, known_box);
@@ -353,7 +353,7 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
     }
     if (!deadline.has_time_for(slower * seconds)) break;
     level = with_refined_cells(level, kRefinementRatio);
-    const Stopwatch of_level;
+    const base::Stopwatch of_level;
     Result fine = solve(level);
     slower = std::max(kTimeRatio, of_level.seconds() / seconds);
     seconds = of_level.seconds();
@@ -369,7 +369,7 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
 }
 
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
-                          const Deadline& deadline) {
+                          const base::Deadline& deadline) {
   constexpr double kFirst = 0.5;  // value of Options::refinement for the coarsest grid
   // Deficit of the observed order that indicates a dominant error of the density at the origin
   constexpr double kOrdersMissing = 1.5;
@@ -394,7 +394,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       return stop(fmt::format("it needs about {:.2g} s, more than the rest of max_seconds",
                               slower * seconds));
     }
-    const Stopwatch of_level;
+    const base::Stopwatch of_level;
     Result result = solve(with_direct_solver(level));
     slower = std::max(kTimeRatio, seconds > 0 ? of_level.seconds() / seconds : 0);
     seconds = of_level.seconds();

@@ -3,10 +3,10 @@
 #include <functional>
 #include <optional>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/selection_policy.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "fd_fpk/summary.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -47,7 +47,7 @@ struct RefinementGoal {
 /// exceeds the accuracy of the goal. A finer grid is tried only if the expected time is at most a
 /// fraction of the time limit, or if the status is not yet `ok`.
 Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
-                             const Deadline& deadline, const RefinementGoal& goal,
+                             const base::Deadline& deadline, const RefinementGoal& goal,
                              const std::optional<Box>& known_box = {});
 
 /// Returns whether the first result is preferable to the second result. The first differing
@@ -60,6 +60,6 @@ bool is_preferable_result(const Result& first, const Result& second);
 /// graded towards the origin. The status is `not_converged` if the error estimate on the largest
 /// permitted grid still exceeds the tolerance.
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
-                          const Deadline& deadline);
+                          const base::Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

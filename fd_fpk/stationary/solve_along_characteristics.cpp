@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/characteristics/characteristic_grid.hpp"
 #include "fd_fpk/characteristics/embedded_chain.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "problem/motion_scales.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -29,7 +29,7 @@ struct GridSolution {
 };
 
 GridSolution solve_in_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                          const Options& options, const Box& box, const Deadline& deadline) {
+                          const Options& options, const Box& box, const base::Deadline& deadline) {
   Grid grid = characteristic_grid(problem, scales, options, box);
   StationaryMasses found =
       stationary_masses(problem, scales, grid, kCharacteristicsPerCell, deadline);
@@ -91,7 +91,7 @@ double end_of_support_in_y(const Axis& axis, const Eigen::VectorXd& masses, doub
 // After the deadline the box is widened no further if the mass in the cells at its ends is at most
 // kMaxMassAtEnd. With more mass there the solution would be rejected.
 Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                        const Options& options, const Deadline& deadline) {
+                        const Options& options, const base::Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
   // Around a limit cycle the errors of GMRES, 1e-10 (characteristics/embedded_chain.cpp), spread over
   // the whole box, since the motion far from the cycle is slow.
@@ -109,7 +109,7 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
   coarse.nx = coarse.nv = std::nullopt;
   coarse.refinement = kCoarse;
   for (int time = 0; time < kMostTimes; ++time) {
-    const Stopwatch stopwatch;
+    const base::Stopwatch stopwatch;
     const GridSolution on = solve_in_box(problem, scales, coarse, box, deadline);
     if (!on.found.masses) return box;
     const MarginalMasses masses = marginal_masses(on);
@@ -202,11 +202,11 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
 
 Result solve_along_characteristics(const problem::Problem& problem,
                                    const problem::MotionScales& scales, const Options& options,
-                                   const Deadline& deadline) {
+                                   const base::Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
   const Box box = characteristics_box(problem, scales, options, deadline);
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   const GridSolution on = solve_in_box(problem, scales, options, box, deadline);
   summary.nx = on.grid.nx();
   summary.nv = on.grid.nv();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/operator/impact_rate.hpp"
 #include "fd_fpk/operator/observables.hpp"
@@ -13,14 +14,13 @@
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
-#include "fd_fpk/stopwatch.hpp"
 
 namespace fpkcheck::fd_fpk {
 
 PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
                                                 Preconditioner& preconditioner,
                                                 const Eigen::VectorXd& start, double tolerance,
-                                                double decay_time, const Deadline& deadline) {
+                                                double decay_time, const base::Deadline& deadline) {
   constexpr long kMaxSteps = 200;
   // Time step, in decay times. Longer steps are not used because rounding errors in
   // (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
@@ -43,7 +43,7 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
     const double part = kPart * decay_time * std::max(residual, kStep * tolerance);
     return std::clamp(part, kLeast, kPart) / kPeakMultiple;
   };
-  const Stopwatch stopwatch;
+  const base::Stopwatch stopwatch;
   const double factored_before = preconditioner.factor_seconds();
   PseudoTransientResult march;
   march.residual = op.stationarity_residual(start);
@@ -57,7 +57,7 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
                                .first_step = kStep * decay_time,
                                .max_step = kStep * decay_time});
   while (march.residual > tolerance && march.steps < kMaxSteps) {
-    const Stopwatch of_step;
+    const base::Stopwatch of_step;
     cvode.set_linear_tolerance(linear_tolerance(march.residual));
     int flag = 0;
     try {
@@ -93,7 +93,7 @@ using transform::Status;
 // Returns the stationary density by the method of Options::stepper, and sets the status of the
 // result; empty without a density.
 std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct, const Options& options,
-                                                  const Deadline& deadline, Result& result) {
+                                                  const base::Deadline& deadline, Result& result) {
   auto& [solution, summary] = result;
   if (!direct.averages) {
     solution.status = Status::failed;
@@ -187,7 +187,7 @@ void set_grid_data(const Discretisation& discretisation, Summary& summary) {
 }  // namespace
 
 Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
-                         const Options& options, const Deadline& deadline) {
+                         const Options& options, const base::Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
   // The stability check needs only the velocity step and therefore precedes the solution.

@@ -3,11 +3,11 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "base/process/stopwatch.hpp"
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
-#include "fd_fpk/stopwatch.hpp"
 #include "fd_fpk/summary.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/problem.hpp"
@@ -40,13 +40,13 @@ struct PseudoTransientResult {
 PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
                                                 Preconditioner& preconditioner,
                                                 const Eigen::VectorXd& start, double tolerance,
-                                                double decay_time, const Deadline& deadline);
+                                                double decay_time, const base::Deadline& deadline);
 
 /// Computes the stationary density on the grid and in the box of the options, with the status as in
 /// solve(). The function ignores Options::error_estimate and tolerance, which concern solutions on
 /// several grids. The caller sets the identity of the solution.
 Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
-                         const Options& options, const Deadline& deadline);
+                         const Options& options, const base::Deadline& deadline);
 
 /// Computes the stationary density of `kf` with the exact impact on one grid, by the embedded
 /// Markov chain of the states after impulses. A step of the chain consists of transport along
@@ -54,6 +54,6 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
 /// be unbounded at the origin. Status and options are treated as by solve_on_one_grid().
 Result solve_along_characteristics(const problem::Problem& problem,
                                    const problem::MotionScales& scales, const Options& options,
-                                   const Deadline& deadline);
+                                   const base::Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -4,12 +4,12 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "base/process/parallel_for.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
+#include "numerics/statistics.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
@@ -103,7 +103,7 @@ void Simulation::restart(std::size_t stream, double y, double v) {
       const Impulse other = streams_[stream].source.next_impulse();
       const double deviations =
           (other.amplitude - plan_->excitation.mean) / plan_->excitation.width;
-      branch.time_to_impulse *= std::erfc(-deviations / std::numbers::sqrt2) / 2;
+      branch.time_to_impulse *= numerics::normal_probability(deviations);
     }
   }
 }

@@ -105,10 +105,4 @@ long BdfIntegrator::step_count() const {
   return number;
 }
 
-long BdfIntegrator::rate_evaluation_count() const {
-  long number = 0;
-  require_success(CVodeGetNumRhsEvals(handles_->cvode.get(), &number), "CVodeGetNumRhsEvals");
-  return number;
-}
-
 }  // namespace fpkcheck::numerics

@@ -39,7 +39,6 @@ class BdfIntegrator {
   Eigen::VectorXd state() const;
   const std::string& error_message() const;
   long step_count() const;
-  long rate_evaluation_count() const;
 
  private:
   struct Handles;

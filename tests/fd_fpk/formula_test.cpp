@@ -213,9 +213,9 @@ TEST(Formula, HasABoxThatAFinerGridDoesNotWiden) {
   options.order = kHighOrder;
   options.refinement = 0.6;
   options.wall_density *= box_edge_density_factor(p);
-  const Box box = stationary_box(p, scales, options, Deadline::unlimited());
+  const Box box = stationary_box(p, scales, options, base::Deadline::unlimited());
   const DirectSolution direct =
-      solve_directly(p, {.scales = scales, .box = box}, options, Deadline::unlimited());
+      solve_directly(p, {.scales = scales, .box = box}, options, base::Deadline::unlimited());
   ASSERT_TRUE(direct.averages) << direct.failure;
   const Grid& grid = direct.discretisation.grid;
   EXPECT_DOUBLE_EQ(grid.x1.faces().front(), box.x1_min);

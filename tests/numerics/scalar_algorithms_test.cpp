@@ -72,5 +72,11 @@ TEST(Statistics, HaveTheMedianAndTheNormalQuantile) {
   EXPECT_NEAR(std::erf(kNormal95 / std::sqrt(2.0)), 0.95, 1e-8);
 }
 
+TEST(NormalProbability, HasTheValuesOfTables) {
+  EXPECT_DOUBLE_EQ(normal_probability(0), 0.5);
+  EXPECT_NEAR(normal_probability(kNormal95), 0.975, 1e-8);
+  EXPECT_NEAR(normal_probability(-3), 1.349898031630095e-3, 1e-15);
+}
+
 }  // namespace
 }  // namespace fpkcheck::numerics

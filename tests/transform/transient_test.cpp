@@ -27,18 +27,18 @@ TEST(ErrorsByDifferences, AreTheLargestWithinHalfAPeriod) {
     coarse.push_back(snapshot(k, 0.5 + 0.1 * differences[k], 3 + differences[k]));
   }
   coarse.pop_back();
-  estimate_errors_by_differences(coarse, 0.5, 0.1, snapshots);
-  for (int k = 0; k < 3; ++k) EXPECT_EQ(snapshots[k].error->moments.y2, 0.5) << k;
+  estimate_errors_by_differences(coarse, 0.1, snapshots);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(snapshots[k].error->moments.y2, 1) << k;
   EXPECT_EQ(snapshots[3].error->moments.y2, 0);
   EXPECT_FALSE(snapshots[4].error);
 
   coarse.push_back(snapshot(4, 0.3, 1));
-  estimate_errors_by_differences(coarse, 0.5, 2, snapshots);
-  EXPECT_EQ(snapshots[0].error->moments.y2, 0.5);
-  EXPECT_EQ(snapshots[2].error->moments.y2, 1);
+  estimate_errors_by_differences(coarse, 2, snapshots);
+  EXPECT_EQ(snapshots[0].error->moments.y2, 1);
+  EXPECT_EQ(snapshots[2].error->moments.y2, 2);
   // |p - q| differs by 0.2 in each of the two bins.
-  EXPECT_NEAR(snapshots[4].error->y_l1, 0.5 * 0.4, 1e-12);
-  EXPECT_NEAR(snapshots[4].error->ydot_l1, 0.5 * 0.4, 1e-12);
+  EXPECT_NEAR(snapshots[4].error->y_l1, 0.4, 1e-12);
+  EXPECT_NEAR(snapshots[4].error->ydot_l1, 0.4, 1e-12);
   EXPECT_EQ(snapshots[4].error->moments.v2, 0);
 }
 

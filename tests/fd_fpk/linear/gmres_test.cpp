@@ -35,7 +35,7 @@ TEST(Gmres, ReportsAFailureToConverge) {
 // GMRES may stagnate for minutes on a fine grid, and no other code checks the deadline meanwhile.
 TEST(Gmres, StopsAtTheDeadline) {
   int products = 0;
-  const auto count_until = [&](int last, const Deadline& deadline) {
+  const auto count_until = [&](int last, const base::Deadline& deadline) {
     products = 0;
     return gmres(
         [&](const Eigen::VectorXd& x) {
@@ -46,14 +46,14 @@ TEST(Gmres, StopsAtTheDeadline) {
         },
         nearly, kRight, kWeights, 1e-12, deadline);
   };
-  const auto late = count_until(0, Deadline(0));
+  const auto late = count_until(0, base::Deadline(0));
   EXPECT_FALSE(late.solution);
   EXPECT_EQ(products, 0);
   EXPECT_NE(late.failure.find("max_seconds"), std::string::npos) << late.failure;
-  const auto midway = count_until(3, Deadline(0.05));
+  const auto midway = count_until(3, base::Deadline(0.05));
   EXPECT_FALSE(midway.solution);
   EXPECT_LE(products, 4);
-  EXPECT_TRUE(count_until(-1, Deadline::unlimited()).solution);
+  EXPECT_TRUE(count_until(-1, base::Deadline::unlimited()).solution);
   EXPECT_GT(products, 4);
 }
 

@@ -22,7 +22,7 @@ namespace {
 using transform::StateVariable;
 using transform::Status;
 
-const Deadline kNoDeadline(HUGE_VAL);
+const base::Deadline kNoDeadline(HUGE_VAL);
 
 // A density that is uniform except for a wave in y of the given amplitude.
 transform::Solution wave(double amplitude) {
@@ -305,7 +305,7 @@ TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
       return result;
     };
     const auto result =
-        refine_until_deadline(solve_one, {.order = 5}, Deadline(kSeconds), RefinementGoal{});
+        refine_until_deadline(solve_one, {.order = 5}, base::Deadline(kSeconds), RefinementGoal{});
     EXPECT_EQ(result.summary.refinement, *std::ranges::max_element(refinements));
     return std::lround(2 * std::log2(result.summary.refinement));
   };
@@ -338,9 +338,9 @@ TEST(ErrorEstimate, ResultsBeforeTheGradingAreKept) {
 
 TEST(ErrorEstimate, TheDeadlineEndsTheSearchForATolerance) {
   std::vector<Options> requests;
-  const auto result =
-      solve_to_tolerance(solver_of_order(4, requests),
-                         {.stepper = StationarySolver::direct, .tolerance = 1e-9}, Deadline(0));
+  const auto result = solve_to_tolerance(solver_of_order(4, requests),
+                                         {.stepper = StationarySolver::direct, .tolerance = 1e-9},
+                                         base::Deadline(0));
   EXPECT_EQ(requests.size(), 1u);  // one solution at any time limit
   EXPECT_EQ(result.solution.status, Status::not_converged);
   EXPECT_TRUE(result.solution.density.has_value());

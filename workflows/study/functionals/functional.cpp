@@ -49,13 +49,17 @@ std::vector<SelectedMethod> select_methods(const FunctionalOptions& options,
           "mcs-white",
           base::in_quotes(item), has_closures ? "epc-polar-n6, epc-moment-n6, " : ""));
     }
-    const auto has_same_id = [&](const SelectedMethod& other) {
-      return other.identity.id == method.identity.id;
-    };
-    if (std::ranges::none_of(methods, has_same_id)) methods.push_back(std::move(method));
+    if (find_method(methods, method.identity.id) == methods.end())
+      methods.push_back(std::move(method));
   }
   if (methods.empty()) throw InputError("--methods: empty list; use e.g. fd-kf,mcs");
   return methods;
+}
+
+std::vector<SelectedMethod>::const_iterator find_method(const std::vector<SelectedMethod>& methods,
+                                                        const std::string& id) {
+  return std::ranges::find(methods, id,
+                           [](const SelectedMethod& method) { return method.identity.id; });
 }
 
 void for_each_selected_method(const problem::Problem& problem, const FunctionalOptions& options,

@@ -88,6 +88,10 @@ std::vector<SelectedMethod> select_methods(
     const FunctionalOptions& options,
     SelectableMethods selectable = SelectableMethods::finite_volumes_and_simulations);
 
+/// Returns the method with an id, or the end of the list.
+std::vector<SelectedMethod>::const_iterator find_method(const std::vector<SelectedMethod>& methods,
+                                                        const std::string& id);
+
 /// Calls `compute` with each selected method. The options of a simulation report its progress.
 /// @throws InputError as select_methods()
 void for_each_selected_method(

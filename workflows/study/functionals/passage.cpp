@@ -276,8 +276,7 @@ report::Figure figure(const PassageStudy& study) {
   const auto methods = select_methods(study.options);
   for (const Passage& p : study.passages) {
     if (p.survival_from_stationary.empty()) continue;
-    const auto method = std::ranges::find_if(
-        methods, [&](const SelectedMethod& m) { return m.identity.id == p.id; });
+    const auto method = find_method(methods, p.id);
     report::FigureSeries one = report::make_series(
         p.id, method == methods.end()
                   ? transform::PlotStyle{.colour = "#D55E00", .dash = "(6,3)", .symbol = ""}

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
+#include "base/process/stopwatch.hpp"
 #include "compare/assessment.hpp"
 #include "compare/comparison.hpp"
 #include "methods/residual_error_estimator.hpp"
@@ -133,10 +133,9 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
 }  // namespace
 
 SolvedPoint solve_point(const Plan& plan, std::size_t point) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   SolvedPoint solved_point = solved(plan, point);
-  solved_point.result.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  solved_point.result.seconds = stopwatch.seconds();
   return solved_point;
 }
 

@@ -3,8 +3,9 @@
 #include <chrono>
 #include <limits>
 
-namespace fpkcheck::fd_fpk {
+namespace fpkcheck::base {
 
+/// Measures the time since its construction.
 class Stopwatch {
  public:
   double seconds() const {
@@ -32,4 +33,4 @@ class Deadline {
   double seconds_;
 };
 
-}  // namespace fpkcheck::fd_fpk
+}  // namespace fpkcheck::base
