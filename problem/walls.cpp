@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
+#include "numerics/roots/bracketed_root.hpp"
 #include "problem/parameter_ranges.hpp"
 #include "problem/problem.hpp"
 
@@ -91,6 +92,17 @@ std::optional<Wall> wall(const char* side, const std::optional<double>& position
 }
 
 }  // namespace
+
+double speed_before_impact(const Wall& wall, double v) {
+  if (v <= 0) return 0;
+  if (wall.has_constant_restitution()) return v / wall.restitution;
+  constexpr int kMostDoublings = 40;
+  double high = v;
+  for (int k = 0; k < kMostDoublings && high * wall.restitution_at(high) < v; ++k) high *= 2;
+  if (high == v || high * wall.restitution_at(high) < v) return high;
+  return numerics::bracketed_root([&](double u) { return u * wall.restitution_at(u) - v; }, v,
+                                  high);
+}
 
 Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution,
                  const NamedConstants& constants) {

@@ -63,6 +63,10 @@ struct Walls {
 Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution,
                  const NamedConstants& constants = {});
 
+/// Returns the speed u of an impact that is followed by the speed v, u r(u) = v; 0 for v <= 0. If the
+/// formula of r gives no such speed, the result is a speed far above all speeds of the motion.
+double speed_before_impact(const Wall& wall, double v);
+
 /// Requires 0 < r(u) <= 1 and an increasing speed u r(u) after the impact, for impact speeds up to
 /// `speed`.
 /// @throws InputError that states the key and a speed at which a formula violates a condition

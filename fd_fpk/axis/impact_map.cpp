@@ -4,8 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "numerics/roots/bracketed_root.hpp"
-
 namespace fpkcheck::fd_fpk {
 
 CumulativeDistributionInterpolation::CumulativeDistributionInterpolation(const Axis& axis,
@@ -72,15 +70,6 @@ Eigen::VectorXd CumulativeDistributionInterpolation::to_average_weights(
 
 namespace {
 
-// Returns the speed u before an impact after which the speed is w = u r(u).
-double speed_before_impact(const problem::Wall& wall, double w) {
-  if (wall.has_constant_restitution()) return w / wall.restitution;
-  const auto excess = [&](double u) { return u * wall.restitution_at(u) - w; };
-  double high = w;
-  while (excess(high) < 0) high *= 2;
-  return excess(high) > 0 && excess(w) < 0 ? numerics::bracketed_root(excess, w, high) : high;
-}
-
 AxisOperator exact_impact_map(const Axis& speed_axis, const problem::Wall& wall, int scheme_order) {
   const CumulativeDistributionInterpolation cumulative(speed_axis, scheme_order + 1,
                                                        AxisEndCondition::boundary);
@@ -90,8 +79,9 @@ AxisOperator exact_impact_map(const Axis& speed_axis, const problem::Wall& wall,
   for (int a = 0; a < cells; ++a) {
     Eigen::VectorXd above = Eigen::VectorXd::Zero(cells + 1);
     // The last cell receives the flux of every higher speed, for conservation of the total flux.
-    const double face = a + 1 == cells ? speed_axis.face_position(cells)
-                                       : speed_before_impact(wall, speed_axis.face_position(a + 1));
+    const double face = a + 1 == cells
+                            ? speed_axis.face_position(cells)
+                            : problem::speed_before_impact(wall, speed_axis.face_position(a + 1));
     cumulative.add_interpolation_weights(face, 1.0, above);
     const Eigen::VectorXd row =
         cumulative.to_average_weights(above - below) / speed_axis.cell_width(a);

@@ -17,7 +17,6 @@
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
-#include "numerics/roots/bracketed_root.hpp"
 #include "problem/effective_potential.hpp"
 #include "problem/problem_features.hpp"
 #include "problem/undamped_orbits.hpp"
@@ -111,18 +110,6 @@ Eigen::RowVectorXd value_at(const Axis& axis, int order, double x) {
   return point_value_operator(axis, averaging_stencil_size(order), fraction).row(c);
 }
 
-// Returns the speed u of an impact that is followed by the speed v, u r(u) = v.
-double speed_before_impact(const problem::Wall& wall, double v) {
-  if (v <= 0) return 0;
-  // A law with bounded u r(u) may give no such speed; the last speed is then far beyond the box.
-  constexpr int kMostDoublings = 40;
-  double high = v;
-  for (int k = 0; k < kMostDoublings && high * wall.restitution_at(high) < v; ++k) high *= 2;
-  if (high == v || high * wall.restitution_at(high) < v) return high;
-  return numerics::bracketed_root([&](double u) { return u * wall.restitution_at(u) - v; }, v,
-                                  high);
-}
-
 // Returns the weights of the velocity cells in the mean of a function of the velocity right after
 // the first impulse on a mass at rest. A wall there reflects impulses against it.
 Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis& x2, int order) {
@@ -144,7 +131,7 @@ Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis&
   const auto cumulative = [&](double v) {
     if (!on_wall) return impulse_probability(v);
     if (v <= 0) return 0.0;
-    return impulse_probability(v) - impulse_probability(-speed_before_impact(*wall, v));
+    return impulse_probability(v) - impulse_probability(-problem::speed_before_impact(*wall, v));
   };
   Eigen::RowVectorXd weights = Eigen::RowVectorXd::Zero(x2.cell_count());
   for (int j = 0; j < x2.cell_count(); ++j) {

@@ -44,6 +44,19 @@ TEST(Walls, AreRejectedWhenIncompleteOrDuplicate) {
             std::string::npos);
 }
 
+TEST(Walls, GiveTheSpeedBeforeAnImpact) {
+  const Walls walls =
+      make_walls({.left = 0,
+                  .left_restitution = base::NumberOrFormula(std::string("1 - 0.3*min(1,v)")),
+                  .right = 1,
+                  .right_restitution = 0.8},
+                 std::nullopt);
+  EXPECT_DOUBLE_EQ(speed_before_impact(*walls.right, 0.4), 0.5);
+  const double u = speed_before_impact(*walls.left, 0.4);
+  EXPECT_NEAR(u * (1 - 0.3 * u), 0.4, 1e-14);
+  EXPECT_EQ(speed_before_impact(*walls.left, 0), 0);
+}
+
 // All coefficients of the system are nonzero, so that the test covers the transformation of each
 // term.
 const SystemCoefficients kAll{.damping = 0.1,

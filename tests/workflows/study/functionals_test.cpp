@@ -147,6 +147,7 @@ TEST(PassageFromAPoint, AgreesWithTheSimulation) {
   PassageOptions options;
   options.displacement = 1;
   options.start = "0.3,-1.2";
+  options.methods = "fd-kf,mcs,characteristics";
   options.times = "3,10";
   options.time = 1e5;
   options.accuracy = 0.05;
@@ -161,6 +162,12 @@ TEST(PassageFromAPoint, AgreesWithTheSimulation) {
     EXPECT_NEAR(a.value, b.value, std::hypot(a.error, kStandardErrors * b.error));
   };
   expect_agreement(*fd.mean_from_point, *simulated.mean_from_point);
+  const auto& collocation = study.passages.at(2);
+  ASSERT_EQ(collocation.status, Status::ok) << collocation.reason;
+  expect_agreement(*collocation.mean_from_point, *simulated.mean_from_point);
+  EXPECT_NEAR(collocation.mean_from_point->value, fd.mean_from_point->value,
+              fd.mean_from_point->error);
+  EXPECT_NEAR(collocation.hazard->value, fd.hazard->value, fd.hazard->error);
   for (std::size_t k = 0; k < 2; ++k) {
     expect_agreement(fd.survival_from_point.at(k), simulated.survival_from_point.at(k));
   }
@@ -168,6 +175,10 @@ TEST(PassageFromAPoint, AgreesWithTheSimulation) {
   const Json& passage = found.at("cases").at(0).at("passage");
   EXPECT_EQ(passage.at("start").at("ydot"), -1.2);
   EXPECT_EQ(passage.at("solutions").at(0).at("mean_from_start"), fd.mean_from_point->value);
+  const Json& third = passage.at("solutions").at(2);
+  EXPECT_EQ(third.at("solution"), "characteristics");
+  EXPECT_EQ(third.at("hazard"), collocation.hazard->value);
+  EXPECT_TRUE(third.at("mean_from_stationary").is_null());
   EXPECT_TRUE(passage.at("solutions").at(0).at("survival").at(0).contains("from_start"));
 }
 

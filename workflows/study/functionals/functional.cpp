@@ -20,6 +20,7 @@ using transform::Status;
 std::vector<SelectedMethod> select_methods(const FunctionalOptions& options,
                                            SelectableMethods selectable) {
   const bool has_closures = selectable == SelectableMethods::with_closures;
+  const bool has_characteristics = selectable == SelectableMethods::with_characteristics;
   std::vector<SelectedMethod> methods;
   for (const std::string& item : split_at_commas(options.methods)) {
     const std::string id = item == "fd" ? "fd-kf" : item;
@@ -43,11 +44,18 @@ std::vector<SelectedMethod> select_methods(const FunctionalOptions& options,
       method.identity = epc::identity(*method.epc);
       method.identity.plot_style = methods::closure_style(method.identity);
       method.epc->max_seconds = options.max_seconds;
+    } else if (has_characteristics && id == "characteristics") {
+      method.identity.id = id;
+      method.identity.plot_style = methods::density_equation_style(method.identity);
+      method.characteristics = {.accuracy = options.accuracy, .max_seconds = options.max_seconds};
     } else {
+      const char* others = has_closures          ? "epc-polar-n6, epc-moment-n6, "
+                           : has_characteristics ? "characteristics, "
+                                                 : "";
       throw InputError(fmt::format(
           "--methods: {} is no method of this command; use fd-kf, fd-white, fd-km4, {}mcs or "
           "mcs-white",
-          base::in_quotes(item), has_closures ? "epc-polar-n6, epc-moment-n6, " : ""));
+          base::in_quotes(item), others));
     }
     if (find_method(methods, method.identity.id) == methods.end())
       methods.push_back(std::move(method));

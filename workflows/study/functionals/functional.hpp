@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "backward/passage/passage.hpp"
 #include "base/options/description.hpp"
 #include "epc/options.hpp"
 #include "fd_fpk/options.hpp"
@@ -58,8 +59,8 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
       .add(
           "max_seconds", member(&FunctionalOptions::max_seconds),
           {"S",
-           "time limit in seconds of the finite volumes, and of each root of a closure or its density over "
-           "time"},
+           "time limit in seconds of the finite volumes, of the characteristics, and of each root of a "
+           "closure or its density over time"},
           positive_numbers())
       .with_default(defaults.max_seconds)
       .add("time", member(&FunctionalOptions::time), {"T", time_help}, positive_numbers())
@@ -71,19 +72,24 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
            closed_interval(1, 4096));
 }
 
-/// A method with its options; one of `fd`, `epc` and `mcs` is present.
+/// A method with its options; one of `fd`, `characteristics`, `epc` and `mcs` is present.
 struct SelectedMethod {
   transform::SolutionIdentity identity;  ///< with the plot style of the method
   std::optional<fd_fpk::Options> fd = {};
+  std::optional<backward::PassageOptions> characteristics = {};
   std::optional<epc::Options> epc = {};
   std::optional<mcs::Options> mcs = {};
 };
 
-enum class SelectableMethods { finite_volumes_and_simulations, with_closures };
+enum class SelectableMethods {
+  finite_volumes_and_simulations,
+  with_closures,
+  with_characteristics
+};
 
 /// Returns the methods of the comma-separated list FunctionalOptions::methods. The item "fd"
 /// selects "fd-kf".
-/// @throws InputError if an item selects no method, or a closure that is not selectable
+/// @throws InputError if an item selects no method, or one that is not selectable
 std::vector<SelectedMethod> select_methods(
     const FunctionalOptions& options,
     SelectableMethods selectable = SelectableMethods::finite_volumes_and_simulations);

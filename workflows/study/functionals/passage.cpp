@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "backward/passage/passage.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "fd_fpk/functionals/passage.hpp"
@@ -116,9 +117,10 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
               {"LIST",
                "times of the survival probabilities (default: ten times up to three mean times, from "
                "the finite volumes)"}),
-      "largest relative error of the finite volumes, for status ok",
+      "largest relative error of finite volumes and characteristics, for status ok",
       "simulated time of the stationary process (default: until the standard error of the mean is "
-      "1 %, at most about 10 s of computing)");
+      "1 %, at most about 10 s of computing)",
+      "ids of methods: fd-kf, fd-white, fd-km4, .., characteristics, mcs, mcs-white");
   return description;
 }
 
@@ -131,13 +133,18 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
   std::vector<double> times = parse_times(options);
   const auto start = parse_start(problem, options);
   PassageStudy study{problem, options, {}};
-  for_each_selected_method(problem, options, listener, [&](const SelectedMethod& method) {
-    study.passages.push_back(
-        method.fd ? fd_fpk::solve_passage(problem, *method.fd, barrier, times, start)
-                  : mcs::estimate_passage(problem, *method.mcs, barrier, times, start));
-    // The simulation uses the automatic times of the finite volumes.
-    if (times.empty()) times = study.passages.back().times;
-  });
+  for_each_selected_method(
+      problem, options, listener,
+      [&](const SelectedMethod& method) {
+        study.passages.push_back(
+            method.fd ? fd_fpk::solve_passage(problem, *method.fd, barrier, times, start)
+            : method.characteristics
+                ? backward::solve_passage(problem, *method.characteristics, barrier, start)
+                : mcs::estimate_passage(problem, *method.mcs, barrier, times, start));
+        // The simulation uses the automatic times of the finite volumes.
+        if (times.empty()) times = study.passages.back().times;
+      },
+      SelectableMethods::with_characteristics);
   const auto with_rate = std::ranges::find_if(
       study.passages, [](const Passage& p) { return p.rice_rate && p.probability_below; });
   if (with_rate != study.passages.end()) study.passages.push_back(rice_approximation(*with_rate));
@@ -241,8 +248,12 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
     }
   }
   for (const Passage& p : study.passages) {
-    if (!p.mean_from_stationary) continue;
+    if (!p.hazard && !p.mean_from_stationary) continue;
     append_value_columns(p.id, "value", p.has_standard_errors, columns);
+    constexpr double kSmallError = 1e-5;  // a relative error that six digits do not show
+    if (p.hazard && p.hazard->error < kSmallError * p.hazard->value && !is_rice(p)) {
+      columns[columns.size() - 2].format = "{:.9g}";
+    }
     if (is_rice(p)) columns.pop_back();  // without errors
     std::size_t row = 0;
     const auto add = [&](const ValueWithError* value) {
@@ -262,6 +273,7 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
       }
     }
   }
+  std::erase_if(rows, [](const StudyRecord& row) { return row.size() == 1; });
   if (columns.size() > 1) text += table_text(rows, columns, format);
   for (const Passage& p : study.passages) {
     const std::string seconds = is_rice(p) ? "" : fmt::format(" ({:.1f} s)", p.seconds);
@@ -273,7 +285,7 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
 
 report::Figure figure(const PassageStudy& study) {
   std::vector<report::FigureSeries> series;
-  const auto methods = select_methods(study.options);
+  const auto methods = select_methods(study.options, SelectableMethods::with_characteristics);
   for (const Passage& p : study.passages) {
     if (p.survival_from_stationary.empty()) continue;
     const auto method = find_method(methods, p.id);

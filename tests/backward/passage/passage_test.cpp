@@ -1,0 +1,138 @@
+#include "backward/passage/passage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "backward/passage/renewal_equation.hpp"
+#include "general_oscillators.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+using transform::Passage;
+using transform::Status;
+
+TEST(ChebyshevPlane, ReproducesPolynomialsInTheSquareRootAndInTheVelocity) {
+  const ChebyshevPlane plane({-0.5, 1.5, 3}, 4, 5);
+  const auto function = [](double y, double v) {
+    const double s = std::sqrt(1.5 - y);
+    return (1 + s - 2 * s * s * s) * (v + 0.3 * std::pow(v, 4));
+  };
+  Eigen::MatrixXd values(4, 5);
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 5; ++j) values(i, j) = function(plane.y_node(i), plane.v_node(j));
+  }
+  Eigen::VectorXd in_y(4), in_v(5);
+  const auto interpolated = [&](double y, double v) {
+    plane.in_y(y, in_y);
+    plane.in_v(v, in_v);
+    return in_y.dot(values * in_v);
+  };
+  EXPECT_NEAR(interpolated(0.7, -2.2), function(0.7, -2.2), 1e-11);
+  EXPECT_NEAR(interpolated(plane.y_node(2), 1), function(plane.y_node(2), 1), 1e-11);
+  EXPECT_NEAR(interpolated(-2, 4), function(-0.5, 3), 1e-11);  // constant outside
+}
+
+// Without a passage before the time limit the integral of exp(-lambda t) is 1 / lambda, from every
+// state, and that of t exp(-lambda t) is 1 / lambda^2. A uniform law tests the parts of the panels
+// between the jumps of its density.
+TEST(RenewalEquation, IntegratesTheTimeToTheNextImpulse) {
+  for (const char* law : {"gaussian", "uniform", "laplace"}) {
+    const problem::Problem problem = tests::with_impulses(
+        problem::System({.damping = 0.3, .stiffness = 1}, {.left = 0, .left_restitution = 0.9}),
+        problem::ImpulseTrain({.arrival_rate = 4, .law = law, .intensity = 0.1, .mean = 0}));
+    const ChebyshevPlane plane({0, 5, 1}, 5, 7);
+    const RenewalEquation equation(problem, plane, 1);
+    const auto operators = equation.operators({{4}, {4, 1}}, base::Deadline::unlimited());
+    ASSERT_EQ(operators.size(), 2u);
+    const Eigen::Index wall = plane.index(plane.n_y() - 1, 3);  // the node nearest to the wall
+    EXPECT_NEAR(operators[0].of_one(wall), 0.25, 1e-8) << law;
+    EXPECT_NEAR(operators[1].of_one(wall), 1.0 / 16, 1e-8) << law;
+    EXPECT_NEAR(operators[0].of_function.row(wall).sum(), 0.25, 1e-8) << law;
+  }
+}
+
+// Values of an independent collocation along characteristics, with about seven digits
+TEST(PassageByCharacteristics, HasTheValuesOfAnIndependentComputationInCase1) {
+  const Passage passage = solve_passage(tests::paper_case(1), {.accuracy = 1e-3}, 1.5);
+  ASSERT_EQ(passage.status, Status::ok) << passage.reason;
+  EXPECT_NEAR(passage.hazard->value, 0.00945683, 6e-9);
+  EXPECT_NEAR(passage.mean_from_point->value, 114.2740, 1e-4);
+  EXPECT_LT(passage.hazard->error, 1e-6 * passage.hazard->value);
+  EXPECT_LT(passage.mean_from_point->error, 1e-6 * passage.mean_from_point->value);
+}
+
+TEST(PassageByCharacteristics, StatesAnErrorThatContainsTheChangeToAFinerPlane) {
+  const problem::Problem problem =
+      tests::make_problem({.damping = 0.3, .restitution = 0.8, .intensity = 0.4});
+  const auto solve = [&](double accuracy) {
+    return solve_passage(problem, {.accuracy = accuracy}, 1, transform::StartState{0.3, -0.7});
+  };
+  const Passage coarse = solve(1), fine = solve(1e-4);
+  ASSERT_EQ(fine.status, Status::ok) << fine.reason;
+  EXPECT_LE(std::abs(coarse.hazard->value - fine.hazard->value), coarse.hazard->error);
+  EXPECT_LE(std::abs(coarse.mean_from_point->value - fine.mean_from_point->value),
+            coarse.mean_from_point->error);
+  EXPECT_GT(coarse.hazard->error, 10 * fine.hazard->error);
+}
+
+// In units in which lengths are multiplied by a and times divided by s the mean time is divided by
+// s. The test does not need a reference value.
+TEST(PassageByCharacteristics, ObeysTheChangeOfUnits) {
+  constexpr double a = 1.3, s = 0.7;
+  const auto mean = [](double length, double rate) {
+    const double per_square = 1 / (length * length);
+    const problem::Problem problem =
+        tests::with_impulses(problem::System({.damping = 0.3 * rate,
+                                              .stiffness = rate * rate,
+                                              .cubic = 0.5 * rate * rate * per_square},
+                                             {.left = 0, .left_restitution = 0.7}),
+                             tests::gaussian_impulses(rate, 0.4 * std::pow(rate, 3) / per_square));
+    const Passage passage = solve_passage(problem, {.accuracy = 1e-3}, length);
+    EXPECT_EQ(passage.status, Status::ok) << passage.reason;
+    return passage.mean_from_point ? passage.mean_from_point->value : 0;
+  };
+  const double original = mean(1, 1);
+  EXPECT_NEAR(mean(a, s) * s, original, 1e-6 * original);
+}
+
+// A wrong transformation of the barrier or of the start at rest to wall coordinates would change the
+// mean time.
+TEST(PassageByCharacteristics, DependsOnTheDistanceFromTheWall) {
+  const auto solve = [](double wall) {
+    // The force k (y - wall)
+    return solve_passage(
+        tests::with_impulses(problem::System({.damping = 0.3, .constant = -wall, .stiffness = 1},
+                                             {.left = wall, .left_restitution = 0.9}),
+                             tests::gaussian_impulses(1, 0.3)),
+        {}, wall + 1);
+  };
+  const Passage at_zero = solve(0), shifted = solve(-0.4);
+  ASSERT_EQ(at_zero.status, Status::ok) << at_zero.reason;
+  EXPECT_NEAR(shifted.mean_from_point->value, at_zero.mean_from_point->value,
+              1e-9 * at_zero.mean_from_point->value);
+}
+
+TEST(PassageByCharacteristics, IsNotOfferedWhereTheMotionIsNotDeterministicOrTheMeansNotSmooth) {
+  const problem::System system({.damping = 0.1, .stiffness = 1},
+                               {.left = 0, .left_restitution = 1});
+  const auto two_point = tests::with_impulses(
+      system,
+      problem::ImpulseTrain({.arrival_rate = 1, .law = "two_point", .intensity = 0.1, .mean = 0}));
+  for (const problem::Problem& problem : {tests::with_noise(system, 0.2), two_point}) {
+    const Passage passage = solve_passage(problem, {}, 1);
+    EXPECT_EQ(passage.status, Status::not_offered);
+    EXPECT_FALSE(passage.reason.empty());
+  }
+}
+
+TEST(PassageByCharacteristics, StatesWhyItFailsWithoutTime) {
+  const Passage passage = solve_passage(tests::paper_case(1), {.max_seconds = 1e-3}, 1.5);
+  EXPECT_EQ(passage.status, Status::failed);
+  EXPECT_NE(passage.reason.find("time limit"), std::string::npos) << passage.reason;
+}
+
+}  // namespace
+}  // namespace fpkcheck::backward

@@ -1,0 +1,114 @@
+#include "backward/passage/unforced_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "problem/system.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr double kForever = 100;
+
+double duration_of_nodes(const Motion& motion) {
+  return std::accumulate(motion.nodes.begin(), motion.nodes.end(), 0.0,
+                         [](double sum, const TimeNode& node) { return sum + node.weight; });
+}
+
+// Linear oscillator with damping 0.2 and stiffness 4 from the state (y, v)
+PhaseState damped_state(double y, double v, double t) {
+  const double decay = 0.1, frequency = std::sqrt(4 - decay * decay);
+  const double a = y, b = (v + decay * y) / frequency;
+  const double c = std::cos(frequency * t), s = std::sin(frequency * t), e = std::exp(-decay * t);
+  return {e * (a * c + b * s),
+          e * ((b * frequency - decay * a) * c - (a * frequency + decay * b) * s)};
+}
+
+TEST(UnforcedMotion, FollowsTheExactSolutionUntilTheExit) {
+  const problem::System system({.damping = 0.2, .stiffness = 4}, {.none = true});
+  const UnforcedMotion motion(system, 1, 0.3, 1);
+  const Motion found = motion.follow({0.5, -2.5}, kForever);
+  ASSERT_TRUE(found.has_left);
+  const PhaseState at_exit = damped_state(0.5, -2.5, found.duration);
+  EXPECT_NEAR(at_exit.y, 1, 1e-12);
+  EXPECT_NEAR(found.end.v, at_exit.v, 1e-12);
+  EXPECT_GT(found.end.v, 0.1);
+  EXPECT_NEAR(duration_of_nodes(found), found.duration, 1e-9);
+  double of_square_root = 0, error = 0;
+  for (const TimeNode& node : found.nodes) {
+    const PhaseState exact = damped_state(0.5, -2.5, node.time);
+    error = std::max({error, std::abs(node.at.y - exact.y), std::abs(node.at.v - exact.v)});
+    // d/dt (1 - y)^(3/2) = -(3/2) (1 - y)^(1/2) v
+    of_square_root += node.weight * 1.5 * std::sqrt(1 - node.at.y) * node.at.v;
+  }
+  EXPECT_LT(error, 1e-12);
+  EXPECT_NEAR(of_square_root, std::pow(0.5, 1.5), 1e-9);
+}
+
+// Damping c(y) = 0.1 + 0.2 y^2 and 0.05 v^3, and all powers of the force: the derivative of the
+// energy is minus the dissipated power.
+TEST(UnforcedMotion, DissipatesTheEnergyOfAllTermsOfThePolynomials) {
+  const problem::System system({.damping = 0.1,
+                                .van_der_pol = 0.2,
+                                .rayleigh = 0.05,
+                                .constant = 0.1,
+                                .stiffness = 1,
+                                .quadratic = 0.3,
+                                .cubic = 0.4,
+                                .quintic = 0.5},
+                               {.left = -1, .left_restitution = 0.8});
+  const UnforcedMotion motion(system, 3, 0.3, 1);
+  const PhaseState start{0.3, -0.6};  // turns before the wall
+  const Motion found = motion.follow(start, 1);
+  const auto energy = [&](const PhaseState& at) {
+    return at.v * at.v / 2 + system.potential()(at.y);
+  };
+  double dissipated = 0;
+  for (const TimeNode& node : found.nodes) {
+    const auto [y, v] = node.at;
+    dissipated += node.weight * (system.damping_polynomial()(y) * v * v + 0.05 * std::pow(v, 4));
+  }
+  EXPECT_NEAR(found.duration, 1, 1e-12);
+  EXPECT_GT(dissipated, 1e-3);
+  EXPECT_NEAR(energy(start) - energy(found.end), dissipated, 1e-10);
+}
+
+// Without damping a linear oscillator with a wall at its equilibrium returns after half a period,
+// with r times its speed; the last impact of this test is at the time 3 pi / 2.
+TEST(UnforcedMotion, ReboundsWithTheRestitutionCoefficient) {
+  const problem::System system({.damping = 0, .stiffness = 4},
+                               {.left = 0, .left_restitution = 0.5});
+  const UnforcedMotion motion(system, 2, 0.3, 1);
+  const Motion found = motion.follow({0, 2}, 1.5 * std::numbers::pi + 0.25);
+  EXPECT_FALSE(found.has_left);
+  EXPECT_NEAR(found.end.v, 0.25 * std::cos(0.5), 1e-10);
+  EXPECT_NEAR(found.end.y, 0.125 * std::sin(0.5), 1e-10);
+  // A force towards the wall ends the impacts at rest after a finite time.
+  const problem::System falling({.damping = 0, .constant = 1, .stiffness = 1},
+                                {.left = 0, .left_restitution = 0.5});
+  const Motion ended = UnforcedMotion(falling, 2, 0.3, 1).follow({0, 0.5}, kForever);
+  EXPECT_EQ(ended.end.y, 0);
+  EXPECT_LT(ended.duration, 3);
+}
+
+TEST(UnforcedMotion, FindsTheVelocitiesOfTheGrazingMotion) {
+  const problem::System system({.damping = 0.1, .stiffness = 1, .cubic = 0.3},
+                               {.left = 0, .left_restitution = 0.7});
+  const UnforcedMotion motion(system, 1.5, 0.3, 1);
+  const std::vector<double> velocities = motion.velocities_before({1.5, 0}, 0.6, kForever, 100);
+  ASSERT_EQ(velocities.size(), 2u);  // on the way to the barrier, and on the way to the wall
+  EXPECT_GT(velocities[0], 0);
+  EXPECT_LT(velocities[1], 0);
+  for (const double v : velocities) {
+    const double faster = v + std::copysign(1e-6, v), slower = v - std::copysign(1e-6, v);
+    EXPECT_TRUE(motion.follow({0.6, faster}, 5).has_left) << v;
+    EXPECT_FALSE(motion.follow({0.6, slower}, 5).has_left) << v;
+  }
+  EXPECT_GT(motion.largest_speed_before({1.5, 0}, kForever, 100), -velocities[1]);
+}
+
+}  // namespace
+}  // namespace fpkcheck::backward
