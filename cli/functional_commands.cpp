@@ -50,8 +50,8 @@ from rest (or from --start) and from the stationary law below the barrier, hazar
 in the limit of long times). Finite volumes solve the backward equation on y < B on three or more
 grids, whose differences give the error. The method characteristics, without noise, computes hazard
 and mean time from a point to more digits, along the motion between impulses. The simulation
-measures the stays below the barrier and states standard errors. The column rice is the usual approximation by independent upward crossings
-at Rice's rate.
+measures the stays below the barrier and states standard errors. The column rice is the usual
+approximation by independent upward crossings at Rice's rate.
 Exit code 0 when the estimated errors are below --accuracy: relative errors, and absolute errors of
 survival probabilities.
 

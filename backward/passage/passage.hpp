@@ -19,9 +19,9 @@ struct PassageOptions {
 ///     T(y, v) = int_0^te exp(-lambda t) (1 + lambda h(X_t)) dt,   h(y, v) = E T(y, v + Y),
 ///
 /// where te is the time of the passage without a further impulse. T jumps across the motion that
-/// grazes the barrier, but h is smooth, and converges quickly with the number of nodes. The hazard
-/// is the number g for which 1 is an eigenvalue of lambda A with the weight exp(-(lambda - g) t).
-/// The errors are twice the differences from fewer nodes.
+/// grazes the barrier, but h is smooth except at rest on the wall. The hazard is the least number g
+/// for which 1 is an eigenvalue of lambda A with the weight exp(-(lambda - g) t). The errors are
+/// four times the differences from fewer nodes.
 /// @param start start of Passage::mean_from_point; empty for a start at rest
 transform::Passage solve_passage(const problem::Problem& problem, const PassageOptions& options,
                                  double barrier, std::optional<transform::StartState> start = {});

@@ -12,7 +12,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Probability of no impulse at which motions end: exp(-kLongestExponent) = 1e-8
+// Motions end at the weight exp(-kLongestExponent) = 1.5e-8.
 constexpr double kLongestExponent = 18;
 
 }  // namespace
@@ -71,13 +71,13 @@ std::array<double, 2> amplitude_range(const problem::ImpulseLaw& law) {
 }
 
 RenewalEquation::RenewalEquation(const problem::Problem& problem, const ChebyshevPlane& plane,
-                                 double refinement)
+                                 double slowest_rate, double refinement)
     : problem_(problem),
       plane_(plane),
       refinement_(refinement),
       motion_(problem.system, plane.domain().barrier, problem.impulses.law().deviation(),
               refinement),
-      longest_(kLongestExponent / problem.impulses.arrival_rate()) {
+      longest_(kLongestExponent / slowest_rate) {
   assert(problem.impulses.law().atoms().empty() && !problem.impulse_factor);
   const auto [low, high] = amplitude_range(problem.impulses.law());
   lowest_change_ = low;
@@ -85,10 +85,10 @@ RenewalEquation::RenewalEquation(const problem::Problem& problem, const Chebyshe
 }
 
 // Returns the velocities at which a functional of the motion from (y, v) is not smooth in v: the
-// motions that graze the level or the wall.
+// motions that graze the barrier or the wall.
 std::vector<double> RenewalEquation::singular_velocities(double y) const {
   const double fastest = plane_.domain().v_max + std::max(-lowest_change_, highest_change_);
-  std::vector<double> velocities{0};
+  std::vector<double> velocities{0};  // on the wall the motions from v and from -v / r agree
   const auto add_grazing = [&](double at) {
     for (const double v : motion_.velocities_before({at, 0}, y, longest_, fastest)) {
       velocities.push_back(v);
@@ -103,7 +103,7 @@ std::vector<double> RenewalEquation::singular_velocities(double y) const {
 RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
   constexpr unsigned kPoints = 10, kSubPoints = 12;
   // Width of the panels in deviations of the impulses
-  constexpr double kWidth = 1.5;
+  constexpr double kWidth = 1.5, kLargestSlope = 1.5;  // slope of x^2 (3 - 2 x)
   const problem::ImpulseLaw& law = problem_.impulses.law();
   const double v_max = plane_.domain().v_max;
   const double low = -v_max + lowest_change_, high = v_max + highest_change_;
@@ -135,8 +135,8 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
       if (first) return h * 2 * (1 - x);
       return last ? h * 2 * x : h * 6 * x * (1 - x);
     };
-    const int panels = std::max(
-        1, static_cast<int>(std::ceil(1.5 * h * refinement_ / (kWidth * law.deviation()))));
+    const int panels = std::max(1, static_cast<int>(std::ceil(kLargestSlope * h * refinement_ /
+                                                              (kWidth * law.deviation()))));
     for (int panel = 0; panel < panels; ++panel) {
       const double x0 = static_cast<double>(panel) / panels, width = 1.0 / panels;
       const auto lagrange = [&](std::size_t q, double x) {
@@ -195,7 +195,8 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
 void RenewalEquation::integrate(const Motion& motion, const std::vector<TimeWeight>& weights,
                                 Eigen::Ref<Eigen::MatrixXd> of_function,
                                 Eigen::Ref<Eigen::VectorXd> of_one) const {
-  const auto count = static_cast<Eigen::Index>(motion.nodes.size() + (motion.has_left ? 0 : 1));
+  const auto count =
+      static_cast<Eigen::Index>(motion.nodes.size() + (motion.passed_barrier ? 0 : 1));
   const Eigen::Index n_v = plane_.n_v();
   const auto kinds = static_cast<Eigen::Index>(weights.size());
   Eigen::MatrixXd in_y(plane_.n_y(), count), in_v(n_v * kinds, count);

@@ -57,15 +57,15 @@ struct TimeWeight {
 ///     (A f)(y, v) = E int_0^te w(t) f(X_t) dt,   X_0 = (y, v + Y),
 ///
 /// where te is the time of the passage of the barrier without a further impulse. For w =
-/// exp(-lambda t) the function h = E T(y, v + Y) of the mean time T to the passage satisfies h = A 1
-/// + lambda A h (renewal equation). Collocation represents f and A f on a ChebyshevPlane.
+/// exp(-lambda t) the function h = E T(y, v + Y) of the mean time T to the passage satisfies h = A
+/// 1 + lambda A h (renewal equation). Collocation represents f and A f on a ChebyshevPlane.
 class RenewalEquation {
  public:
+  /// @param slowest_rate least rate of the weights of operators() and from_state()
   /// @param refinement divides the panels of time and of velocity
   /// @pre the impulses have a law with a density, and no factor
-  RenewalEquation(const problem::Problem& problem, const ChebyshevPlane& plane, double refinement);
-
-  const ChebyshevPlane& plane() const { return plane_; }
+  RenewalEquation(const problem::Problem& problem, const ChebyshevPlane& plane, double slowest_rate,
+                  double refinement);
 
   struct Operator {
     Eigen::MatrixXd of_function;  ///< matrix of A, shape (plane.size(), plane.size())
@@ -96,7 +96,7 @@ class RenewalEquation {
   ChebyshevPlane plane_;
   double refinement_;
   UnforcedMotion motion_;
-  double longest_;                         // time after which no impulse is improbable
+  double longest_;                         // time limit of motions: the weights are then 1.5e-8
   double lowest_change_, highest_change_;  // range of the amplitudes
 };
 

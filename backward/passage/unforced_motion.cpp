@@ -19,12 +19,13 @@ const std::vector<numerics::QuadraturePoint>& unit_gauss_points() {
   return points;
 }
 
-// Times at which a parabola with the given values at t = 0 vanishes, the nearest to 0 first.
+// Times at which a parabola vanishes, with its value and derivatives at t = 0; the nearest first.
 std::array<std::complex<double>, 2> roots_of_parabola(double value, double slope,
-                                                      double curvature) {
-  const std::complex<double> root = std::sqrt(std::complex(slope * slope - 2 * curvature * value));
+                                                      double second_derivative) {
+  const std::complex<double> root =
+      std::sqrt(std::complex(slope * slope - 2 * second_derivative * value));
   const std::complex<double> sum = -slope - (slope >= 0 ? root : -root);
-  const std::complex<double> a = curvature == 0 ? HUGE_VAL : sum / curvature;
+  const std::complex<double> a = second_derivative == 0 ? HUGE_VAL : sum / second_derivative;
   const std::complex<double> b = sum == 0.0 ? std::complex(HUGE_VAL) : 2 * value / sum;
   return std::abs(a) < std::abs(b) ? std::array{a, b} : std::array{b, a};
 }
@@ -75,8 +76,8 @@ std::array<double, UnforcedMotion::kOrder + 1> UnforcedMotion::taylor_coefficien
     damping_series[k] = damping.coefficient(0) * power[0][k] + damping.coefficient(1) * y[k];
     for (std::size_t n = 2; n <= powers; ++n) {
       power[n][k] = product(power[n - 1], y, k);
-      acceleration -= force.coefficient(static_cast<int>(n)) * power[n][k];
-      damping_series[k] += damping.coefficient(static_cast<int>(n)) * power[n][k];
+      acceleration -= force.coefficient(n) * power[n][k];
+      damping_series[k] += damping.coefficient(n) * power[n][k];
     }
     acceleration -= product(damping_series, v, k);
     if (rayleigh != 0) {
@@ -104,6 +105,7 @@ UnforcedMotion::PanelLimit UnforcedMotion::panel_limit(const PhaseState& from,
         std::min(longest, kOfWidth * (barrier_ - wall->position) / (std::abs(from.v) + kNone));
   }
   longest /= refinement_;
+  const double refinement = std::max(1.0, refinement_);
   // The state is a smooth function of time everywhere; only integrands have a square root.
   if (direction < 0) return {longest, false};
   // Backward and forward in time, barrier - y vanishes about at the roots of a parabola.
@@ -113,7 +115,7 @@ UnforcedMotion::PanelLimit UnforcedMotion::panel_limit(const PhaseState& from,
   // In sqrt(barrier - y) the velocity has a square root at the turning point between the roots.
   const double smooth =
       (is_separated ? kOfTurningTime * std::abs(near + far) / 2 : kOfDistance * std::abs(near)) /
-      refinement_;
+      refinement;
   return {std::min(longest, std::max(smooth, kShortest * longest)), is_separated};
 }
 
@@ -123,7 +125,7 @@ UnforcedMotion::Panel UnforcedMotion::next_panel(const PhaseState& from, double 
   panel.y = taylor_coefficients(from);
   const PanelLimit limit = panel_limit(from, direction);
   panel.in_square_root = limit.in_square_root;
-  // The last two terms of the series of v bound its truncation error.
+  // The last two terms of the series of v estimate its truncation error.
   constexpr double kTruncation = 1e-14;
   double duration = std::min(longest, limit.duration);
   for (const int k : {kOrder - 1, kOrder}) {
@@ -146,7 +148,8 @@ UnforcedMotion::Panel UnforcedMotion::next_panel(const PhaseState& from, double 
     const auto of_time = [&](double time) { return function(panel.at(time)); };
     end_at(numerics::bracketed_root(of_time, std::min(first, last), std::max(first, last)), kind);
   };
-  const double heading = from.v != 0 ? from.v : direction * acceleration(from);
+  // The acceleration of the series, since that of the force may have the other sign by rounding
+  const double heading = from.v != 0 ? from.v : direction * 2 * panel.y[2];
   if (panel.end.v * heading < 0) {
     end_at_root([](const PhaseState& at) { return at.v; }, End::turning_point);
     panel.end.v = 0;
@@ -173,8 +176,14 @@ bool UnforcedMotion::is_at_rest(const PhaseState& at) const {
   const auto& wall = system_.left_wall();
   const double a = acceleration(at);
   const bool is_on_wall = wall && at.y <= wall->position;
-  const double speed = is_on_wall && a < 0 ? kSpeedOfImpacts : kSpeed;
-  return std::abs(at.v) <= speed * velocity_scale_ && (is_on_wall ? a <= 0 : a == 0);
+  const double speed = velocity_scale_ * (is_on_wall && a < 0 ? kSpeedOfImpacts : kSpeed);
+  if (std::abs(at.v) > speed) return false;
+  if (is_on_wall && a <= 0) return true;
+  // In a stable equilibrium the acceleration is 0, and its rounding error is not.
+  const double stiffness = system_.force_slope_in_y(at.y, at.v);
+  return stiffness > 0 && system_.force_slope_in_v(at.y, at.v) >= 0
+             ? std::abs(a) <= speed * std::sqrt(stiffness)
+             : a == 0;
 }
 
 // Appends the quadrature points of a panel. Near the barrier the integrands are smooth in s =
@@ -205,19 +214,19 @@ void UnforcedMotion::append_nodes(const PhaseState& from, const Panel& panel, do
 Motion UnforcedMotion::follow(PhaseState from, double until) const {
   Motion motion;
   double time = 0;
+  const auto& wall = system_.left_wall();
+  const auto rebound = [&] { from.v = -from.v * wall->restitution_at(-from.v); };
+  if (wall && from.y <= wall->position && from.v < 0) rebound();
   while (time < until && !is_at_rest(from)) {
     const Panel panel = next_panel(from, until - time, 1);
     append_nodes(from, panel, time, motion.nodes);
     time += panel.duration;
     from = panel.end;
     if (panel.kind == End::exit) {
-      motion.has_left = true;
+      motion.passed_barrier = true;
       break;
     }
-    if (panel.kind == End::impact) {
-      const double speed = std::abs(from.v);
-      from.v = speed * system_.left_wall()->restitution_at(speed);
-    }
+    if (panel.kind == End::impact) rebound();
   }
   motion.end = from;
   motion.duration = time;
@@ -236,6 +245,7 @@ void UnforcedMotion::trace_back(PhaseState end, double until, double fastest,
     if (wall && end.y <= wall->position && end.v >= 0) {
       if (end.v == 0 && acceleration(end) <= 0) return;
       if (end.v > 0) end.v = -problem::speed_before_impact(*wall, end.v);
+      if (std::abs(end.v) >= fastest) return;
     }
     const Panel panel = next_panel(end, until - time, -1);
     if (panel.duration == 0) return;

@@ -22,8 +22,8 @@ struct TimeNode {
 /// Motion from a state until it leaves through the barrier, comes to rest, or until a time limit.
 struct Motion {
   std::vector<TimeNode> nodes;
-  bool has_left = false;  ///< whether the motion has left through the barrier
-  PhaseState end;         ///< last state
+  bool passed_barrier = false;  ///< whether the motion has left through the barrier
+  PhaseState end;               ///< last state
   double duration = 0;
 };
 
@@ -43,13 +43,13 @@ class UnforcedMotion {
   /// Returns the motion from a state, for at most the time `until`.
   Motion follow(PhaseState from, double until) const;
 
-  /// Returns the velocities with which the motions through the displacement y reach the state
-  /// `end` without a passage of the barrier, in at most the time `until` and with speeds up to
+  /// Returns the velocities at the displacement y of the motion that ends in the state `end`,
+  /// traced back to the barrier, for at most the time `until` and while the speed is below
   /// `fastest`.
   std::vector<double> velocities_before(PhaseState end, double y, double until,
                                         double fastest) const;
 
-  /// Returns the largest speed of motions that reach the state `end`, with the limits of
+  /// Returns the largest speed of the motion that ends in the state `end`, with the limits of
   /// velocities_before().
   double largest_speed_before(PhaseState end, double until, double fastest) const;
 

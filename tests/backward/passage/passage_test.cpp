@@ -44,7 +44,7 @@ TEST(RenewalEquation, IntegratesTheTimeToTheNextImpulse) {
         problem::System({.damping = 0.3, .stiffness = 1}, {.left = 0, .left_restitution = 0.9}),
         problem::ImpulseTrain({.arrival_rate = 4, .law = law, .intensity = 0.1, .mean = 0}));
     const ChebyshevPlane plane({0, 5, 1}, 5, 7);
-    const RenewalEquation equation(problem, plane, 1);
+    const RenewalEquation equation(problem, plane, 4, 1);
     const auto operators = equation.operators({{4}, {4, 1}}, base::Deadline::unlimited());
     ASSERT_EQ(operators.size(), 2u);
     const Eigen::Index wall = plane.index(plane.n_y() - 1, 3);  // the node nearest to the wall
@@ -113,6 +113,20 @@ TEST(PassageByCharacteristics, DependsOnTheDistanceFromTheWall) {
   ASSERT_EQ(at_zero.status, Status::ok) << at_zero.reason;
   EXPECT_NEAR(shifted.mean_from_point->value, at_zero.mean_from_point->value,
               1e-9 * at_zero.mean_from_point->value);
+}
+
+// A motion that starts on the wall towards the wall rebounds at once.
+TEST(PassageByCharacteristics, ReboundsAtTheStart) {
+  const problem::Problem problem =
+      tests::make_problem({.damping = 0.3, .restitution = 0.5, .intensity = 0.4});
+  const auto mean = [&](double v) {
+    const Passage passage = solve_passage(problem, {}, 1, transform::StartState{0, v});
+    EXPECT_EQ(passage.status, Status::ok) << passage.reason;
+    return passage.mean_from_point ? passage.mean_from_point->value : 0;
+  };
+  const double towards_the_wall = mean(-1.2);
+  EXPECT_NEAR(towards_the_wall, mean(0.6), 1e-3 * towards_the_wall);
+  EXPECT_GT(towards_the_wall, 1.1 * mean(1.2));
 }
 
 TEST(PassageByCharacteristics, IsNotOfferedWhereTheMotionIsNotDeterministicOrTheMeansNotSmooth) {

@@ -31,7 +31,7 @@ TEST(UnforcedMotion, FollowsTheExactSolutionUntilTheExit) {
   const problem::System system({.damping = 0.2, .stiffness = 4}, {.none = true});
   const UnforcedMotion motion(system, 1, 0.3, 1);
   const Motion found = motion.follow({0.5, -2.5}, kForever);
-  ASSERT_TRUE(found.has_left);
+  ASSERT_TRUE(found.passed_barrier);
   const PhaseState at_exit = damped_state(0.5, -2.5, found.duration);
   EXPECT_NEAR(at_exit.y, 1, 1e-12);
   EXPECT_NEAR(found.end.v, at_exit.v, 1e-12);
@@ -83,7 +83,7 @@ TEST(UnforcedMotion, ReboundsWithTheRestitutionCoefficient) {
                                {.left = 0, .left_restitution = 0.5});
   const UnforcedMotion motion(system, 2, 0.3, 1);
   const Motion found = motion.follow({0, 2}, 1.5 * std::numbers::pi + 0.25);
-  EXPECT_FALSE(found.has_left);
+  EXPECT_FALSE(found.passed_barrier);
   EXPECT_NEAR(found.end.v, 0.25 * std::cos(0.5), 1e-10);
   EXPECT_NEAR(found.end.y, 0.125 * std::sin(0.5), 1e-10);
   // A force towards the wall ends the impacts at rest after a finite time.
@@ -104,8 +104,8 @@ TEST(UnforcedMotion, FindsTheVelocitiesOfTheGrazingMotion) {
   EXPECT_LT(velocities[1], 0);
   for (const double v : velocities) {
     const double faster = v + std::copysign(1e-6, v), slower = v - std::copysign(1e-6, v);
-    EXPECT_TRUE(motion.follow({0.6, faster}, 5).has_left) << v;
-    EXPECT_FALSE(motion.follow({0.6, slower}, 5).has_left) << v;
+    EXPECT_TRUE(motion.follow({0.6, faster}, 5).passed_barrier) << v;
+    EXPECT_FALSE(motion.follow({0.6, slower}, 5).passed_barrier) << v;
   }
   EXPECT_GT(motion.largest_speed_before({1.5, 0}, kForever, 100), -velocities[1]);
 }

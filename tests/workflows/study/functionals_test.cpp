@@ -219,5 +219,38 @@ factor = -1.5
   }
 }
 
+// Problems of several kinds: rest in contact with the wall, a barrier in the other of two wells, a
+// law with a skewness and a mean in a system without a wall, and a hazard near the rate of impulses.
+TEST(PassageByCharacteristics, AgreesWithTheSimulation) {
+  const std::string impulses = "[impulse]\nrate = 1\nlaw = gaussian\nintensity = ";
+  const std::vector<std::pair<std::string, double>> problems{
+      {"[system]\ndamping = 0.3\nconstant = 0.3\nstiffness = 1\nrestitution = 0.6\n" + impulses +
+           "0.4\n",
+       0.9},
+      {"[system]\ndamping = 0.4\nstiffness = -1\ncubic = 1\n[wall]\nnone = true\n" + impulses +
+           "0.3\n",
+       0.5},
+      {"[system]\ndamping = 0.4\nstiffness = 1\nquadratic = 0.2\ncubic = 0.3\n[wall]\nnone = true\n"
+       "[impulse]\nrate = 1\nlaw = gamma\nskewness = 1\nmean = 0.1\nintensity = 0.4\n",
+       1},
+      {"[system]\ndamping = 0.3\nstiffness = 1\nrestitution = 0.8\n" + impulses + "4\n", 0.5}};
+  for (const auto& [ini, barrier] : problems) {
+    std::istringstream text(ini);
+    PassageOptions options;
+    options.methods = "characteristics,mcs";
+    options.displacement = barrier;
+    options.time = 3e5;
+    options.max_seconds = 60;
+    const PassageStudy study =
+        study_passage(problem::read_case(text, "test", "test.ini"), options, {});
+    const auto &found = study.passages.at(0), &simulated = study.passages.at(1);
+    ASSERT_EQ(found.status, Status::ok) << ini << found.reason;
+    ASSERT_EQ(simulated.status, Status::ok) << ini << simulated.reason;
+    const auto &a = *found.mean_from_point, &b = *simulated.mean_from_point;
+    EXPECT_NEAR(a.value, b.value, 3.5 * b.error + a.error) << ini;
+    EXPECT_LT(b.error, 0.02 * b.value) << ini;
+  }
+}
+
 }  // namespace
 }  // namespace fpkcheck::study

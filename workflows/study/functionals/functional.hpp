@@ -89,7 +89,7 @@ enum class SelectableMethods {
 
 /// Returns the methods of the comma-separated list FunctionalOptions::methods. The item "fd"
 /// selects "fd-kf".
-/// @throws InputError if an item selects no method, or one that is not selectable
+/// @throws InputError if an item selects no method, or a method that is not selectable
 std::vector<SelectedMethod> select_methods(
     const FunctionalOptions& options,
     SelectableMethods selectable = SelectableMethods::finite_volumes_and_simulations);
