@@ -113,9 +113,10 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
   }
   std::ranges::sort(ends);
   const double negligible = 1e-9 * law.deviation();
-  const auto repeated =
-      std::ranges::unique(ends, [&](double a, double b) { return b - a < negligible; });
-  ends.erase(repeated.begin(), repeated.end());
+  // Clang 14 does not compile std::ranges::unique() of GCC 12's library.
+  ends.erase(
+      std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a < negligible; }),
+      ends.end());
 
   const auto breakpoints = law.density_breakpoints();
   VelocityRule rule;
