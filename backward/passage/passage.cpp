@@ -217,8 +217,8 @@ Passage solve_passage(const problem::Problem& problem, const PassageOptions& opt
   passage.seconds = stopwatch.seconds();
   if (errors.allFinite() && !((*last)(0) > 0 && (*last)(0) < rate)) {
     limit = fmt::format(
-        "the hazard {:.3g} is not between 0 and the rate {:g} of impulses: the motion passes the "
-        "barrier without an impulse; choose a higher barrier",
+        "the hazard {:.3g} is not between 0 and the rate {:g} of impulses: the nodes are too few, or "
+        "the motion passes the barrier without an impulse; use fd or mcs",
         (*last)(0), rate);
     errors.setConstant(HUGE_VAL);
   }
