@@ -37,7 +37,6 @@ void ReportOfOneCase::write(const study::StudyReport& output) const {
   }
   if (common.out) write_files(*common.out, output, common.figures);
   if (common.quiet || common.json) return;
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_time_;
   const std::string figure = output.figure_script.empty()
                                  ? " and .csv"
                                  : fmt::format(", .csv and figures/{}.{}", output.file_stem,
@@ -47,7 +46,7 @@ void ReportOfOneCase::write(const study::StudyReport& output) const {
       common.out ? fmt::format("Wrote {}.json{}{} to {} in ", output.file_stem,
                                output.netcdf.empty() ? "" : ", .nc", figure, *common.out)
                  : "Done in ",
-      elapsed.count()));
+      stopwatch_.seconds()));
 }
 
 }  // namespace fpkcheck::cli

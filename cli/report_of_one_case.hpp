@@ -1,10 +1,10 @@
 #pragma once
 
-#include <chrono>
 #include <string>
 
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
+#include "base/process/stopwatch.hpp"
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"
@@ -56,7 +56,7 @@ class ReportOfOneCase {
   void write(const study::StudyReport& output) const;
 
   const CommandCall& call_;
-  std::chrono::steady_clock::time_point start_time_ = std::chrono::steady_clock::now();
+  base::Stopwatch stopwatch_;
 };
 
 }  // namespace fpkcheck::cli

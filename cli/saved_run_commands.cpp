@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
+#include "base/process/stopwatch.hpp"
 #include "cli/command_line.hpp"
 #include "cli/options.hpp"
 #include "cli/program.hpp"
@@ -51,7 +50,7 @@ void write_files(const std::filesystem::path& directory, const results::Run& run
 }  // namespace
 
 int check_command(const CommandCall& call) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   namespace po = boost::program_options;
   CommonArguments common;
   check::Tolerances tolerances;
@@ -104,13 +103,12 @@ int check_command(const CommandCall& call) {
   }
   if (common.out) write_files(*common.out, run, json);
   if (!common.quiet && !common.json) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     print_output(fmt::format(
         "{}{:.1f} s.\n",
         common.out
             ? fmt::format("Wrote check.json, summary.json and marginals.csv to {} in ", *common.out)
             : "Done in ",
-        elapsed.count()));
+        stopwatch.seconds()));
   }
   if (common.quiet && !result.agrees_with_baseline()) {
     print_message(fmt::format("{} of {} quantities changed", result.changed_quantities().size(),

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <mutex>
 #include <optional>
 
 #include "base/process/stop_request.hpp"
+#include "base/process/stopwatch.hpp"
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"
 #include "cli/terminal.hpp"
@@ -123,7 +123,7 @@ void write_partial_report(const std::filesystem::path& directory, const results:
 
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
                      const SolveAndReportOptions& options, const std::string& command_line) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   const auto problems = load_cases(common);
   std::vector<transform::SolutionIdentity> identities;
   for (const auto& method : methods) identities.push_back(method.identity);
@@ -202,7 +202,6 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   hook.reset();
   if (base::stop_requested()) return kFailure;
   if (!common.quiet && !common.json) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     const auto any = [&](auto results::CaseResult::*list) {
       return std::ranges::any_of(run.cases, [&](const results::CaseResult& case_result) {
         return !(case_result.*list).empty();
@@ -218,7 +217,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                           any(&results::CaseResult::joints) ? ", joint.nc" : "", others,
                           all_drawn ? "figures/" : "some figures", *common.out)
             : "Done in ",
-        elapsed.count()));
+        stopwatch.seconds()));
   }
   auto failed = failure_messages(run, options);
   failed.insert(failed.end(), supplement.failures.begin(), supplement.failures.end());

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "base/options/enum_names.hpp"
 #include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
+#include "base/process/stopwatch.hpp"
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/options.hpp"
@@ -215,7 +215,7 @@ void write_results(const SweepArguments& arguments, const sweep::SweepResults& r
 }
 
 int merge_shards(const SweepArguments& arguments, const CommandCall& call,
-                 std::chrono::steady_clock::time_point begin) {
+                 const base::Stopwatch& stopwatch) {
   if (arguments.common.cases.empty()) {
     throw InputError("--merge without a directory; name the directories of the shards");
   }
@@ -223,9 +223,8 @@ int merge_shards(const SweepArguments& arguments, const CommandCall& call,
                                                  arguments.common.cases.end());
   auto merged = sweep::merge_journals(directories, call.registry);
   const OutputDirectory directory(arguments.common.out);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   for (const auto& remark : merged.remarks) print_message(remark);
-  write_results(arguments, merged.results, call, elapsed.count());
+  write_results(arguments, merged.results, call, stopwatch.seconds());
   return merged.results.is_complete() ? kSuccess : kFailure;
 }
 
@@ -254,7 +253,7 @@ int print_forecast(const SweepArguments& arguments, const sweep::Plan& plan, int
 // and writes results.
 int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
               int threads, base::Communicator* ranks, const CommandCall& call,
-              std::chrono::steady_clock::time_point begin) {
+              const base::Stopwatch& stopwatch) {
   const CommonArguments& common = arguments.common;
   ProgressLine line(common.quiet);
   const int workers = threads * (ranks == nullptr ? 1 : ranks->size());
@@ -289,26 +288,25 @@ int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sw
   line.erase();
   if (base::stop_requested()) return kFailure;  // the caller sets the exit code of the signal
 
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   if (shard.of > 1) {
     if (!common.quiet) {
       print_output(fmt::format(
           "Shard {} of {}: {} points in {}/{}, {:.1f} s. After all shards: fpkcheck sweep --merge "
           "{} --out {}\n",
           shard.number, shard.of, progress->state().done, *common.out, shard.journal_name(),
-          elapsed.count(), *common.out, *common.out));
+          stopwatch.seconds(), *common.out, *common.out));
     }
     return kSuccess;
   }
   write_results(arguments, sweep::make_sweep_results(plan, progress->points()), call,
-                elapsed.count());
+                stopwatch.seconds());
   return kSuccess;
 }
 
 }  // namespace
 
 int sweep_command(const CommandCall& call) {
-  const auto begin = std::chrono::steady_clock::now();
+  const base::Stopwatch stopwatch;
   SweepArguments arguments;
   CommonArguments& common = arguments.common;
   const auto own = sweep_options(arguments, call.registry);
@@ -320,7 +318,7 @@ int sweep_command(const CommandCall& call) {
     return kSuccess;
   }
   if (!common.out) common.out = kDefaultSweepDirectory;
-  if (arguments.merge) return merge_shards(arguments, call, begin);
+  if (arguments.merge) return merge_shards(arguments, call, stopwatch);
   const int threads = base::number_of_threads(extract_thread_count(arguments.given));
   const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::Shard{};
   const auto plan = make_sweep_plan(arguments, call.registry);
@@ -328,7 +326,7 @@ int sweep_command(const CommandCall& call) {
 
   const auto ranks = base::Communicator::launched_by_mpi() ? base::Communicator::initialise_mpi()
                                                            : std::unique_ptr<base::Communicator>();
-  return run_sweep(arguments, plan, shard, threads, ranks.get(), call, begin);
+  return run_sweep(arguments, plan, shard, threads, ranks.get(), call, stopwatch);
 }
 
 }  // namespace fpkcheck::cli

@@ -1,10 +1,23 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <vector>
 
 namespace fpkcheck::numerics {
+
+/// Returns the zeros of the Chebyshev polynomial of degree `count`, shifted to (0, 1), in
+/// increasing order.
+inline std::vector<double> chebyshev_points(int count) {
+  std::vector<double> points;
+  points.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    points.push_back((1 - std::cos(std::numbers::pi * (2 * i + 1) / (2 * count))) / 2);
+  }
+  return points;
+}
 
 /// Returns the weights of the function values at the nodes in the interpolating polynomial at x,
 /// that is, the Lagrange basis polynomials at x.

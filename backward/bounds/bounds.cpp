@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -15,6 +14,7 @@
 #include "backward/generator/normal_equations.hpp"
 #include "base/input_error.hpp"
 #include "base/process/parallel_for.hpp"
+#include "base/process/stopwatch.hpp"
 #include "problem/walls.hpp"
 
 namespace fpkcheck::backward {
@@ -111,7 +111,6 @@ std::vector<Functional> supported_functionals(const problem::System& system,
 }
 
 Refinement refinement(const problem::Problem& problem, const Options& options) {
-  using Clock = std::chrono::steady_clock;
   const ResidualWeight tau = residual_weight(problem, kWeightPower);
   Refinement result;
   for (const Functional& f : options.functionals) {
@@ -119,17 +118,15 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
   }
   result.ends.resize(options.functionals.size());
 
-  const auto start_time = Clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(Clock::now() - start_time).count();
-  };
+  const base::Stopwatch stopwatch;
   std::vector<double> previous_seconds(
       options.functionals.size());  // computing time of the last grid of each functional
   for (std::size_t level = 0;; ++level) {
     const auto groups = next_grid_groups(level, options, result);
     if (groups.empty()) return result;
     for (const auto& [grid, indices] : groups) {
-      const double expected = elapsed() + kGridCostRatio * previous_seconds[indices.front()];
+      const double expected =
+          stopwatch.seconds() + kGridCostRatio * previous_seconds[indices.front()];
       const auto end_all = [&result, &ended = indices](const StopReason& end) {
         for (const std::size_t i : ended) result.ends[i] = end;
       };
@@ -139,7 +136,7 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
       }
       std::vector<Functional> functionals;
       for (const std::size_t i : indices) functionals.push_back(options.functionals[i]);
-      const double start = elapsed();
+      const base::Stopwatch of_grid;
       SplineGridReport report;
       SplineGridBounds record{grid, 0, 0, indices, {}};
       try {
@@ -151,7 +148,7 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
         continue;
       }
       record.unknowns = report.unknowns;
-      record.seconds = elapsed() - start;
+      record.seconds = of_grid.seconds();
       for (std::size_t n = 0; n < indices.size(); ++n) {
         previous_seconds[indices[n]] = record.seconds;
         numerics::Enclosure& value = result.bounds.each[indices[n]].value;

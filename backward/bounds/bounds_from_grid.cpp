@@ -1,7 +1,6 @@
 #include "backward/bounds/bounds_from_grid.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 
@@ -10,6 +9,7 @@
 #include "backward/generator/collocation.hpp"
 #include "backward/generator/least_squares.hpp"
 #include "base/process/parallel_for.hpp"
+#include "base/process/stopwatch.hpp"
 
 namespace fpkcheck::backward {
 namespace {
@@ -17,10 +17,6 @@ namespace {
 constexpr int kPointsPerCell = 4;
 constexpr double kRangeTolerance =
     0.03;  // relative tolerance of the residual range (docs/bounds.md)
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::vector<double> integrand_breaks(Axis axis, const std::vector<Functional>& functionals) {
   std::vector<double> points;
@@ -54,7 +50,7 @@ std::vector<numerics::Enclosure> bounds_from_grid(const problem::Problem& proble
                                                   const SplineGrid& grid,
                                                   const std::vector<Functional>& functionals,
                                                   int threads, SplineGridReport* report) {
-  const double begun = now();
+  const base::Stopwatch stopwatch;
   const numerics::SplineBasis displacement =
       displacement_spline_basis(grid, weight, problem.system);
   const BoxEndTypes ends = box_end_types(displacement, problem.system);
@@ -65,7 +61,7 @@ std::vector<numerics::Enclosure> bounds_from_grid(const problem::Problem& proble
       [&] { return enclose_velocity_factors(problem, velocity, v_cuts); });
   const DisplacementFactorEnclosures y_operators = numerics::call_with_upward_rounding(
       [&] { return enclose_displacement_factors(problem, displacement, y_cuts); });
-  const double tabulated = now();
+  const double tabulated = stopwatch.seconds();
 
   const DisplacementSplineSamples y = sample_displacement_splines(displacement, kPointsPerCell);
   const VelocityFactorSamples v = sample_velocity_factors(v_operators, velocity, kPointsPerCell);
@@ -82,7 +78,7 @@ std::vector<numerics::Enclosure> bounds_from_grid(const problem::Problem& proble
        [&](double at, double speed) { return 1 / weight(at, speed); }, ends.left_wall,
        ends.right_wall},
       integrands);
-  const double fitted = now();
+  const double fitted = stopwatch.seconds();
 
   const CertificateCheckInputs context{problem,     displacement, velocity, y_operators,
                                        v_operators, weight,       ends};
@@ -103,7 +99,7 @@ std::vector<numerics::Enclosure> bounds_from_grid(const problem::Problem& proble
   if (report != nullptr) {
     *report = {displacement.size() * velocity.size() -
                    (ends.left_wall + ends.right_wall) * velocity.centre_index(),
-               tabulated - begun, fitted - tabulated, now() - fitted, std::move(each)};
+               tabulated, fitted - tabulated, stopwatch.seconds() - fitted, std::move(each)};
   }
   return bounds;
 }

@@ -1,24 +1,15 @@
 #include "backward/generator/collocation.hpp"
 
-#include <cmath>
-#include <numbers>
+#include "numerics/interpolation.hpp"
 
 namespace fpkcheck::backward {
-
-std::vector<double> chebyshev_points(int count) {
-  std::vector<double> points(count);
-  for (int i = 0; i < count; ++i) {
-    points[i] = (1 - std::cos(std::numbers::pi * (2 * i + 1) / (2 * count))) / 2;
-  }
-  return points;
-}
 
 DisplacementSplineSamples sample_displacement_splines(const numerics::SplineBasis& basis,
                                                       int points_per_cell) {
   DisplacementSplineSamples samples;
   for (int s = 0; s < basis.span_count(); ++s) {
     const double begin = basis.breaks()[s], width = basis.breaks()[s + 1] - begin;
-    for (const double t : chebyshev_points(points_per_cell)) {
+    for (const double t : numerics::chebyshev_points(points_per_cell)) {
       samples.y.push_back(begin + t * width);
       samples.span.push_back(s);
       samples.values.push_back(basis.basis_derivatives(samples.y.back(), s, 1));
@@ -57,7 +48,7 @@ VelocityFactorSamples sample_velocity_factors(const VelocityFactorEnclosures& op
   std::vector<std::pair<std::size_t, double>> places;  // piece and coordinate t of each point
   std::size_t piece = 0;
   for (std::size_t cell = 0; cell + 1 < breaks.size(); ++cell) {
-    for (const double t : chebyshev_points(points_per_cell)) {
+    for (const double t : numerics::chebyshev_points(points_per_cell)) {
       const double v = breaks[cell] + t * (breaks[cell + 1] - breaks[cell]);
       while (piece + 1 < operators.pieces.size() && middle(operators.pieces[piece].to) < v) ++piece;
       const double from = middle(operators.pieces[piece].from);

@@ -25,10 +25,6 @@ struct DisplacementSplineSamples {
   std::vector<Eigen::MatrixXd> values;  ///< values and slopes of the splines, shape (2, degree + 1)
 };
 
-/// Returns the zeros of the Chebyshev polynomial of degree `count`, shifted to (0, 1), in
-/// increasing order.
-std::vector<double> chebyshev_points(int count);
-
 DisplacementSplineSamples sample_displacement_splines(const numerics::SplineBasis& basis,
                                                       int points_per_cell);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "backward/passage/renewal_equation.hpp"
@@ -30,8 +31,9 @@ struct PassageProblem {
   std::optional<transform::StartState> start;
 };
 
-// Hazard and mean time from the point; 0 without a point.
+// Values on a plane; the mean time from the point is 0 without a point.
 using PassageValues = Eigen::Vector2d;
+enum PassageValue { kHazard, kMeanFromPoint };
 
 std::string unsupported_reason(const problem::Problem& problem, double barrier) {
   if (problem.noise.is_present()) {
@@ -52,7 +54,8 @@ std::string unsupported_reason(const problem::Problem& problem, double barrier) 
   return problem::barrier_unsupported_reason(problem, barrier);
 }
 
-// Chooses the domain: the motions that reach the barrier or come from the start, and one impulse.
+// Returns the problem on a domain that contains the motions to the barrier and from the start. The
+// largest impulse widens the domain.
 PassageProblem make_passage_problem(const problem::Problem& problem, double barrier,
                                     const std::optional<transform::StartState>& start) {
   const problem::MotionScales scales = problem::scales(problem);
@@ -67,9 +70,7 @@ PassageProblem make_passage_problem(const problem::Problem& problem, double barr
   for (const double y : potential.extrema()) {
     if (y < barrier) include(y);
   }
-  if (wall) {
-    include(wall->position);
-  }
+  if (wall) include(wall->position);
   if (start) {
     include(start->y);
     highest = std::max(highest, start->ydot * start->ydot / 2 + potential(start->y));
@@ -138,10 +139,11 @@ std::optional<PassageValues> solve_on_plane(const PassageProblem& passage,
     left = lu.transpose().solve(left).normalized();
   }
   const double slope = rate * left.dot(operators[2].of_function * right) / left.dot(right);
-  PassageValues values(hazard + distance / slope, 0);
+  PassageValues values = PassageValues::Zero();
+  values(kHazard) = hazard + distance / slope;
   if (passage.start) {
     const auto mean = equation.from_state({passage.start->y, passage.start->ydot}, {rate});
-    values(1) = mean.of_one + rate * mean.of_function.dot(h);
+    values(kMeanFromPoint) = mean.of_one + rate * mean.of_function.dot(h);
   }
   return values;
 }
@@ -172,18 +174,19 @@ Passage solve_passage(const problem::Problem& problem, const PassageOptions& opt
   constexpr double kRefinement = 0.3;
   // Nodes are added beyond the accuracy, since the errors decrease quickly. The error is 1 /
   // (kRatio - 1) differences for convergence of first order, as under laws whose density jumps.
-  constexpr double kTarget = 1e-3, kErrorFactor = 1 / (kRatio - 1);
+  constexpr double kTargetFraction = 1e-3, kErrorFactor = 1 / (kRatio - 1);
   std::optional<PassageValues> last;
   PassageValues errors = PassageValues::Constant(HUGE_VAL);
   std::string limit;
-  double seconds_of_last = 0;
+  double seconds_of_last_plane = 0;
   const double rate = transformed.impulses.arrival_rate();
   double hazard = 0;
   const auto error = [&] {
     return (errors.array() / last->array().abs().max(std::numeric_limits<double>::min()))
         .maxCoeff();
   };
-  for (double nodes = kLeastNodes; !last || error() > kTarget * options.accuracy; nodes *= kRatio) {
+  for (double nodes = kLeastNodes; !last || error() > kTargetFraction * options.accuracy;
+       nodes *= kRatio) {
     const auto [n_y, n_v] = node_counts(below, nodes);
     if (n_y * n_v > kMostUnknowns) {
       limit = fmt::format("more than {} nodes are needed", kMostUnknowns);
@@ -193,9 +196,9 @@ Passage solve_passage(const problem::Problem& problem, const PassageOptions& opt
     // The number of unknowns grows by kRatio^2, and the time of all integrals along motions by
     // kRatio^5.
     const double growth = std::pow(kRatio, 5);
-    const base::Stopwatch of_level;
+    const base::Stopwatch of_plane;
     std::optional<PassageValues> values;
-    if (deadline.has_time_for(growth * seconds_of_last)) {
+    if (deadline.has_time_for(growth * seconds_of_last_plane)) {
       values = solve_on_plane(below, plane, kRefinement * nodes, hazard, deadline);
     }
     if (!values) {
@@ -207,27 +210,29 @@ Passage solve_passage(const problem::Problem& problem, const PassageOptions& opt
       limit = "the renewal equation has no finite solution; use mcs";
       break;
     }
-    seconds_of_last = of_level.seconds();
+    seconds_of_last_plane = of_plane.seconds();
     if (last) errors = kErrorFactor * (*values - *last).cwiseAbs();
     last = values;
-    // Newton's method for the hazard goes on from plane to plane. Its first steps may be too long.
-    hazard = std::clamp((*values)(0), 0.0, (hazard + rate) / 2);
+    // The next plane continues Newton's method for the hazard. The limit (hazard + rate) / 2
+    // shortens a step that would exceed the rate.
+    hazard = std::clamp((*values)(kHazard), 0.0, (hazard + rate) / 2);
     passage.details = fmt::format("{} x {} nodes", plane.n_y(), plane.n_v());
   }
   passage.seconds = stopwatch.seconds();
-  if (errors.allFinite() && !((*last)(0) > 0 && (*last)(0) < rate)) {
-    limit = fmt::format(
-        "the hazard {:.3g} is not between 0 and the rate {:g} of impulses: the nodes are too few, or "
-        "the motion passes the barrier without an impulse; use fd or mcs",
-        (*last)(0), rate);
-    errors.setConstant(HUGE_VAL);
-  }
   if (!errors.allFinite()) {
     passage.reason = limit;
     return passage;
   }
-  passage.hazard = {(*last)(0), errors(0)};
-  if (start) passage.mean_from_point = {(*last)(1), errors(1)};
+  const double found = (*last)(kHazard);
+  if (!(found > 0 && found < rate)) {
+    passage.reason = fmt::format(
+        "the hazard {:.3g} is not between 0 and the rate {:g} of impulses: the nodes are too few, or "
+        "the motion passes the barrier without an impulse; use fd or mcs",
+        found, rate);
+    return passage;
+  }
+  passage.hazard = {found, errors(kHazard)};
+  if (start) passage.mean_from_point = {(*last)(kMeanFromPoint), errors(kMeanFromPoint)};
   passage.status = Status::ok;
   if (!(error() <= options.accuracy)) {
     passage.status = Status::inaccurate;

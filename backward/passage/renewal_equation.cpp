@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/process/parallel_for.hpp"
+#include "numerics/interpolation.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "numerics/roots/bracketed_root.hpp"
 
@@ -17,14 +18,14 @@ constexpr double kLongestExponent = 18;
 
 }  // namespace
 
-// Chebyshev nodes of the first kind on [low, high], increasing, with the weights of the barycentric
-// formula (Berrut and Trefethen, SIAM Review 46 (2004) 501, equation 5.3).
+// The barycentric weights of Chebyshev points are those of Berrut and Trefethen, SIAM Review 46
+// (2004) 501, equation 5.3.
 ChebyshevPlane::Interpolation::Interpolation(double low, double high, int count)
     : nodes(count), weights(count) {
+  const std::vector<double> points = numerics::chebyshev_points(count);
   for (int k = 0; k < count; ++k) {
-    const double angle = std::numbers::pi * (k + 0.5) / count;
-    nodes(k) = (low + high) / 2 - (high - low) / 2 * std::cos(angle);
-    weights(k) = (k % 2 == 0 ? 1 : -1) * std::sin(angle);
+    nodes(k) = low + (high - low) * points[static_cast<std::size_t>(k)];
+    weights(k) = (k % 2 == 0 ? 1 : -1) * std::sin(std::numbers::pi * (k + 0.5) / count);
   }
 }
 
@@ -88,7 +89,7 @@ RenewalEquation::RenewalEquation(const problem::Problem& problem, const Chebyshe
 // motions that graze the barrier or the wall.
 std::vector<double> RenewalEquation::singular_velocities(double y) const {
   const double fastest = plane_.domain().v_max + std::max(-lowest_change_, highest_change_);
-  std::vector<double> velocities{0};  // on the wall the motions from v and from -v / r agree
+  std::vector<double> velocities{0};  // T(0, -u) = T(0, r u) at a wall has a kink at u = 0
   const auto add_grazing = [&](double at) {
     for (const double v : motion_.velocities_before({at, 0}, y, longest_, fastest)) {
       velocities.push_back(v);
@@ -99,6 +100,45 @@ std::vector<double> RenewalEquation::singular_velocities(double y) const {
   if (wall && motion_.acceleration({wall->position, 0}) > 0) add_grazing(wall->position);
   return velocities;
 }
+
+namespace {
+
+// Map of x in [0, 1] to an interval of velocities. Its slope vanishes at the ends at which
+// functionals are not smooth.
+struct VelocityMap {
+  double begin, length;
+  bool is_smooth_at_begin, is_smooth_at_end;
+
+  double velocity(double x) const {
+    if (is_smooth_at_begin && is_smooth_at_end) return begin + length * x;
+    if (is_smooth_at_begin) return begin + length * x * (2 - x);
+    if (is_smooth_at_end) return begin + length * x * x;
+    return begin + length * x * x * (3 - 2 * x);
+  }
+  double slope(double x) const {
+    if (is_smooth_at_begin && is_smooth_at_end) return length;
+    if (is_smooth_at_begin) return length * 2 * (1 - x);
+    if (is_smooth_at_end) return length * 2 * x;
+    return length * 6 * x * (1 - x);
+  }
+};
+
+// Returns the ends of the parts of [low, high] in which the density of the amplitude is smooth, for
+// impulses from the velocity v.
+std::vector<double> smooth_parts(const VelocityMap& map, double low, double high, double v,
+                                 const std::vector<double>& density_breakpoints) {
+  std::vector<double> ends{low, high};
+  for (const double amplitude : density_breakpoints) {
+    const double after = v + amplitude;
+    if (after <= map.velocity(low) || after >= map.velocity(high)) continue;
+    ends.push_back(
+        numerics::bracketed_root([&](double x) { return map.velocity(x) - after; }, low, high, 48));
+  }
+  std::ranges::sort(ends);
+  return ends;
+}
+
+}  // namespace
 
 RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
   constexpr unsigned kPoints = 10, kSubPoints = 12;
@@ -118,80 +158,58 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
       std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a < negligible; }),
       ends.end());
 
-  const auto breakpoints = law.density_breakpoints();
+  const std::vector<double> breakpoints = law.density_breakpoints();
   VelocityRule rule;
-  std::vector<Eigen::VectorXd> columns;
-  const auto reference = numerics::composite_gauss_points<kPoints>(0, 1, 1);
+  std::vector<Eigen::MatrixXd> panel_weights;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    // v = a + h phi(x), where phi' vanishes at the ends at which functionals are not smooth.
-    const double a = ends[k], h = ends[k + 1] - a;
-    const bool first = k == 0, last = k + 2 == ends.size();
-    const auto v_at = [&](double x) {
-      if (first && last) return a + h * x;
-      if (first) return a + h * x * (2 - x);
-      return last ? a + h * x * x : a + h * x * x * (3 - 2 * x);
-    };
-    const auto slope_at = [&](double x) {
-      if (first && last) return h;
-      if (first) return h * 2 * (1 - x);
-      return last ? h * 2 * x : h * 6 * x * (1 - x);
-    };
-    const int panels = std::max(1, static_cast<int>(std::ceil(kLargestSlope * h * refinement_ /
-                                                              (kWidth * law.deviation()))));
+    const VelocityMap map{.begin = ends[k],
+                          .length = ends[k + 1] - ends[k],
+                          .is_smooth_at_begin = k == 0,
+                          .is_smooth_at_end = k + 2 == ends.size()};
+    const int panels =
+        std::max(1, static_cast<int>(std::ceil(kLargestSlope * map.length * refinement_ /
+                                               (kWidth * law.deviation()))));
     for (int panel = 0; panel < panels; ++panel) {
-      const double x0 = static_cast<double>(panel) / panels, width = 1.0 / panels;
-      const auto lagrange = [&](std::size_t q, double x) {
-        double product = 1;
-        for (std::size_t m = 0; m < kPoints; ++m) {
-          if (m != q)
-            product *= ((x - x0) / width - reference[m].at) / (reference[q].at - reference[m].at);
-        }
-        return product;
-      };
-      const std::size_t begin = columns.size();
-      for (const auto& [at, weight] : reference) {
-        rule.points.push_back(v_at(x0 + width * at));
-        columns.emplace_back(Eigen::VectorXd::Zero(plane_.n_v()));
-      }
+      const double begin = static_cast<double>(panel) / panels;
+      const double end = static_cast<double>(panel + 1) / panels;
+      const auto points = numerics::composite_gauss_points<kPoints>(begin, end, 1);
+      std::vector<double> nodes;
+      for (const auto& point : points) nodes.push_back(point.at);
+      for (const double x : nodes) rule.points.push_back(map.velocity(x));
+      Eigen::MatrixXd& weights =
+          panel_weights.emplace_back(Eigen::MatrixXd::Zero(plane_.n_v(), kPoints));
       for (int j = 0; j < plane_.n_v(); ++j) {
-        // Ends of the parts of the panel in which the density of the amplitude is smooth
-        std::vector<double> parts{x0, x0 + width};
-        for (const double amplitude : breakpoints) {
-          const double v = plane_.v_node(j) + amplitude;
-          if (v > v_at(x0) && v < v_at(x0 + width)) {
-            parts.push_back(numerics::bracketed_root([&](double x) { return v_at(x) - v; }, x0,
-                                                     x0 + width, 48));
-          }
-        }
-        std::ranges::sort(parts);
+        const double v = plane_.v_node(j);
+        const auto density = [&](double x) {
+          return map.slope(x) * law.density(map.velocity(x) - v);
+        };
+        const std::vector<double> parts = smooth_parts(map, begin, end, v, breakpoints);
         if (parts.size() == 2) {
           for (std::size_t q = 0; q < kPoints; ++q) {
-            const double x = x0 + width * reference[q].at;
-            columns[begin + q](j) =
-                width * reference[q].weight * slope_at(x) * law.density(v_at(x) - plane_.v_node(j));
+            weights(j, static_cast<Eigen::Index>(q)) = points[q].weight * density(nodes[q]);
           }
           continue;
         }
-        for (std::size_t part = 0; part + 1 < parts.size(); ++part) {
-          for (const auto& [x, weight] :
-               numerics::composite_gauss_points<kSubPoints>(parts[part], parts[part + 1], 1)) {
-            const double density = weight * slope_at(x) * law.density(v_at(x) - plane_.v_node(j));
-            if (density == 0) continue;
-            for (std::size_t q = 0; q < kPoints; ++q)
-              columns[begin + q](j) += density * lagrange(q, x);
-          }
+        const numerics::QuadratureRule rule_of_parts =
+            numerics::composite_gauss_rule<kSubPoints>(parts);
+        for (Eigen::Index m = 0; m < rule_of_parts.size(); ++m) {
+          const double x = rule_of_parts.points[static_cast<std::size_t>(m)];
+          const std::vector<double> lagrange = numerics::lagrange_weights(nodes, x);
+          weights.row(j) += rule_of_parts.weights(m) * density(x) *
+                            Eigen::Map<const Eigen::RowVectorXd>(lagrange.data(), kPoints);
         }
       }
     }
   }
-  rule.weights.resize(plane_.n_v(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t q = 0; q < columns.size(); ++q) {
-    rule.weights.col(static_cast<Eigen::Index>(q)) = columns[q];
+  rule.weights.resize(plane_.n_v(), static_cast<Eigen::Index>(rule.points.size()));
+  for (std::size_t panel = 0; panel < panel_weights.size(); ++panel) {
+    rule.weights.middleCols(static_cast<Eigen::Index>(panel * kPoints), kPoints) =
+        panel_weights[panel];
   }
   return rule;
 }
 
-// Integrates along a motion. After its end a motion that has not left stays at its last state.
+// Integrates along a motion. After its end a motion below the barrier stays at its last state.
 // @param of_function shape (n_y, n_v weights.size()): side by side, a matrix for each weight
 void RenewalEquation::integrate(const Motion& motion, const std::vector<TimeWeight>& weights,
                                 Eigen::Ref<Eigen::MatrixXd> of_function,

@@ -14,6 +14,8 @@ namespace {
 using transform::Passage;
 using transform::Status;
 
+constexpr double kAmple = 300;  // time limit that a busy machine keeps, in seconds
+
 TEST(ChebyshevPlane, ReproducesPolynomialsInTheSquareRootAndInTheVelocity) {
   const ChebyshevPlane plane({-0.5, 1.5, 3}, 4, 5);
   const auto function = [](double y, double v) {
@@ -56,7 +58,8 @@ TEST(RenewalEquation, IntegratesTheTimeToTheNextImpulse) {
 
 // Values of an independent collocation along characteristics, with about seven digits
 TEST(PassageByCharacteristics, HasTheValuesOfAnIndependentComputationInCase1) {
-  const Passage passage = solve_passage(tests::paper_case(1), {.accuracy = 1e-3}, 1.5);
+  const Passage passage =
+      solve_passage(tests::paper_case(1), {.accuracy = 1e-3, .max_seconds = kAmple}, 1.5);
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   EXPECT_NEAR(passage.hazard->value, 0.00945683, 6e-9);
   EXPECT_NEAR(passage.mean_from_point->value, 114.2740, 1e-4);
@@ -68,7 +71,8 @@ TEST(PassageByCharacteristics, StatesAnErrorThatContainsTheChangeToAFinerPlane) 
   const problem::Problem problem =
       tests::make_problem({.damping = 0.3, .restitution = 0.8, .intensity = 0.4});
   const auto solve = [&](double accuracy) {
-    return solve_passage(problem, {.accuracy = accuracy}, 1, transform::StartState{0.3, -0.7});
+    return solve_passage(problem, {.accuracy = accuracy, .max_seconds = kAmple}, 1,
+                         transform::StartState{0.3, -0.7});
   };
   const Passage coarse = solve(1), fine = solve(1e-4);
   ASSERT_EQ(fine.status, Status::ok) << fine.reason;
@@ -90,7 +94,8 @@ TEST(PassageByCharacteristics, ObeysTheChangeOfUnits) {
                                               .cubic = 0.5 * rate * rate * per_square},
                                              {.left = 0, .left_restitution = 0.7}),
                              tests::gaussian_impulses(rate, 0.4 * std::pow(rate, 3) / per_square));
-    const Passage passage = solve_passage(problem, {.accuracy = 1e-3}, length);
+    const Passage passage =
+        solve_passage(problem, {.accuracy = 1e-3, .max_seconds = kAmple}, length);
     EXPECT_EQ(passage.status, Status::ok) << passage.reason;
     return passage.mean_from_point ? passage.mean_from_point->value : 0;
   };

@@ -112,8 +112,9 @@ std::string error_kind(bool has_standard_errors) {
 }
 
 void append_value_columns(const std::string& id, const std::string& header,
-                          bool has_standard_errors, std::vector<TableColumn>& columns) {
-  columns.push_back({id, header, id, "{:.6g}"});
+                          bool has_standard_errors, std::vector<TableColumn>& columns,
+                          const char* format) {
+  columns.push_back({id, header, id, format});
   columns.push_back({id, has_standard_errors ? "std err" : "error", id + "-error", "{:.1e}"});
 }
 

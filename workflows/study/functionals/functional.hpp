@@ -59,7 +59,7 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
       .add(
           "max_seconds", member(&FunctionalOptions::max_seconds),
           {"S",
-           "time limit in seconds of the finite volumes, of the characteristics, and of each root of a "
+           "time limit in seconds of the finite volumes, of the method characteristics, and of each root of a "
            "closure or its density over time"},
           positive_numbers())
       .with_default(defaults.max_seconds)
@@ -119,8 +119,10 @@ std::string error_kind(bool has_standard_errors);
 
 /// Appends the table columns of the values of a solution and of their errors, with the paths ID and
 /// ID-error.
+/// @param format format of the values
 void append_value_columns(const std::string& id, const std::string& header,
-                          bool has_standard_errors, std::vector<TableColumn>& columns);
+                          bool has_standard_errors, std::vector<TableColumn>& columns,
+                          const char* format = "{:.6g}");
 
 /// Returns the items of a comma-separated list.
 std::vector<std::string> split_at_commas(const std::string& list);

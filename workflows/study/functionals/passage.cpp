@@ -249,11 +249,11 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
   }
   for (const Passage& p : study.passages) {
     if (!p.hazard && !p.mean_from_stationary) continue;
-    append_value_columns(p.id, "value", p.has_standard_errors, columns);
     constexpr double kSmallError = 1e-5;  // a relative error that six digits do not show
-    if (p.hazard && p.hazard->error < kSmallError * p.hazard->value && !is_rice(p)) {
-      columns[columns.size() - 2].format = "{:.9g}";
-    }
+    const bool is_precise =
+        !is_rice(p) && p.hazard && p.hazard->error < kSmallError * p.hazard->value;
+    append_value_columns(p.id, "value", p.has_standard_errors, columns,
+                         is_precise ? "{:.9g}" : "{:.6g}");
     if (is_rice(p)) columns.pop_back();  // without errors
     std::size_t row = 0;
     const auto add = [&](const ValueWithError* value) {
