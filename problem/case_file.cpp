@@ -28,8 +28,14 @@ using base::sanitise;
 namespace {
 constexpr std::string_view kParameters = "parameters.";
 constexpr const char *kForce = "system.force", *kRestitution = "system.restitution";
-constexpr std::array kFormulas{kForce, "noise.factor", "wall.left_restitution",
-                               "wall.right_restitution"};
+constexpr std::array kFormulas{kForce,
+                               "noise.factor",
+                               "impulse.factor",
+                               "wall.left_restitution",
+                               "wall.right_restitution",
+                               "time.rate",
+                               "time.intensity",
+                               "time.force"};
 }  // namespace
 
 const base::Parameter& case_parameter(std::string_view key, const std::string& where) {
@@ -278,15 +284,16 @@ std::string changes_text(const Settings& from_file, const Problem& problem) {
 }  // namespace
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
-                  const std::vector<std::string>& overrides, CaseNaming naming) {
+                  const std::vector<std::string>& overrides, CaseNaming naming, TimeSection time) {
   const std::string where = fmt::format("case {}", sanitise(source));
   return problem_from_settings(base::read_ini_settings(ini, where), name, where, overrides, naming,
-                               std::filesystem::path(source).parent_path());
+                               std::filesystem::path(source).parent_path(), time);
 }
 
 Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const std::string& name,
                               const std::string& where, const std::vector<std::string>& overrides,
-                              CaseNaming naming, const std::filesystem::path& folder) {
+                              CaseNaming naming, const std::filesystem::path& folder,
+                              TimeSection time) {
   require_valid_name(name);
   Settings from_file = checked_settings(lines);
   load_table(from_file, folder);
@@ -302,7 +309,7 @@ Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const 
       if (auto one = section(*description, settings)) sections.push_back(std::move(*one));
     }
     if (auto one = parameters_section(settings)) sections.push_back(std::move(*one));
-    Problem problem = problem_from_sections(name, sections);
+    Problem problem = problem_from_sections(name, sections, time);
     if (naming == CaseNaming::with_overrides) problem.name += changes_text(from_file, problem);
     return problem;
   } catch (const InputError& error) {
@@ -312,10 +319,10 @@ Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const 
 }
 
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides,
-                  CaseNaming naming) {
+                  CaseNaming naming, TimeSection time) {
   if (const BuiltInCase* named = find_built_in_case(name_or_path)) {
     std::istringstream ini(named->text);
-    return read_case(ini, named->name, named->name, overrides, naming);
+    return read_case(ini, named->name, named->name, overrides, naming, time);
   }
   constexpr std::size_t kMostBytes = 1 << 20;
   const auto text = base::read_input_file(name_or_path, kMostBytes);
@@ -329,7 +336,7 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
   }
   const std::string name = std::filesystem::path(name_or_path).stem().string();
   std::istringstream ini(*text);
-  return read_case(ini, name, name_or_path, overrides, naming);
+  return read_case(ini, name, name_or_path, overrides, naming, time);
 }
 
 }  // namespace fpkcheck::problem

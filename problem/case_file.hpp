@@ -26,14 +26,16 @@ enum class CaseNaming {
 /// allowed values. A file name that cannot be printed is an error, since it becomes the name of the
 /// case.
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {},
-                  CaseNaming naming = CaseNaming::from_file);
+                  CaseNaming naming = CaseNaming::from_file,
+                  TimeSection time = TimeSection::refused);
 
 /// Reads a case from a stream by the rules of load_case().
 /// @param source name of the stream in messages; relative file names in the case refer to its
 /// folder
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides = {},
-                  CaseNaming naming = CaseNaming::from_file);
+                  CaseNaming naming = CaseNaming::from_file,
+                  TimeSection time = TimeSection::refused);
 
 /// Builds the problem of a case from the settings of an ini file by the rules of load_case().
 /// @param where beginning of error messages without a line number, such as "case mine.ini"
@@ -43,7 +45,8 @@ Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const 
                               const std::string& where,
                               const std::vector<std::string>& overrides = {},
                               CaseNaming naming = CaseNaming::from_file,
-                              const std::filesystem::path& folder = {});
+                              const std::filesystem::path& folder = {},
+                              TimeSection time = TimeSection::refused);
 
 /// Returns the parameter that a key of a case file sets, e.g. "system.damping".
 /// @param where beginning of the error message

@@ -90,6 +90,13 @@ ImpulseTrain::ImpulseTrain()
     : parameters_{.arrival_rate = 0, .law = "gaussian", .intensity = 0, .mean = 0},
       law_(GaussianLaw{0, 1}) {}
 
+ImpulseTrain ImpulseTrain::with_rate_multiplied_by(double factor) const {
+  ImpulseParameters parameters = parameters_;
+  parameters.arrival_rate *= factor;
+  parameters.intensity *= factor;
+  return ImpulseTrain(parameters, law_);
+}
+
 ImpulseTrain ImpulseTrain::with_negated_amplitudes() const {
   if (!is_present()) return *this;
   ImpulseParameters parameters = parameters_;

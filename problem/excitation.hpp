@@ -59,6 +59,8 @@ class ImpulseTrain {
   /// impulses.
   double intensity() const { return rate_times_moment(2); }
 
+  /// Returns impulses of the same law that arrive `factor` > 0 times as often.
+  ImpulseTrain with_rate_multiplied_by(double factor) const;
   /// Returns the mirrored impulse train, with amplitudes -Y instead of Y.
   ImpulseTrain with_negated_amplitudes() const;
 

@@ -94,6 +94,18 @@ void read_impulse_factor(Problem& problem) {
       Expression::parse(*formula, problem.system.named_constants(), "impulse.factor", "y"));
 }
 
+// Sets the changes of the excitation in time.
+void read_time_dependence(const std::vector<CaseFileSection>& sections, Problem& problem) {
+  const auto formulas = read_section(sections, "time", time_parameter_description());
+  problem.time = TimeDependence(formulas, problem.system.named_constants());
+  if (problem.time.has_rate() && !problem.impulses.is_present()) {
+    throw InputError("time.rate is given without [impulse]; remove it, or add impulses");
+  }
+  if (problem.time.has_intensity() && !problem.noise.is_present()) {
+    throw InputError("time.intensity is given without [noise]; remove it, or add noise");
+  }
+}
+
 std::string number_text(const base::Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:g}", *number) : std::get<std::string>(value);
@@ -147,7 +159,8 @@ double total_intensity(const Problem& problem) {
 const std::vector<const base::DescriptionBase*>& case_section_descriptions() {
   static const std::vector<const base::DescriptionBase*> all{
       &system_parameter_description(), &wall_parameter_description(),
-      &impulse_parameter_description(), &noise_parameter_description()};
+      &impulse_parameter_description(), &noise_parameter_description(),
+      &time_parameter_description()};
   return all;
 }
 
@@ -158,7 +171,7 @@ const base::Parameter& named_constant_parameter(std::string_view name) {
                                          .range = base::finite_numbers()};
   if (!is_name_of_constant(name)) {
     throw InputError(fmt::format(
-        "parameters.{} is not a name of a constant; use letters, digits and '_', but not y, v, pi "
+        "parameters.{} is not a name of a constant; use letters, digits and '_', but not y, v, t, pi "
         "or the name of a function",
         base::sanitise(name)));
   }
@@ -190,11 +203,14 @@ std::vector<CaseFileSection> sections(const Problem& problem) {
   if (problem.noise.is_present()) {
     all.push_back({"noise", noise_parameter_description().stored_values(problem.noise)});
   }
+  if (problem.time.is_present()) {
+    all.push_back({"time", time_parameter_description().stored_values(problem.time.formulas())});
+  }
   return all;
 }
 
-Problem problem_from_sections(const std::string& name,
-                              const std::vector<CaseFileSection>& sections) {
+Problem problem_from_sections(const std::string& name, const std::vector<CaseFileSection>& sections,
+                              TimeSection time) {
   const CaseFileSection* system = section_of(sections, kSystem);
   if (system == nullptr) {
     throw InputError(
@@ -215,6 +231,12 @@ Problem problem_from_sections(const std::string& name,
   }
   read_noise_factor(problem);
   read_impulse_factor(problem);
+  read_time_dependence(sections, problem);
+  if (problem.time.is_present() && time == TimeSection::refused) {
+    throw InputError(
+        "the section [time] changes the excitation in time, so that there is no stationary density; "
+        "compute densities over time: fpkcheck run CASE --until T");
+  }
   require_stationary_density(problem);
   return problem;
 }

@@ -7,10 +7,11 @@
 #include "base/options/parameter.hpp"
 #include "problem/excitation.hpp"
 #include "problem/system.hpp"
+#include "problem/time_dependence.hpp"
 
 namespace fpkcheck::problem {
 
-/// A stationary problem: an oscillator and its excitation by impulses, noise or both.
+/// An oscillator and its excitation by impulses, noise or both.
 struct Problem {
   std::string name;
   System system;
@@ -21,6 +22,9 @@ struct Problem {
   /// The factor b(y) of parametric impulses, impulse.factor; absent if b = 1. An impulse changes y'
   /// by b(y) Y. Since y is continuous, the senses of Ito and Marcus agree.
   std::optional<StateFunction> impulse_factor = {};
+  /// Changes of the excitation in time. Only computations of densities over time regard them; all
+  /// others require a constant excitation.
+  TimeDependence time = {};
   /// Transformation between the coordinate of `system` and the physical coordinate y. Solvers
   /// return moments of the physical coordinate y.
   WallFrame frame = {};
@@ -58,10 +62,14 @@ const base::Parameter& named_constant_parameter(std::string_view name);
 /// [impulse] and [noise].
 std::vector<CaseFileSection> sections(const Problem& problem);
 
+/// Whether a case file may contain the section [time], for densities over time.
+enum class TimeSection { refused, allowed };
+
 /// @throws InputError that names a key if the key is missing or unknown, or its value has the wrong
-/// type or is out of range; also the exceptions of require_stationary_density()
-Problem problem_from_sections(const std::string& name,
-                              const std::vector<CaseFileSection>& sections);
+/// type or is out of range, or if [time] is refused; also the exceptions of
+/// require_stationary_density()
+Problem problem_from_sections(const std::string& name, const std::vector<CaseFileSection>& sections,
+                              TimeSection time = TimeSection::refused);
 
 struct DisplayedParameter {
   std::string section, name;  ///< section and name of the parameter: "system", "damping"
@@ -81,8 +89,8 @@ base::Value display_value(const base::Parameter& parameter, const base::Value& v
 /// @param typeset whether to use typeset symbols: "μ = 0.1"
 std::string parameters_text(const Problem& problem, bool typeset = false);
 
-/// Requires the conditions under which a stationary density exists: an excitation, a restoring
-/// force that confines the motion, and dissipation that exceeds the energy input at large energies
+/// Requires the conditions under which a stationary density of the constant excitation exists,
+/// without the section [time]: an excitation, a restoring force that confines the motion, and dissipation that exceeds the energy input at large energies
 /// (EnergyAveraging).
 /// @throws InputError that states which condition is violated and which parameters to change
 void require_stationary_density(const Problem& problem);

@@ -79,7 +79,6 @@ std::string barrier_unsupported_reason(const Problem& problem, double barrier) {
 
 const std::vector<UnsupportedFeature>& unsupported_features() {
   static const std::vector<UnsupportedFeature> all{
-      {"harmonic forcing", {"forcing", "harmonic", "periodic", "sinusoidal", "frequency"}},
       {"coloured noise", {"coloured", "colored", "correlation", "bandwidth", "filter"}},
       {"impulses other than a Poisson process", {"renewal", "arrivals", "interarrival", "levy"}},
       {"two or more degrees of freedom", {"dof", "freedom", "coupling", "oscillators"}},
@@ -89,9 +88,14 @@ const std::vector<UnsupportedFeature>& unsupported_features() {
 }
 
 std::string unsupported_feature_message(std::string_view name) {
+  static const std::vector<std::string> of_force{"forcing", "harmonic", "periodic", "sinusoidal",
+                                                 "frequency"};
   std::vector<std::string> parts;
   const std::string lower = boost::algorithm::to_lower_copy(std::string(name));
   boost::algorithm::split(parts, lower, boost::algorithm::is_any_of("._-"));
+  if (std::ranges::find_first_of(parts, of_force) != parts.end()) {
+    return "write a force F(t) as a formula, e.g. time.force = 0.3*cos(1.2*t)";
+  }
   for (const auto& [subject, words] : unsupported_features()) {
     const bool is_named = std::ranges::find_first_of(parts, words) != parts.end();
     if (is_named) {

@@ -151,6 +151,7 @@ Problem to_wall_coordinates(const WallFrame& frame, const Problem& problem) {
   transformed.system = problem.system.to_wall_coordinates(frame);
   transformed.frame = frame;
   if (frame.mirrored) transformed.impulses = problem.impulses.with_negated_amplitudes();
+  transformed.time = transformed.time.with_force_of_sign(frame.sign());
   if (transformed.noise_factor) {
     transformed.noise_factor = transformed.noise_factor->to_wall_coordinates(frame);
   }

@@ -17,8 +17,8 @@ namespace fpkcheck::problem {
 /// Values of the named constants that an expression may use.
 using NamedConstants = std::map<std::string, double, std::less<>>;
 
-/// Returns whether formulas can use a name for a constant: letters, digits and '_', no variable, no
-/// function and not pi.
+/// Returns whether formulas can use a name for a constant: letters, digits and '_', not y, v, t or pi,
+/// and no function.
 bool is_name_of_constant(std::string_view name);
 
 /// A polynomial in y and v, as coefficients of y^i v^j by their exponents (i, j).
@@ -39,7 +39,7 @@ class Expression {
  public:
   /// Parses the text of a formula.
   /// @param label beginning of messages: the key of the case file
-  /// @param variables names of the variables in use, of `y` and `v`
+  /// @param variables names of the variables in use: `y`, `v`, or `t` in the place of y
   /// @throws InputError "LABEL column N: CAUSE; ACTION" for a text outside the grammar, an unknown
   /// name, or a text above the limits of length, nesting and number of operations
   static Expression parse(std::string_view text, const NamedConstants& constants,

@@ -18,7 +18,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 }  // namespace
 
 bool is_name_of_constant(std::string_view name) {
-  if (name.empty() || !is_letter(name.front()) || name == "y" || name == "v" || name == "pi") {
+  if (name.empty() || !is_letter(name.front()) || name == "y" || name == "v" || name == "t" ||
+      name == "pi") {
     return false;
   }
   return std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c); }) &&
@@ -236,7 +237,7 @@ class ExpressionParser {
   // Returns the operand that a name stands for: a variable, a named constant or pi.
   std::optional<Node> operand_of(std::string_view name) const {
     if (name.size() == 1 && variables_.find(name) != std::string_view::npos) {
-      return Node{name == "y" ? Operation::y : Operation::v};
+      return Node{name == "v" ? Operation::v : Operation::y};  // t is the first argument, as y is
     }
     const auto constant = constants_.find(name);
     if (constant != constants_.end()) return Node{Operation::constant, constant->second};

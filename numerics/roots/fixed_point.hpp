@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+
+namespace fpkcheck::numerics {
+
+/// A map x -> f(x); no value outside the domain of f.
+using VectorMap = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& x)>;
+
+struct FixedPointOptions {
+  /// Function that returns the size of a change f(x) - x
+  std::function<double(const Eigen::VectorXd& change)> size;
+  double tolerance;  ///< largest size of the change at the fixed point
+  int max_evaluations = 60;
+};
+
+struct FixedPoint {
+  Eigen::VectorXd x;    ///< last value of f
+  double change = 0;    ///< size of the last change f(x) - x
+  int evaluations = 0;  ///< number of evaluations of f
+  bool converged = false;
+};
+
+/// Computes a fixed point x = f(x) by Anderson acceleration (Walker and Ni, SIAM Journal on Numerical
+/// Analysis 49 (2011) 1715). With the values f_j and the changes u_j = f_j - x_j of the last
+/// evaluations j = 0 .. k, the next argument is
+///
+///     f_k - sum_j xi_j (f_{j+1} - f_j),   with xi that minimises |u_k - sum_j xi_j (u_{j+1} - u_j)|.
+///
+/// For a linear map the iterations are those of GMRES. If the next argument is outside the domain of
+/// f, the iteration starts again from f_k.
+FixedPoint solve_fixed_point(const VectorMap& f, const Eigen::VectorXd& start,
+                             const FixedPointOptions& options);
+
+}  // namespace fpkcheck::numerics

@@ -1,0 +1,107 @@
+#include "problem/time_dependence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "base/input_error.hpp"
+#include "problem/case_file.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+const std::string kLinear = "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnone = true\n";
+const std::string kImpulses = "[impulse]\nrate = 2\nlaw = laplace\nintensity = 0.4\n";
+const std::string kNoise = "[noise]\nintensity = 0.2\n";
+
+Problem read(const std::string& text, TimeSection time = TimeSection::allowed) {
+  std::istringstream file(text);
+  return read_case(file, "a", "a.ini", {}, CaseNaming::from_file, time);
+}
+
+TEST(TimeDependence, IsReadFromACaseFile) {
+  const Problem p = read(kLinear + kImpulses + kNoise +
+                         "[parameters]\nw = 2\n"
+                         "[time]\nrate = 1 + 0.5*sin(w*t)\nintensity = exp(-t)\n"
+                         "force = 0.3*cos(w*t)\n");
+  EXPECT_DOUBLE_EQ(p.time.rate_factor(0.7), 1 + 0.5 * std::sin(1.4));
+  EXPECT_DOUBLE_EQ(p.time.intensity_factor(0.7), std::exp(-0.7));
+  EXPECT_DOUBLE_EQ(p.time.force(0.7), 0.3 * std::cos(1.4));
+  const Problem again = problem_from_sections("a", sections(p), TimeSection::allowed);
+  EXPECT_DOUBLE_EQ(again.time.force(0.7), p.time.force(0.7));
+}
+
+TEST(TimeDependence, OfAConstantExcitationIsAbsent) {
+  const Problem p = read(kLinear + kImpulses);
+  EXPECT_FALSE(p.time.is_present());
+  EXPECT_EQ(p.time.rate_factor(3), 1);
+  EXPECT_EQ(p.time.intensity_factor(3), 1);
+  EXPECT_EQ(p.time.force(3), 0);
+}
+
+TEST(TimeDependence, HasNoStationaryDensity) {
+  EXPECT_THROW(read(kLinear + kImpulses + "[time]\nforce = cos(t)\n", TimeSection::refused),
+               InputError);
+}
+
+TEST(TimeDependence, RefusesFactorsOfAbsentExcitationsAndOtherVariables) {
+  EXPECT_THROW(read(kLinear + kNoise + "[time]\nrate = 1\n"), InputError);
+  EXPECT_THROW(read(kLinear + kImpulses + "[time]\nintensity = 1\n"), InputError);
+  EXPECT_THROW(read(kLinear + kImpulses + "[time]\nforce = cos(y)\n"), InputError);
+  EXPECT_THROW(read(kLinear + kImpulses + "[parameters]\nt = 1\n"), InputError);
+}
+
+// The largest values of the factors become the constant excitation, and the product is unchanged.
+TEST(TimeDependence, IsRelativeToTheLargestExcitation) {
+  const Problem p =
+      read(kLinear + kImpulses + kNoise + "[time]\nrate = 1 + 0.5*sin(t)\nintensity = 3*exp(-t)\n");
+  const Problem strongest = with_largest_excitation(p, 10);
+  EXPECT_NEAR(strongest.impulses.arrival_rate(), 3, 1e-5);
+  EXPECT_NEAR(strongest.impulses.intensity(), 0.6, 1e-6);
+  EXPECT_DOUBLE_EQ(strongest.impulses.law().moment(4), p.impulses.law().moment(4));
+  EXPECT_DOUBLE_EQ(strongest.noise.intensity, 0.6);
+  for (const double t : {0.0, 0.4, 5.0}) {
+    EXPECT_NEAR(strongest.impulses.arrival_rate() * strongest.time.rate_factor(t),
+                2 * (1 + 0.5 * std::sin(t)), 1e-12);
+    const Problem then = with_excitation_at_time(strongest, t);
+    EXPECT_NEAR(then.noise.intensity, 0.6 * std::exp(-t), 1e-12);
+    EXPECT_NEAR(then.impulses.arrival_rate(), 2 * (1 + 0.5 * std::sin(t)), 1e-12);
+  }
+  const Problem twice = with_largest_excitation(strongest, 10);
+  EXPECT_NEAR(twice.noise.intensity, strongest.noise.intensity, 1e-12);
+}
+
+TEST(TimeDependence, RefusesNegativeFactorsAndFunctionsWithoutValues) {
+  const auto refused = [](const std::string& functions) {
+    EXPECT_THROW(
+        with_largest_excitation(read(kLinear + kImpulses + kNoise + "[time]\n" + functions), 4),
+        InputError)
+        << functions;
+  };
+  refused("rate = 1 - t\n");
+  refused("intensity = cos(t)\n");
+  refused("force = 1/(t - 2)\n");
+  refused("rate = 0*t\n");
+}
+
+TEST(TimeDependence, ForceHasTheOppositeSignInMirroredCoordinates) {
+  const Problem p = read(
+      "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nright = 0.5\nright_restitution = 0.9\n" +
+      kNoise + "[time]\nforce = 2\n");
+  EXPECT_EQ(to_wall_coordinates(wall_frame(p.system), p).time.force(1), -2);
+}
+
+// The response of a linear oscillator to F_0 cos(w t) below the resonance, from rest.
+TEST(TimeDependence, ForcedMotionHasTheAmplitudeOfTheLinearResponse) {
+  const Problem p = read(kLinear + kNoise + "[time]\nforce = 0.3*cos(0.2*t)\n");
+  const MotionExtent extent = forced_motion_extent(p, 200);
+  EXPECT_GT(extent.displacement, 0.3 / 0.96);
+  EXPECT_LT(extent.displacement, 2 * 0.3 / 0.96);  // the initial free motion adds to it
+  EXPECT_EQ(forced_motion_extent(read(kLinear + kNoise), 200).displacement, 0);
+}
+
+}  // namespace
+}  // namespace fpkcheck::problem
