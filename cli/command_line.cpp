@@ -66,8 +66,8 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   std::vector<problem::Problem> problems;
   std::set<std::string> names;
   for (const auto& name : common.cases) {
-    problems.push_back(
-        problem::load_case(name, common.overrides, problem::CaseNaming::with_overrides));
+    problems.push_back(problem::load_case(
+        name, common.overrides, problem::CaseNaming::with_overrides, common.time_section));
     // Two cases with different names may have the same file name.
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));

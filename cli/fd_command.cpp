@@ -32,7 +32,7 @@ std::vector<std::string> transient_option_names() {
 TransientOptions transient_options(const Values& given) {
   if (!contains(given, "until")) {
     throw InputError(
-        "--snapshots, --time-tolerance or --start-.. without --until: no density over time was "
+        "--snapshots, --time-tolerance, --periodic or --start-.. without --until: no density over time was "
         "requested; give --until T");
   }
   TransientOptions options;
@@ -46,9 +46,10 @@ TransientOptions transient_options(const Values& given) {
 // Integrates the density of one case over time, and prints the table or the JSON. With --out the
 // results are written to transient.nc and a figure.
 // @throws InputError for invalid cases or options, and for more than one case
-int integrate_and_report(const CommonArguments& common, const fd_fpk::Options& options,
+int integrate_and_report(CommonArguments common, const fd_fpk::Options& options,
                          fd_fpk::TransientOptions transient, const std::string& command_line) {
   fd_fpk::validate(options, transient);
+  common.time_section = problem::TimeSection::allowed;
   const auto problems = load_cases(common);
   if (problems.size() > 1) {
     throw InputError(fmt::format(

@@ -73,6 +73,9 @@ finite volumes the L1 distances refer to the simulation.
   epc   epc-moment and epc-polar, any order: exact moment equations with the moments as state; the
         difference from order n-2 gives the error
   mcs   independent paths, with sampling errors
+The case may have a section [time] with formulas: factors of the rate of impulses and of the noise
+intensity, and a force F(t). With --periodic the densities are those of the periodic state, over one
+period T of these formulas, and the means over the period are printed.
 The status of finite volumes and closures is ok if their error is at most --accuracy. Exit code 0
 when every finite-volume solution and simulation of the list has status ok or does not support the
 problem, and at least one has status ok. The status of closures does not change the exit code.
@@ -81,6 +84,8 @@ examples:
   fpkcheck run case1 --until 30
   fpkcheck run case1 --until 30 --snapshots 60 --methods fd,epc-polar-n8,mcs --out results
   fpkcheck run bistable --until 20 --start-mean-y 1
+  fpkcheck run case1 --set 'time.rate=1+0.8*cos(1.2*t)' --until 20
+  fpkcheck run case1 --set 'time.force=0.3*cos(t)' --until 6.283185307179586 --periodic
 )";
 
 /// Runs the command of a functional of the generator.
@@ -88,8 +93,10 @@ examples:
 template <class Options, class Study>
 int run_functional(const CommandCall& call, const char* usage,
                    const base::Description<Options>& description, const char* out_help,
-                   const Study& study) {
+                   const Study& study,
+                   problem::TimeSection time_section = problem::TimeSection::refused) {
   ReportOfOneCase report(call);
+  report.common.time_section = time_section;
   base::Values values = description.values(Options{});
   auto own = make_command_line_options(description, values);
   own.add(make_figure_options(report.common.figures));
@@ -123,7 +130,7 @@ bool requests_density_over_time(const CommandCall& call) {
 int density_over_time_command(const CommandCall& call) {
   return run_functional(call, kOverTimeUsage, study::transient_comparison_option_descriptions(),
                         "write over_time.json, .csv, .nc and a figure to DIR (default: no files)",
-                        study::compare_over_time);
+                        study::compare_over_time, problem::TimeSection::allowed);
 }
 
 int passage_command(const CommandCall& call) {

@@ -35,8 +35,7 @@ Result solve(const problem::Problem& problem, const Options& options);
 
 /// Computes the density over time by half_plane::evolve().
 half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                                    const problem::Gaussian& start,
-                                    const std::vector<double>& times);
+                                    const half_plane::EvolutionRequest& request);
 
 }  // namespace moment
 
@@ -52,8 +51,7 @@ Result solve(const problem::Problem& problem, const Options& options);
 
 /// Computes the density over time by half_plane::evolve().
 half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                                    const problem::Gaussian& start,
-                                    const std::vector<double>& times);
+                                    const half_plane::EvolutionRequest& request);
 
 }  // namespace polar
 

@@ -60,9 +60,9 @@ std::string transient_unsupported_reason(const problem::Problem& problem, const 
 }
 
 ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                        const problem::Gaussian& start, const std::vector<double>& times) {
-  return options.formulation == Formulation::moment ? moment::evolve(problem, options, start, times)
-                                                    : polar::evolve(problem, options, start, times);
+                        const half_plane::EvolutionRequest& request) {
+  return options.formulation == Formulation::moment ? moment::evolve(problem, options, request)
+                                                    : polar::evolve(problem, options, request);
 }
 
 std::vector<transform::TransientSnapshot> make_transient_snapshots(
@@ -86,10 +86,12 @@ std::vector<transform::TransientSnapshot> make_transient_snapshots(
 transform::Transient solve_transient(const problem::Problem& problem, const Options& options,
                                      const TransientRequest& request) {
   validate(options);
+  if (request.periodic) problem::require_period(problem, request.until);
   const base::Stopwatch stopwatch;
   transform::Transient transient{.id = id(options)};
   const problem::Problem transformed =
-      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+      problem::to_wall_coordinates(problem::wall_frame(problem.system),
+                                   problem::with_largest_excitation(problem, request.until));
   const problem::MotionScales scales = problem::scales(transformed);
   const problem::Gaussian start = problem::initial_density(transformed, scales, request.start);
   transient.reason = transient_unsupported_reason(transformed, options);
@@ -100,15 +102,16 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
     transient.status = Status::not_offered;
     return transient;
   }
-  std::vector<double> times;
-  for (int k = 0; k <= request.snapshots; ++k) times.push_back(request.time(k));
-  const ClosureEvolution evolution = evolve(transformed, options, start, times);
+  half_plane::EvolutionRequest evolution_request{
+      .start = start, .times = {}, .periodic = request.periodic};
+  for (int k = 0; k <= request.snapshots; ++k) evolution_request.times.push_back(request.time(k));
+  const ClosureEvolution evolution = evolve(transformed, options, evolution_request);
   transient.snapshots = make_transient_snapshots(transformed, evolution, request);
   if (options.order > 2) {
     Options lower = options;
     lower.order -= 2;
     lower.max_seconds = std::max(kShortestSeconds, options.max_seconds - stopwatch.seconds());
-    const ClosureEvolution previous = evolve(transformed, lower, start, times);
+    const ClosureEvolution previous = evolve(transformed, lower, evolution_request);
     transform::estimate_errors_by_differences(
         make_transient_snapshots(transformed, previous, request),
         std::numbers::pi / scales.frequency, transient.snapshots);

@@ -82,6 +82,12 @@ std::string transient_unsupported_reason(const problem::Problem& problem, const 
     return "the mass comes to rest in contact with a wall: differences do not represent this atom; "
            "compute the stationary density";
   }
+  // The stencils at a jump in v depend on the excitation, so that the operator is not linear in the
+  // factors of time.
+  if (problem.time.is_present() && problem.system.has_force_jumps_in_v()) {
+    return "the force jumps in v (sign) and the excitation changes in time; smooth the jump: "
+           "tanh(v/eps)";
+  }
   return unsupported_reason(problem, options);
 }
 

@@ -202,6 +202,9 @@ Description<TransientOptions> make_transient_description() {
             fmt::format("with --until: number of intervals between stored densities (default {})",
                         defaults.snapshots)},
            closed_interval(1, kMostSnapshots))
+      .add("periodic", &T::periodic,
+           {"",
+            "with --until: densities of the periodic state, with the period T of the excitation"})
       .add("start_y", &T::start_displacement,
            {"S",
             "with --until: standard deviation of y at t = 0 (default: about half of the stationary "

@@ -108,6 +108,8 @@ transform::SolutionIdentity solution_identity(const Options& options);
 /// Returns the options whose solution has the given id; empty for an unknown id.
 std::optional<Options> options_of(std::string_view id);
 
+struct CellDensity;
+
 /// Options of the density over time, with times in the units of the problem.
 struct TransientOptions {
   double until = 0;    ///< end time T > 0 of the integration
@@ -128,6 +130,12 @@ struct TransientOptions {
   int max_order = 2;
   /// Most cells of an automatic grid. Time steps on more than 10 000 cells take minutes.
   double max_cells = 10000;
+  /// Whether the densities are those of the periodic state, with the period T of the excitation. The
+  /// search for the periodic state starts from the initial Gaussian.
+  bool periodic = false;
+  /// Density at t = 0 with which the search for the periodic state starts, in place of the initial
+  /// Gaussian; may be null
+  const CellDensity* periodic_guess = nullptr;
   /// Whether the integration continues after a snapshot with the status `inadmissible`
   bool continues_if_inadmissible = false;
   /// Function that is called with the completed fraction of the integration time; may be empty

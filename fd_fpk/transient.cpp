@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "base/input_error.hpp"
@@ -13,13 +14,17 @@
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/operator/impact_rate.hpp"
 #include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/time_dependent_operator.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
+#include "numerics/roots/fixed_point.hpp"
 #include "problem/initial_density.hpp"
 #include "problem/motion_scales.hpp"
+#include "problem/time_dependence.hpp"
 #include "problem/undamped_orbits.hpp"
+#include "transform/conservative_remap.hpp"
 #include "transform/coordinate_transformation.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -30,18 +35,19 @@ using transform::Status;
 constexpr double kCellsPerDeviation = 5;
 
 // Returns a box for the initial density, the stationary density and all states that the initial
-// energy can reach.
+// energy can reach, extended by the motion under the force F(t).
 Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                  const Options& options, const problem::Gaussian& start,
+                  const Options& options, const problem::Gaussian& start, double until,
                   const base::Deadline& deadline) {
   const auto& system = problem.system;
   Box box = stationary_box(problem, scales, options, deadline);
   const problem::StateRange reached = problem::reachable_states(problem, start);
+  const auto [forced_y, forced_v] = problem::forced_motion_extent(problem, until);
   if (!options.x1_max) {
-    if (!system.left_wall()) box.x1_min = std::min(box.x1_min, reached.y_low);
-    if (!system.right_wall()) box.x1_max = std::max(box.x1_max, reached.y_high);
+    if (!system.left_wall()) box.x1_min = std::min(box.x1_min, reached.y_low) - forced_y;
+    if (!system.right_wall()) box.x1_max = std::max(box.x1_max, reached.y_high) + forced_y;
   }
-  if (!options.x2_max) box.x2_max = std::max(box.x2_max, reached.v_high);
+  if (!options.x2_max) box.x2_max = std::max(box.x2_max, reached.v_high) + forced_v;
   return box;
 }
 
@@ -61,10 +67,10 @@ Options refine_for_initial_density(Options options, const LengthScales& of_stati
 DensitySnapshot make_snapshot(const problem::Problem& problem,
                               const problem::EffectivePotential& spring_potential,
                               const Options& options, const Discretisation& on,
-                              const FokkerPlanckOperator& op, const Eigen::VectorXd& averages,
+                              const TimeDependentOperator& op, const Eigen::VectorXd& averages,
                               double time) {
   const Grid& grid = on.grid;
-  const Eigen::VectorXd change = op * averages;
+  const Eigen::VectorXd change = op.product(time, averages);
   const problem::System& system = problem.system;
   const problem::WallFrame& frame = problem.frame;
   DensitySnapshot s{.time = time,
@@ -75,15 +81,17 @@ DensitySnapshot make_snapshot(const problem::Problem& problem,
              spring_potential(frame.wall_x(0));
   const double energy_rate = mean_energy(spring_potential, grid, change, transport_order(options));
   const auto [input, dissipated] = problem::power_balance(
-      problem,
+      problem::with_excitation_at_time(problem, time),
       energy_terms(problem, options.impact, moments(grid, averages, transport_order(options)), grid,
                    averages, transport_order(options)));
-  s.power = input - dissipated;
+  s.power = input - dissipated + problem.time.force(time) * frame.physical_velocity(s.moments.v1);
   s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
   // The initial Gaussian is bounded, so that its impact rate is the flux into the walls.
-  s.impact_rate = time == 0 ? flux_into_walls(system, grid, averages, transport_order(options))
-                            : impact_rate(system, on.excitation, options.impact, grid, averages,
-                                          change, transport_order(options));
+  s.impact_rate =
+      time == 0
+          ? flux_into_walls(system, grid, averages, transport_order(options))
+          : impact_rate(system, with_excitation_at_time(problem, options, on, time).excitation,
+                        options.impact, grid, averages, change, transport_order(options));
   s.mass = op.total_mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
   s.wall = relative_box_edge_density(problem::scales(problem), grid, averages);
@@ -129,66 +137,160 @@ Discretisation discretise_within_limit(const problem::Problem& problem, const Bo
   return discretise(problem, options, box);
 }
 
-void integrate_in_time(const problem::Problem& problem, const Options& options,
-                       const TransientOptions& transient, const problem::Gaussian& gaussian,
-                       const Discretisation& on, const FokkerPlanckOperator& op,
-                       Preconditioner& preconditioner, const base::Deadline& deadline,
-                       TransientResult& result) {
-  constexpr long kMostSteps = 1000000;  // maximum number of steps between two snapshots
-  // Tolerance of GMRES as a fraction of the local error; the residual of GMRES causes a loss of
-  // mass.
-  constexpr double kLinearTolerance = 1e-3;
-  // The operator L is constant, so that CVODE factors again only for a new gamma.
-  constexpr long kStepsPerFactorisation = 10000;
-
-  const Grid& grid = on.grid;
-  const problem::EffectivePotential spring_potential(problem.system);
-  const Eigen::VectorXd start = cell_averages(gaussian, grid);
-  LinearCvodeIntegrator cvode(
-      with_deadline_check(deadline, linear_ode_system(op, preconditioner)), start,
-      {.max_order = transient.max_order,
-       .relative_tolerance = transient.relative_tolerance,
-       .absolute_tolerance = transient.relative_tolerance * start.maxCoeff(),
-       .linear_tolerance = kLinearTolerance,
-       .stop_time = transient.until,
-       .max_steps = kMostSteps,
-       .steps_per_factorisation = kStepsPerFactorisation});
-
-  result.status = Status::ok;
-  const auto may_continue = [&] {
-    return result.status == Status::ok ||
-           (result.status == Status::inadmissible && transient.continues_if_inadmissible);
+// Returns the cell averages of a density on another grid.
+Eigen::VectorXd remap_to_grid(const CellDensity& density, const Grid& grid) {
+  const transform::ConservativeRemap along_x1(density.x1_faces, grid.x1.faces()),
+      along_x2(density.x2_faces, grid.x2.faces());
+  const auto nx = static_cast<Eigen::Index>(density.x1_faces.size()) - 1,
+             nv = static_cast<Eigen::Index>(density.x2_faces.size()) - 1;
+  const Axis x1(density.x1_faces), x2(density.x2_faces);
+  const Eigen::MatrixXd masses =
+      x2.cell_widths().asDiagonal() *
+      Eigen::Map<const Eigen::MatrixXd>(density.averages.data(), nv, nx) *
+      x1.cell_widths().asDiagonal();
+  Eigen::MatrixXd columns(grid.nv(), nx), remapped(grid.nv(), grid.nx());
+  const auto remapped_vector = [](const transform::ConservativeRemap& remap,
+                                  const Eigen::VectorXd& from) {
+    const std::vector<double> to =
+        remap(std::span(from.data(), static_cast<std::size_t>(from.size())));
+    return Eigen::VectorXd(
+        Eigen::Map<const Eigen::VectorXd>(to.data(), static_cast<Eigen::Index>(to.size())));
   };
-  for (int n = 0; n <= transient.snapshots && may_continue(); ++n) {
-    const double time =
-        n == transient.snapshots ? transient.until : n * (transient.until / transient.snapshots);
-    LinearCvodeIntegrator::StepResult to{0, 0};
-    try {
-      if (n > 0) to = cvode.advance(time);
-    } catch (const DeadlineExceeded&) {
-      result.status = Status::not_converged;
-      result.reason = fmt::format(
-          "t = {:.4g} not reached: max_seconds expired; increase max-seconds or use fewer cells",
-          time);
-      break;
-    }
-    const auto [flag, reached] = to;
-    if (flag < 0) {
-      result.status = Status::not_converged;
-      result.reason = fmt::format("CVODE stopped at t = {:.4g} before t = {:.4g} (flag {}): {}",
-                                  reached, time, flag, cvode.error_message());
-      break;
-    }
-    result.snapshots.push_back(
-        make_snapshot(problem, spring_potential, options, on, op, cvode.averages(), time));
-    check_snapshot(problem.frame, grid, result.snapshots.back(), result);
-    if (transient.progress) transient.progress(static_cast<double>(n) / transient.snapshots);
+  for (Eigen::Index i = 0; i < nx; ++i) columns.col(i) = remapped_vector(along_x2, masses.col(i));
+  for (Eigen::Index j = 0; j < grid.nv(); ++j) {
+    remapped.row(j) = remapped_vector(along_x1, columns.row(j)).transpose();
   }
-  result.steps = cvode.step_count();
-  result.factorisations = cvode.factorisation_count();
-  result.rhs_evaluations = cvode.rhs_evaluation_count();
-  result.krylov_iterations = cvode.krylov_iteration_count();
+  return remapped.reshaped().cwiseQuotient(grid.cell_areas());
 }
+
+// Integrates the cell averages of one problem over time.
+class TimeIntegration {
+ public:
+  TimeIntegration(const problem::Problem& problem, const Options& options,
+                  const TransientOptions& transient, const Discretisation& on,
+                  const base::Deadline& deadline)
+      : problem_(problem),
+        options_(options),
+        transient_(transient),
+        on_(on),
+        deadline_(deadline),
+        spring_potential_(problem.system),
+        op_(problem, options, on),
+        preconditioner_(problem, on.excitation, options.impact, on.grid) {}
+
+  // Replaces the initial cell averages by those of the periodic state. Otherwise sets the status.
+  void find_periodic_state(Eigen::VectorXd& start, TransientResult& result) {
+    // The density is within about twice this L1 distance, since other modes decay within a period.
+    constexpr double kPeriodTolerance = 1e-4;
+    std::string stopped;
+    const auto after_period = [&](const Eigen::VectorXd& from) -> std::optional<Eigen::VectorXd> {
+      LinearCvodeIntegrator cvode = integrator(from);
+      const auto [flag, reached] = cvode.advance(transient_.until);
+      count_steps(cvode, result);
+      if (flag < 0) {
+        stopped = cvode.error_message();
+        return std::nullopt;
+      }
+      const Eigen::VectorXd averages = cvode.averages();
+      return averages / op_.total_mass(averages);  // GMRES loses some mass
+    };
+    try {
+      const numerics::FixedPoint found = numerics::solve_fixed_point(
+          after_period, start,
+          {.size = [&](const Eigen::VectorXd& change) { return op_.total_mass(change.cwiseAbs()); },
+           .tolerance = kPeriodTolerance});
+      start = found.x;
+      result.periods = found.evaluations;
+      result.change_over_period = found.change;
+      if (found.converged) return;
+      result.reason = fmt::format(
+          "no periodic state after {} periods: the density changes by {:.1e} per period (limit "
+          "{:.0e}){}{}",
+          found.evaluations, found.change, kPeriodTolerance, stopped.empty() ? "" : "; ", stopped);
+    } catch (const DeadlineExceeded&) {
+      result.reason =
+          "no periodic state: max_seconds expired; increase max-seconds or use fewer cells";
+    }
+    result.status = Status::not_converged;
+  }
+
+  // Integrates to the end time and stores the snapshots.
+  void store_snapshots(const Eigen::VectorXd& start, TransientResult& result) {
+    LinearCvodeIntegrator cvode = integrator(start);
+    const auto may_continue = [&] {
+      return result.status == Status::ok ||
+             (result.status == Status::inadmissible && transient_.continues_if_inadmissible);
+    };
+    const int snapshots = transient_.snapshots;
+    for (int n = 0; n <= snapshots && may_continue(); ++n) {
+      const double time = n == snapshots ? transient_.until : n * (transient_.until / snapshots);
+      LinearCvodeIntegrator::StepResult to{0, 0};
+      try {
+        if (n > 0) to = cvode.advance(time);
+      } catch (const DeadlineExceeded&) {
+        result.status = Status::not_converged;
+        result.reason = fmt::format(
+            "t = {:.4g} not reached: max_seconds expired; increase max-seconds or use fewer cells",
+            time);
+        break;
+      }
+      const auto [flag, reached] = to;
+      if (flag < 0) {
+        result.status = Status::not_converged;
+        result.reason = fmt::format("CVODE stopped at t = {:.4g} before t = {:.4g} (flag {}): {}",
+                                    reached, time, flag, cvode.error_message());
+        break;
+      }
+      result.snapshots.push_back(
+          make_snapshot(problem_, spring_potential_, options_, on_, op_, cvode.averages(), time));
+      check_snapshot(problem_.frame, on_.grid, result.snapshots.back(), result);
+      if (transient_.progress) transient_.progress(static_cast<double>(n) / snapshots);
+    }
+    count_steps(cvode, result);
+  }
+
+ private:
+  LinearCvodeIntegrator integrator(const Eigen::VectorXd& start) {
+    constexpr long kMostSteps = 1000000;  // maximum number of steps between two snapshots
+    // Tolerance of GMRES as a fraction of the local error; the residual of GMRES causes a loss of
+    // mass.
+    constexpr double kLinearTolerance = 1e-3;
+    // The preconditioner is constant, so that CVODE factors again only for a new gamma.
+    constexpr long kStepsPerFactorisation = 10000;
+    // Longest step under an excitation that changes in time, as a fraction of the end time: a step
+    // of any accuracy could pass over a short pulse.
+    constexpr double kLongestStep = 0.02;
+    LinearOdeSystem system = linear_ode_system(
+        [this](double t, const Eigen::VectorXd& p) { return op_.product(t, p); }, preconditioner_);
+    std::optional<double> longest_step;
+    if (problem_.time.is_present()) longest_step = kLongestStep * transient_.until;
+    return {with_deadline_check(deadline_, std::move(system)), start,
+            BdfSettings{.max_order = transient_.max_order,
+                        .relative_tolerance = transient_.relative_tolerance,
+                        .absolute_tolerance = transient_.relative_tolerance * start.maxCoeff(),
+                        .linear_tolerance = kLinearTolerance,
+                        .max_step = longest_step,
+                        .stop_time = transient_.until,
+                        .max_steps = kMostSteps,
+                        .steps_per_factorisation = kStepsPerFactorisation}};
+  }
+
+  static void count_steps(const LinearCvodeIntegrator& cvode, TransientResult& result) {
+    result.steps += cvode.step_count();
+    result.factorisations += cvode.factorisation_count();
+    result.rhs_evaluations += cvode.rhs_evaluation_count();
+    result.krylov_iterations += cvode.krylov_iteration_count();
+  }
+
+  const problem::Problem& problem_;
+  const Options& options_;
+  const TransientOptions& transient_;
+  const Discretisation& on_;
+  const base::Deadline& deadline_;
+  problem::EffectivePotential spring_potential_;
+  TimeDependentOperator op_;
+  Preconditioner preconditioner_;
+};
 
 TransientResult solve_without_timing(const problem::Problem& problem, const Options& options,
                                      const TransientOptions& transient) {
@@ -207,7 +309,7 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
   result.start_mean_velocity = frame.physical_velocity(start.mean_velocity);
 
   const base::Deadline deadline(options.max_seconds);
-  const Box box = transient_box(problem, scales, options, start, deadline);
+  const Box box = transient_box(problem, scales, options, start, transient.until, deadline);
   Options on_grid = refine_for_initial_density(options, box.lengths, start);
   const Discretisation on = discretise_within_limit(problem, box, transient.max_cells, on_grid);
   const Grid& grid = on.grid;
@@ -224,9 +326,17 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
     result.reason = posed.ill_posed_reason;
     return result;
   }
-  const auto op = fokker_planck_operator(problem, on_grid, on);
-  Preconditioner preconditioner(problem, on.excitation, options.impact, grid);
-  integrate_in_time(problem, on_grid, transient, start, on, op, preconditioner, deadline, result);
+  Eigen::VectorXd averages = cell_averages(start, grid);
+  TimeIntegration integration(problem, on_grid, transient, on, deadline);
+  result.status = Status::ok;
+  if (transient.periodic) {
+    if (transient.periodic_guess) averages = remap_to_grid(*transient.periodic_guess, grid);
+    integration.find_periodic_state(averages, result);
+    if (result.status == Status::ok) {
+      result.periodic_state = {grid.x1.faces(), grid.x2.faces(), averages};
+    }
+  }
+  integration.store_snapshots(averages, result);
   return result;
 }
 
@@ -235,8 +345,10 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
 TransientResult solve_transient(const problem::Problem& problem, const Options& options,
                                 const TransientOptions& transient) {
   validate(options, transient);
+  if (transient.periodic) problem::require_period(problem, transient.until);
   const problem::Problem transformed =
-      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+      problem::to_wall_coordinates(problem::wall_frame(problem.system),
+                                   problem::with_largest_excitation(problem, transient.until));
   if (const std::string why = transient_unsupported_reason(transformed, options); !why.empty()) {
     throw InputError(fmt::format("no density over time: {}", why));
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,12 @@ struct DensitySnapshot {
   std::vector<double> v{};  ///< p(y', t), averages over the cells between TransientResult::v_edges
 };
 
+/// Cell averages of p(y, y') in the coordinates of the grid, in the order of FokkerPlanckOperator.
+struct CellDensity {
+  std::vector<double> x1_faces, x2_faces;
+  Eigen::VectorXd averages;
+};
+
 struct TransientResult {
   transform::Status status = transform::Status::failed;
   std::string reason;  ///< reason for the status; empty only for the status ok
@@ -44,6 +52,9 @@ struct TransientResult {
   long factorisations = 0;
   long rhs_evaluations = 0;
   long krylov_iterations = 0;
+  std::optional<CellDensity> periodic_state = {};  ///< density at t = 0 of the periodic state
+  int periods = 0;  ///< number of periods to the periodic state; 0 without a periodic state
+  double change_over_period = 0;  ///< L1 change of the density over a period of the periodic state
   double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
 };
 
@@ -55,6 +66,10 @@ struct TransientResult {
 /// initial energy can reach. An automatic grid resolves the stationary and the initial density, as
 /// far as 10 000 cells suffice. The function ignores Options::stepper and residual_tolerance.
 /// Options::order must be 3 or 5, since operators of other orders have growing modes.
+///
+/// The periodic state is the fixed point of the map from the density at t = 0 to the density one
+/// period later, found by numerics::solve_fixed_point(). The status is `not_converged` if the density
+/// changes by more than 1e-4 in L1 over a period.
 ///
 /// The status is `inadmissible` if the density of a snapshot violates kTransientLimits.
 /// @param problem problem in any coordinates; the result has physical coordinates

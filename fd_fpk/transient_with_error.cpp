@@ -54,29 +54,52 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
                                                 const TransientRequest& request) {
   transform::Transient transient{.id = solution_identity(options).id};
   const problem::Problem transformed =
-      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+      problem::to_wall_coordinates(problem::wall_frame(problem.system),
+                                   problem::with_largest_excitation(problem, request.until));
   transient.reason = transient_unsupported_reason(transformed, options);
   if (!transient.reason.empty()) {
     transient.status = transform::Status::not_offered;
     return transient;
   }
   const base::Stopwatch stopwatch;
-  const TransientOptions on_fine{.until = request.until,
-                                 .snapshots = request.snapshots,
-                                 .start_displacement = request.start.displacement_deviation,
-                                 .start_velocity = request.start.velocity_deviation,
-                                 .start_mean_displacement = request.start.mean_displacement,
-                                 .start_mean_velocity = request.start.mean_velocity};
-  TransientOptions on_coarse = on_fine;
-  on_coarse.relative_tolerance *= kToleranceRatio;
-  on_coarse.max_cells *= kCoarsening * kCoarsening;
-  on_coarse.continues_if_inadmissible = true;
-  Options coarser = options;
-  coarser.refinement *= kCoarsening;
-  auto coarse_solution =
-      std::async(std::launch::async, [&] { return solve_transient(problem, coarser, on_coarse); });
-  const TransientResult fine = solve_transient(problem, options, on_fine);
-  const TransientResult coarse = coarse_solution.get();
+  TransientOptions on_fine{.until = request.until,
+                           .snapshots = request.snapshots,
+                           .start_displacement = request.start.displacement_deviation,
+                           .start_velocity = request.start.velocity_deviation,
+                           .start_mean_displacement = request.start.mean_displacement,
+                           .start_mean_velocity = request.start.mean_velocity,
+                           .periodic = request.periodic};
+  const auto solve_coarser = [&](double coarsening, double tolerance_ratio,
+                                 const TransientResult* guess) {
+    TransientOptions on_coarse = on_fine;
+    on_coarse.relative_tolerance *= tolerance_ratio;
+    on_coarse.max_cells *= coarsening * coarsening;
+    on_coarse.continues_if_inadmissible = true;
+    if (guess && guess->periodic_state) on_coarse.periodic_guess = &*guess->periodic_state;
+    Options coarser = options;
+    coarser.refinement *= coarsening;
+    return solve_transient(problem, coarser, on_coarse);
+  };
+  TransientResult coarse, fine;
+  if (request.periodic) {
+    // The search for the periodic state on each grid starts from that on the next coarser grid.
+    const TransientResult coarsest =
+        solve_coarser(kCoarsening * kCoarsening, kToleranceRatio * kToleranceRatio, nullptr);
+    coarse = solve_coarser(kCoarsening, kToleranceRatio, &coarsest);
+    if (!coarse.periodic_state) {
+      transient.status = coarse.status;
+      transient.reason = fmt::format("on the coarse grid: {}", coarse.reason);
+      transient.seconds = stopwatch.seconds();
+      return transient;
+    }
+    on_fine.periodic_guess = &*coarse.periodic_state;
+    fine = solve_transient(problem, options, on_fine);
+  } else {
+    auto coarse_solution = std::async(
+        std::launch::async, [&] { return solve_coarser(kCoarsening, kToleranceRatio, nullptr); });
+    fine = solve_transient(problem, options, on_fine);
+    coarse = coarse_solution.get();
+  }
   transient.snapshots = make_transient_snapshots(fine, request);
   transform::estimate_errors_by_differences(
       make_transient_snapshots(coarse, request),
@@ -86,6 +109,10 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
   if (!fine.y_edges.empty()) {
     transient.details = fmt::format("{} x {} cells, {} steps", fine.y_edges.size() - 1,
                                     fine.v_edges.size() - 1, fine.steps);
+    if (fine.periods > 0) {
+      transient.details += fmt::format(", {} periods to an L1 change of {:.0e} per period",
+                                       fine.periods, fine.change_over_period);
+    }
   }
   transient.seconds = stopwatch.seconds();
   return transient;

@@ -54,6 +54,9 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 
 std::string functional_unsupported_reason(const problem::Problem& problem, const Options& options) {
   const std::string reason = unsupported_reason(problem, options);
+  if (reason.empty() && problem.time.has_rate() && options.equation == DensityEquation::white) {
+    return "mcs does not support white noise in place of impulses with time.rate; use kf, or fd";
+  }
   return reason.empty() ? problem::inelastic_collapse_reason(problem, options.equation) : reason;
 }
 

@@ -144,9 +144,27 @@ transform::TransientSnapshot make_snapshot(const SnapshotSums& sums, double time
   return snapshot;
 }
 
-// Simulates repetitions of kStreams paths, and returns the sums over all paths at each time.
+// Periods of the periodic state that are simulated without being recorded.
+struct SkippedPeriods {
+  int before_first = 0;  // until the initial density is forgotten
+  int between = 0;       // until the states are independent of those of the last recorded period
+
+  SkippedPeriods(const SimulationPlan& plan, double decay_rate, double period) {
+    constexpr double kDecayTimesBetween = 3;  // a correlation of exp(-3) = 0.05
+    constexpr double kMost = 1e6;
+    const auto periods = [&](double time) {
+      return static_cast<int>(std::min(kMost, std::ceil(time / period)));
+    };
+    before_first = periods(plan.burn_in);
+    between = periods(kDecayTimesBetween / decay_rate);
+  }
+};
+
+// Simulates repetitions of kStreams paths, and returns the sums over all paths at each time. The
+// paths of the periodic state are continued in each repetition.
 std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& initial,
-                                         int repetitions, const TransientRequest& request,
+                                         int repetitions, const SkippedPeriods& periods,
+                                         const TransientRequest& request,
                                          const problem::WallFrame& frame, const Options& options) {
   constexpr std::size_t kParts = 16;  // parts whose sums are added in a fixed order
   const BinFinder y_bins(request.y_edges), v_bins(request.v_edges);
@@ -162,15 +180,29 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
       }
     });
   };
-  for (int repetition = 0; repetition < repetitions; ++repetition) {
+  const auto restart_all = [&] {
     for (std::size_t s = 0; s < kStreams; ++s) {
       const State start = initial.draw(s);
       simulation.restart(s, start.y, start.v);
     }
+  };
+  const auto skip = [&](int count) {
+    for (int k = 0; k < count; ++k) simulation.advance_in_time(0, request.until);
+  };
+  if (request.periodic) {
+    restart_all();
+    skip(periods.before_first);
+  }
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    if (request.periodic) {
+      skip(periods.between);
+    } else {
+      restart_all();
+    }
     record(0);
     for (std::size_t k = 1; k < times; ++k) {
       const int snapshot = static_cast<int>(k);
-      simulation.advance_without_records(request.time(snapshot) - request.time(snapshot - 1));
+      simulation.advance_in_time(request.time(snapshot - 1), request.time(snapshot));
       record(k);
     }
     if (options.progress) {
@@ -189,10 +221,12 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
 transform::Transient estimate_transient(const problem::Problem& problem, const Options& options,
                                         const TransientRequest& request) {
   const base::Stopwatch stopwatch;
+  if (request.periodic) problem::require_period(problem, request.until);
   transform::Transient transient{.id = id(options)};
   transient.has_standard_errors = true;
   const problem::Problem transformed =
-      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+      problem::to_wall_coordinates(problem::wall_frame(problem.system),
+                                   problem::with_largest_excitation(problem, request.until));
   const problem::MotionScales scales = problem::scales(transformed);
   const problem::Gaussian density = problem::initial_density(transformed, scales, request.start);
   transient.reason = functional_unsupported_reason(transformed, options);
@@ -204,28 +238,33 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
   many_streams.streams = kStreams;
   SimulationPlan plan = make_simulation_plan(transformed, many_streams);
   plan.sampling_interval = 4 * request.until;  // no path ends its flights at samples
+  const SkippedPeriods periods(plan, scales.slowest_decay_rate, request.until);
+  const double time_per_path =
+      request.periodic ? (1.0 + periods.between) * request.until : request.until;
   const double events =
       plan.oscillator.is_duffing_at_wall() ? kMostDuffingEvents : kMostOtherEvents;
   const double time =
-      options.time.value_or(std::min(kPaths * request.until, events / plan.event_rate));
+      options.time.value_or(std::min(kPaths * time_per_path, events / plan.event_rate));
   constexpr double kMostPaths = 1e9;
-  if (time / request.until > kMostPaths) {
+  if (time / time_per_path > kMostPaths) {
     throw InputError(
         fmt::format("--time {:g}: more than {:g} paths of the duration {:g}; reduce it", time,
-                    kMostPaths, request.until));
+                    kMostPaths, time_per_path));
   }
   const int repetitions =
-      static_cast<int>(std::ceil(std::max(kFewestPaths, time / request.until) / kStreams));
+      static_cast<int>(std::ceil(std::max(kFewestPaths, time / time_per_path) / kStreams));
   const double paths = static_cast<double>(repetitions) * kStreams;
   Simulation simulation(transformed, plan);
   InitialStates initial(transformed.system, density, plan.seed);
-  const auto sums =
-      simulate_paths(simulation, initial, repetitions, request, transformed.frame, options);
+  const auto sums = simulate_paths(simulation, initial, repetitions, periods, request,
+                                   transformed.frame, options);
   for (int k = 0; k <= request.snapshots; ++k) {
     transient.snapshots.push_back(
         make_snapshot(sums[static_cast<std::size_t>(k)], request.time(k), paths, request));
   }
   transient.status = Status::ok;
+  if (request.periodic) transient.reason = short_burn_in_reason(plan, options);
+  if (!transient.reason.empty()) transient.status = Status::inaccurate;
   transient.details = fmt::format("{:.0f} paths", paths);
   transient.seconds = stopwatch.seconds();
   return transient;

@@ -13,7 +13,9 @@ namespace fpkcheck::transform {
 /// Initial density, times and bins of a density over time.
 struct TransientRequest {
   problem::InitialDensityOptions start = {};
-  double until = 0;    ///< end time T > 0
+  double until = 0;  ///< end time T > 0
+  /// Whether the densities are those of the periodic state, with the period T of the excitation
+  bool periodic = false;
   int snapshots = 20;  ///< number N of intervals: densities at the times t = 0, T/N, .., T
   std::vector<double> y_edges = {}, v_edges = {};  ///< edges of the bins, in physical coordinates
 

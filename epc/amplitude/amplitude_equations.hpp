@@ -23,6 +23,7 @@
 ///  - second_coordinate(rho, theta), the coordinate t; phase(rho, t), its inverse function;
 ///  - coordinates_after_impulse(w, v), the coordinates s and t of the velocity v after an impulse;
 ///  - coordinate_rates(system, y, rho, t), the rates of change of s and t between impulses;
+///  - velocity_derivatives(rho, t), the derivatives of s and t with respect to v;
 ///  - density_prefactor(rho), the factor of the exponential in the density;
 ///  - atom_weight(), the probability of the atom at rest divided by C exp(Q_n), 0 without an atom;
 ///  - amplitude_break_points(law, rho_max), amplitudes at which quadrature panels end;
@@ -168,13 +169,32 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
         rho, rho.unaryExpr([&](double at) { return Coordinates::second_coordinate(at, theta); }));
   };
   const MatrixXd wall_basis_functions = on_wall(speed, -std::numbers::pi / 2);
+  const auto directional_derivative = [&](const VectorXd& of_s, const VectorXd& of_t) -> MatrixXd {
+    return products_of_columns(basis_functions, of_s.asDiagonal() * s_tables[1], t_tables[0]) +
+           products_of_columns(basis_functions, s_tables[0], of_t.asDiagonal() * t_tables[1]);
+  };
+  const MatrixXd impulse_terms = problem.impulses.arrival_rate() * (after_impulse - values);
+  const problem::TimeDependence& time = problem.time;
+  std::vector<half_plane::TimeDependentTerm> time_dependent_terms;
+  if (time.has_rate()) {
+    time_dependent_terms.push_back(
+        {[time](double at) { return time.rate_factor(at) - 1; }, impulse_terms});
+  }
+  if (time.has_force()) {
+    VectorXd s_derivative = VectorXd::Zero(points.size()), t_derivative = s_derivative;
+    for (Eigen::Index i = 0; i < points.size() - has_atom; ++i) {
+      const CoordinateRates derivative = coordinates.velocity_derivatives(points.s[i], points.t[i]);
+      s_derivative[i] = derivative.s;
+      t_derivative[i] = derivative.t;
+    }
+    time_dependent_terms.push_back({[time](double at) { return time.force(at); },
+                                    directional_derivative(s_derivative, t_derivative)});
+  }
   half_plane::GalerkinTables tables{
       .weight = points.weight,
       .basis_functions = values,
-      .generator_terms =
-          products_of_columns(basis_functions, s_rate.asDiagonal() * s_tables[1], t_tables[0]) +
-          products_of_columns(basis_functions, s_tables[0], t_rate.asDiagonal() * t_tables[1]) +
-          problem.impulses.arrival_rate() * (after_impulse - values),
+      .generator_terms = directional_derivative(s_rate, t_rate) + impulse_terms,
+      .time_dependent_terms = std::move(time_dependent_terms),
       .confinement_terms = points.energy.unaryExpr(confinement),
       .wall_weight = wall.weights.cwiseProduct(
           speed.unaryExpr([](double rho) { return Coordinates::density_prefactor(rho); })),

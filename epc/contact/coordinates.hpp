@@ -67,6 +67,10 @@ class Coordinates {
   /// force f.
   amplitude::CoordinateRates coordinate_rates(const problem::System& system, double y, double rho,
                                               double v) const;
+  /// Derivatives of rho and v with respect to v, v / rho and 1.
+  static amplitude::CoordinateRates velocity_derivatives(double rho, double v) {
+    return {v / rho, 1};
+  }
 
   /// Returns the factor 1/e of the density at an amplitude rho > 0.
   static double density_prefactor(double rho) { return 2 / (rho * rho); }

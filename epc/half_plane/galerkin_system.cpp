@@ -28,9 +28,14 @@ VectorXd GalerkinSystem::basis_means(const VectorXd& mass) const {
   return tables_.basis_functions.transpose() * mass;
 }
 
-VectorXd GalerkinSystem::residual(const DensityAtPoints& density) const {
-  return tables_.generator_terms.transpose() * density.mass +
-         tables_.impact_terms.transpose() * density.wall_mass;
+VectorXd GalerkinSystem::residual(const DensityAtPoints& density, std::optional<double> t) const {
+  VectorXd rate = tables_.generator_terms.transpose() * density.mass +
+                  tables_.impact_terms.transpose() * density.wall_mass;
+  if (!t) return rate;
+  for (const TimeDependentTerm& term : tables_.time_dependent_terms) {
+    rate += term.factor(*t) * (term.values.transpose() * density.mass);
+  }
+  return rate;
 }
 
 MatrixXd GalerkinSystem::centred_basis_functions(const MatrixXd& basis_functions,
@@ -39,7 +44,7 @@ MatrixXd GalerkinSystem::centred_basis_functions(const MatrixXd& basis_functions
   return basis_functions.rowwise() - mean;
 }
 
-MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density) const {
+MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density, std::optional<double> t) const {
   // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall.
   const MatrixXd change =
       density.mass.asDiagonal() * centred_basis_functions(tables_.basis_functions, density);
@@ -48,6 +53,10 @@ MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density) const {
   MatrixXd result(size(), size());
   result.noalias() = tables_.generator_terms.transpose() * change;
   result.noalias() += tables_.impact_terms.transpose() * wall_change;
+  if (!t) return result;
+  for (const TimeDependentTerm& term : tables_.time_dependent_terms) {
+    result.noalias() += term.factor(*t) * (term.values.transpose() * change);
+  }
   return result;
 }
 

@@ -1,12 +1,22 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "epc/half_plane/basis.hpp"
 #include "epc/half_plane/closure_density.hpp"
 
 namespace fpkcheck::epc::half_plane {
+
+/// Part of L*phi_k at the quadrature points that an excitation that changes in time multiplies by
+/// a factor, in addition to GalerkinTables::generator_terms.
+struct TimeDependentTerm {
+  std::function<double(double t)> factor;
+  Eigen::MatrixXd values;
+};
 
 /// Values of the basis functions phi_k, and of the generator L* of the impact process applied to
 /// phi_k, at quadrature points on the half-plane y >= 0.
@@ -14,6 +24,8 @@ struct GalerkinTables {
   Eigen::VectorXd weight;
   Eigen::MatrixXd basis_functions;  ///< values of phi_k, of shape (points, basis functions)
   Eigen::MatrixXd generator_terms;  ///< L*phi_k, the mean rate of change of phi_k between impacts
+  /// Terms of L*phi_k whose factors change in time; empty for a constant excitation
+  std::vector<TimeDependentTerm> time_dependent_terms = {};
   Eigen::VectorXd confinement_terms;
 
   /// Quadrature weights of the points on the wall before an impact, y = 0 and v < 0
@@ -48,10 +60,13 @@ class GalerkinSystem {
   /// Returns the means E[phi] of the basis functions.
   /// @param mass probability at each quadrature point
   Eigen::VectorXd basis_means(const Eigen::VectorXd& mass) const;
-  Eigen::VectorXd residual(const DensityAtPoints& density) const;
+  /// Returns R_phi.
+  /// @param t time, for an excitation that changes in time; absent for the constant excitation
+  Eigen::VectorXd residual(const DensityAtPoints& density, std::optional<double> t = {}) const;
   /// Returns the Jacobian with dR_phi/da_k in row phi and column k, by covariances of L*phi and the
   /// basis functions.
-  Eigen::MatrixXd jacobian(const DensityAtPoints& density) const;
+  /// @param t time, as in residual()
+  Eigen::MatrixXd jacobian(const DensityAtPoints& density, std::optional<double> t = {}) const;
   /// Returns the covariance matrix of the basis functions under the density. In the norm of this
   /// matrix, the length of a step in the coefficients a is the standard deviation of the change of
   /// the exponent Q_n.

@@ -11,6 +11,7 @@
 
 #include "base/process/stopwatch.hpp"
 #include "numerics/ode/bdf_integrator.hpp"
+#include "numerics/roots/fixed_point.hpp"
 #include "problem/motion_scales.hpp"
 
 namespace fpkcheck::epc::half_plane {
@@ -25,6 +26,8 @@ using transform::Status;
 // errors of the moments of order 8 lead to another density in case 1, which is wrong by 0.05 in L1
 // at t = 1.
 constexpr double kTimeTolerance = 1e-7;
+// Largest change of the moments of the orthonormal basis functions over a period of the periodic state
+constexpr double kPeriodicTolerance = 1e-5;
 // Largest confinement level in deviations of v of the stationary density. At a level of 9
 // deviations basis functions of order 8 have values of 1e4 at the level, and case 1 needs a
 // tolerance of 1e-10.
@@ -159,16 +162,19 @@ QuadraturePointCounts scaled(const QuadraturePointCounts& size, double factor) {
 class Evolution {
  public:
   Evolution(const ClosureFormulation& formulation, const problem::Problem& problem,
-            const Options& options, const problem::Gaussian& start)
+            const Options& options, const EvolutionRequest& request)
       : formulation_(formulation),
         problem_(problem),
         options_(options),
-        start_(start),
+        start_(request.start),
+        times_(request.times),
+        is_periodic_(request.periodic),
         scales_(problem::scales(problem)),
         deadline_(options.max_seconds),
-        stationary_(stationary_density()) {}
+        stationary_(stationary_density()),
+        forced_speed_(problem::forced_motion_extent(problem, request.times.back()).speed) {}
 
-  ClosureEvolution run(const std::vector<double>& times, const DensityOfClosure& density_of) {
+  ClosureEvolution run(const DensityOfClosure& density_of) {
     // A density narrower than the stationary density needs more points on the same domain.
     const double narrowness =
         std::max({1.0, scales_.displacement_deviation / start_.displacement_deviation,
@@ -178,7 +184,7 @@ class Evolution {
                    options_.order, stationary_level() / stationary_.temperature, SearchStage::last),
                std::sqrt(narrowness));
     for (int left = kMostRefinements;; --left) {
-      ClosureEvolution evolution = integrate(size, times, density_of, left > 0);
+      ClosureEvolution evolution = integrate(size, density_of, left > 0);
       const bool is_resolved = evolution.quadrature_change < kQuadratureTolerance;
       if (evolution.status != Status::ok || is_resolved) return evolution;
       if (left == 0) {
@@ -223,9 +229,12 @@ class Evolution {
     return mass / mass.sum();
   }
 
+  // Returns the level for the stationary density, extended by the motion under the force F(t).
   double stationary_level() const {
-    return std::min(stationary_.level,
-                    kLevelDeviations * kLevelDeviations / 2 * stationary_.temperature);
+    const double level = std::min(
+        stationary_.level, kLevelDeviations * kLevelDeviations / 2 * stationary_.temperature);
+    const double speed = std::sqrt(2 * level) + forced_speed_;
+    return speed * speed / 2;
   }
 
   // Returns the level for the stationary density, or a larger level that contains the start.
@@ -249,11 +258,67 @@ class Evolution {
                                           std::move(points), size);
   }
 
+  // Returns the integrator of the moment equations. The coefficients hold the last density.
+  numerics::BdfIntegrator moment_integrator(const ClosureEquations& equations,
+                                            CoefficientsOfMoments& coefficients,
+                                            const VectorXd& start) const {
+    // A step of any accuracy could pass over a short pulse of the excitation.
+    constexpr double kLongestStep = 1e-2;
+    std::optional<double> longest_step;
+    if (problem_.time.is_present()) longest_step = kLongestStep * times_.back();
+    return {{.rate =
+                 [&](double t, const VectorXd& m, Eigen::Ref<VectorXd> rate) {
+                   if (deadline_.has_passed() || !coefficients.find(m)) return false;
+                   rate = equations.residual(coefficients.last().density, t);
+                   return true;
+                 },
+             .jacobian =
+                 [&](double t, const VectorXd& m, Eigen::Ref<MatrixXd> jacobian) {
+                   if (!coefficients.find(m)) return false;
+                   const auto* const covariance = coefficients.covariance();
+                   if (covariance == nullptr) return false;
+                   jacobian =
+                       covariance
+                           ->solve(equations.jacobian(coefficients.last().density, t).transpose())
+                           .transpose();
+                   return true;
+                 }},
+            start,
+            {.relative = kTimeTolerance, .absolute = kTimeTolerance, .longest_step = longest_step}};
+  }
+
+  // Replaces the moments by those of the periodic state, or sets the status and returns false.
+  bool find_periodic_state(const ClosureEquations& equations, CoefficientsOfMoments& coefficients,
+                           VectorXd& moments, ClosureEvolution& evolution) const {
+    const numerics::FixedPoint found = numerics::solve_fixed_point(
+        [&](const VectorXd& from) -> std::optional<VectorXd> {
+          if (deadline_.has_passed() || !coefficients.find(from)) return std::nullopt;
+          numerics::BdfIntegrator integrator = moment_integrator(equations, coefficients, from);
+          const bool is_reached = integrator.advance(times_.back());
+          evolution.steps += integrator.step_count();
+          return is_reached ? std::optional(integrator.state()) : std::nullopt;
+        },
+        moments,
+        {.size = [](const VectorXd& change) { return change.lpNorm<Eigen::Infinity>(); },
+         .tolerance = kPeriodicTolerance});
+    moments = found.x;
+    if (found.converged && coefficients.find(moments)) return true;
+    evolution.status = Status::not_converged;
+    evolution.reason =
+        deadline_.has_passed()
+            ? fmt::format("no periodic state in {:g} s (max_seconds)", options_.max_seconds)
+            : fmt::format(
+                  "no periodic state after {} periods: the moments change by {:.1e} per period "
+                  "(limit {:.0e})",
+                  found.evaluations, found.change, kPeriodicTolerance);
+    return false;
+  }
+
   // Integrates over the times.
   // @param stops_if_unresolved whether the integration stops before the first snapshot that more
   //   quadrature points change by more than the tolerance
-  ClosureEvolution integrate(const QuadraturePointCounts& size, const std::vector<double>& times,
-                             const DensityOfClosure& density_of, bool stops_if_unresolved) const {
+  ClosureEvolution integrate(const QuadraturePointCounts& size, const DensityOfClosure& density_of,
+                             bool stops_if_unresolved) const {
     ClosureEvolution evolution;
     evolution.quadrature = size;
     const double level = level_for_start(size);
@@ -282,26 +347,15 @@ class Evolution {
           "density";
       return evolution;
     }
-    numerics::BdfIntegrator integrator(
-        {.rate =
-             [&](const VectorXd& m, Eigen::Ref<VectorXd> rate) {
-               if (deadline_.has_passed() || !coefficients.find(m)) return false;
-               rate = equations.residual(coefficients.last().density);
-               return true;
-             },
-         .jacobian =
-             [&](const VectorXd& m, Eigen::Ref<MatrixXd> jacobian) {
-               if (!coefficients.find(m)) return false;
-               const auto* const covariance = coefficients.covariance();
-               if (covariance == nullptr) return false;
-               jacobian =
-                   covariance->solve(equations.jacobian(coefficients.last().density).transpose())
-                       .transpose();
-               return true;
-             }},
-        start_moments, {.relative = kTimeTolerance, .absolute = kTimeTolerance});
+    VectorXd moments_at_start = start_moments;
+    if (is_periodic_ &&
+        !find_periodic_state(equations, coefficients, moments_at_start, evolution)) {
+      return evolution;
+    }
+    numerics::BdfIntegrator integrator =
+        moment_integrator(equations, coefficients, moments_at_start);
     double& change = evolution.quadrature_change;
-    for (const double time : times) {
+    for (const double time : times_) {
       if ((time > 0 && !integrator.advance(time)) || !coefficients.find(integrator.state())) {
         evolution.status = Status::not_converged;
         const double last = evolution.snapshots.empty() ? 0 : evolution.snapshots.back().time;
@@ -317,7 +371,7 @@ class Evolution {
       }
       const CoefficientsOfMoments::State& state = coefficients.last();
       const double change_of_snapshot =
-          change_on_finer_points(equations, fine_equations, coefficients);
+          change_on_finer_points(equations, fine_equations, coefficients, time);
       if (!(change_of_snapshot <= change)) change = change_of_snapshot;
       if (stops_if_unresolved && !(change < kQuadratureTolerance)) return evolution;
       evolution.snapshots.push_back(
@@ -334,7 +388,7 @@ class Evolution {
             time, beyond, kEdgeOfLevel, kBeyondEdgeLimit);
       }
     }
-    evolution.steps = integrator.step_count();
+    evolution.steps += integrator.step_count();
     return evolution;
   }
 
@@ -342,7 +396,7 @@ class Evolution {
   // moments, in units of the rate of change, by more quadrature points.
   double change_on_finer_points(const ClosureEquations& equations,
                                 const ClosureEquations& fine_equations,
-                                CoefficientsOfMoments& coefficients) const {
+                                CoefficientsOfMoments& coefficients, double t) const {
     const CoefficientsOfMoments::State& state = coefficients.last();
     const auto fine = fine_equations.evaluate_density(state.a);
     const auto* const covariance = coefficients.covariance();
@@ -351,7 +405,8 @@ class Evolution {
       return covariance->matrixL().solve(difference).norm();
     };
     const double of_moments = norm(fine_equations.basis_means(fine.mass) - state.moments);
-    const double of_rates = norm(fine_equations.residual(fine) - equations.residual(state.density));
+    const double of_rates =
+        norm(fine_equations.residual(fine, t) - equations.residual(state.density, t));
     return std::max(of_moments, of_rates / scales_.frequency);
   }
 
@@ -373,18 +428,21 @@ class Evolution {
   const ClosureFormulation& formulation_;
   const problem::Problem& problem_;
   const Options& options_;
-  const problem::Gaussian& start_;
+  problem::Gaussian start_;
+  std::vector<double> times_;
+  bool is_periodic_;
   problem::MotionScales scales_;
   base::Deadline deadline_;
   ClosureDensity stationary_;
+  double forced_speed_;
 };
 
 }  // namespace
 
 ClosureEvolution evolve(const ClosureFormulation& formulation, const problem::Problem& problem,
-                        const Options& options, const problem::Gaussian& start,
-                        const std::vector<double>& times, const DensityOfClosure& density_of) {
-  return Evolution(formulation, problem, options, start).run(times, density_of);
+                        const Options& options, const EvolutionRequest& request,
+                        const DensityOfClosure& density_of) {
+  return Evolution(formulation, problem, options, request).run(density_of);
 }
 
 }  // namespace fpkcheck::epc::half_plane

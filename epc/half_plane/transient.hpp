@@ -31,6 +31,15 @@ struct ClosureEvolution {
   double quadrature_change = 0;
 };
 
+/// Initial density and times of an evolution.
+struct EvolutionRequest {
+  problem::Gaussian start;
+  std::vector<double> times;  ///< increasing times; the first is 0
+  /// Whether the densities are those of the periodic state, with the last time as period. The search
+  /// for it begins at `start`.
+  bool periodic = false;
+};
+
 /// Density of a closure, with the factors of the formulation.
 using DensityOfClosure = std::function<transform::SmoothDensity(const ClosureDensity&)>;
 
@@ -48,15 +57,17 @@ using DensityOfClosure = std::function<transform::SmoothDensity(const ClosureDen
 /// deviations of the velocity, and at least an energy that contains the initial density. The
 /// initial density of the closure has the moments m of the initial Gaussian.
 ///
+/// The periodic state has moments that return to themselves after the last of the times, by
+/// numerics::solve_fixed_point().
+///
 /// The status is `inadmissible` if more than 1e-5 of the probability lies beyond 0.8 of the level
 /// at a snapshot. The moments are then beyond those of densities whose exponent Q_n falls at
 /// infinity; the excess lies in a maximum at the level, so that the confinement determines the
 /// density (Junk, Math. Models Methods Appl. Sci. 10 (2000) 1001). The status is `not_converged` if
 /// the integration fails, or if more quadrature points change the density.
 /// @param options order n and tail of the closure
-/// @param times increasing times; the first is 0
 ClosureEvolution evolve(const ClosureFormulation& formulation, const problem::Problem& problem,
-                        const Options& options, const problem::Gaussian& start,
-                        const std::vector<double>& times, const DensityOfClosure& density_of);
+                        const Options& options, const EvolutionRequest& request,
+                        const DensityOfClosure& density_of);
 
 }  // namespace fpkcheck::epc::half_plane

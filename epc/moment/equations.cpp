@@ -63,21 +63,34 @@ half_plane::ClosureEquations closure_equations(
   const auto y_tables = basis.polynomials_in_s().derivative_tables(y, 1);
   const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
 
+  // A term whose coefficient changes in time is added for the largest excitation, and its change is
+  // a time-dependent term.
+  const problem::TimeDependence& time = problem.time;
+  std::vector<half_plane::TimeDependentTerm> time_dependent_terms;
+  const auto add_term = [&](std::function<double(double)> factor, const MatrixXd& of_v) {
+    time_dependent_terms.push_back(
+        {std::move(factor), products_of_columns(basis.basis_functions(), y_tables[0], of_v)});
+  };
+
   // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + D G g_q'' + sum_j .. g_q^(j) ]. White
-  // noise of diffusion coefficient D, besides the impulses, adds 2D to lambda E[Y^2], since D =
-  // 2D/2!.
+  // noise adds the term of its diffusion coefficient D G.
   MatrixXd impulses = MatrixXd::Zero(v.size(), n + 1);
   for (int j = 1; j <= n; ++j) {
-    const double intensity = j == 2 && !problem.noise_factor ? problem.noise.intensity : 0;
-    const double factor = (rate_times_moment[j] + intensity) /
-                          boost::math::factorial<double>(static_cast<unsigned>(j));
+    const double factor =
+        rate_times_moment[j] / boost::math::factorial<double>(static_cast<unsigned>(j));
     if (factor != 0) impulses += factor * v_tables[j];
   }
-  if (problem.noise_factor) {
+  if (time.has_rate()) add_term([time](double t) { return time.rate_factor(t) - 1; }, impulses);
+  if (problem.noise.is_present()) {
     const VectorXd diffusion = VectorXd::NullaryExpr(
         v.size(), [&](Eigen::Index i) { return noise_diffusion(problem, y[i], v[i]); });
-    impulses += diffusion.asDiagonal() * v_tables[2];
+    const MatrixXd noise = diffusion.asDiagonal() * v_tables[2];
+    impulses += noise;
+    if (time.has_intensity()) {
+      add_term([time](double t) { return time.intensity_factor(t) - 1; }, noise);
+    }
   }
+  if (time.has_force()) add_term([time](double t) { return time.force(t); }, v_tables[1]);
   const VectorXd force = total_force(system, y, v);
 
   const IncomingWallPoints wall = incoming_wall_points(system, domain, wall_points);
@@ -89,6 +102,7 @@ half_plane::ClosureEquations closure_equations(
           products_of_columns(basis.basis_functions(), v.asDiagonal() * y_tables[1], v_tables[0]) +
           products_of_columns(basis.basis_functions(), y_tables[0],
                               impulses - force.asDiagonal() * v_tables[1]),
+      .time_dependent_terms = std::move(time_dependent_terms),
       .confinement_terms = points.energy.unaryExpr(confinement),
       .wall_weight = wall.weight,
       .wall_basis_functions = wall_basis_functions,

@@ -85,9 +85,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
 }
 
 half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                                    const problem::Gaussian& start,
-                                    const std::vector<double>& times) {
-  return half_plane::evolve(*make_formulation(problem, options), problem, options, start, times,
+                                    const half_plane::EvolutionRequest& request) {
+  return half_plane::evolve(*make_formulation(problem, options), problem, options, request,
                             [&](const ClosureDensity& closure) {
                               return density_from_exponent(problem, closure, options.tail);
                             });

@@ -59,6 +59,10 @@ class Coordinates {
   ///     theta' = -w' sin^2 - (g/w) cos^2 - c sin cos,      sin, cos of theta.
   amplitude::CoordinateRates coordinate_rates(const problem::System& system, double y, double rho,
                                               double theta) const;
+  /// Derivatives of rho and theta with respect to v, sin(theta) and cos(theta) / rho.
+  static amplitude::CoordinateRates velocity_derivatives(double rho, double theta) {
+    return {std::sin(theta), std::cos(theta) / rho};
+  }
   static double density_prefactor(double) { return 1; }
   static double atom_weight() { return 0; }
   /// Returns amplitudes below rho_max from which an impulse may stop the mass at the wall. At such

@@ -94,11 +94,10 @@ Result solve(const problem::Problem& problem, const Options& options) {
 }
 
 half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                                    const problem::Gaussian& start,
-                                    const std::vector<double>& times) {
+                                    const half_plane::EvolutionRequest& request) {
   const Coordinates coordinates(problem);
   return half_plane::evolve(make_formulation(problem, coordinates, options), problem, options,
-                            start, times, [&](const ClosureDensity& closure) {
+                            request, [&](const ClosureDensity& closure) {
                               return density_from_exponent(closure, coordinates, options.tail);
                             });
 }

@@ -19,19 +19,19 @@ using namespace numerics::sundials_owned;
 
 CvodeCallbackData& callbacks_in(void* data) { return *static_cast<CvodeCallbackData*>(data); }
 
-int write_product(CvodeCallbackData& callbacks, N_Vector v, N_Vector lv) {
+int write_product(CvodeCallbackData& callbacks, double t, N_Vector v, N_Vector lv) {
   return callbacks.thrown.invoke([&] {
-    vector_view(lv) = callbacks.system.times(vector_view(v));
+    vector_view(lv) = callbacks.system.times(t, vector_view(v));
     return 0;
   });
 }
 
-int right_hand_side(sunrealtype, N_Vector p, N_Vector p_dot, void* data) {
-  return write_product(callbacks_in(data), p, p_dot);
+int right_hand_side(sunrealtype t, N_Vector p, N_Vector p_dot, void* data) {
+  return write_product(callbacks_in(data), t, p, p_dot);
 }
 
-int times(N_Vector v, N_Vector lv, sunrealtype, N_Vector, N_Vector, void* data, N_Vector) {
-  return write_product(callbacks_in(data), v, lv);
+int times(N_Vector v, N_Vector lv, sunrealtype t, N_Vector, N_Vector, void* data, N_Vector) {
+  return write_product(callbacks_in(data), t, v, lv);
 }
 
 int factor(sunrealtype, N_Vector, N_Vector, sunbooleantype, sunbooleantype* current,
@@ -62,17 +62,17 @@ void store_message(const char* function, const char* text, void* data) {
 
 }  // namespace
 
-LinearOdeSystem linear_ode_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner) {
-  return {.times = [&op](const Eigen::VectorXd& p) { return op * p; },
+LinearOdeSystem linear_ode_system(LinearOdeSystem::Product times, Preconditioner& preconditioner) {
+  return {.times = std::move(times),
           .factor = [&preconditioner](double gamma) { return preconditioner.factorise(gamma); },
           .solve = [&preconditioner](
                        Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }};
 }
 
 LinearOdeSystem with_deadline_check(const base::Deadline& deadline, LinearOdeSystem system) {
-  system.times = [&deadline, times = std::move(system.times)](const Eigen::VectorXd& p) {
+  system.times = [&deadline, times = std::move(system.times)](double t, const Eigen::VectorXd& p) {
     if (deadline.has_passed()) throw DeadlineExceeded();
-    return times(p);
+    return times(t, p);
   };
   return system;
 }

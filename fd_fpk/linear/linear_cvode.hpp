@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,15 +12,17 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Linear system dP/dt = L P, given by products with L and solutions of systems with I - gamma L.
+/// Linear system dP/dt = L(t) P, given by products with L(t) and approximate solutions of systems
+/// with I - gamma L.
 struct LinearOdeSystem {
-  LinearMap times;
+  using Product = std::function<Eigen::VectorXd(double t, const Eigen::VectorXd& p)>;
+  Product times;
   /// Factors I - gamma L for `solve`; returns false on failure
   std::function<bool(double gamma)> factor;
   ApproximateSolve solve;  ///< function that solves the system with the matrix factored last
 };
-/// @param op,preconditioner must outlive the returned system
-LinearOdeSystem linear_ode_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner);
+/// @param preconditioner must outlive the returned system
+LinearOdeSystem linear_ode_system(LinearOdeSystem::Product times, Preconditioner& preconditioner);
 
 /// Exception that a matrix-vector product throws after the deadline. Products must check the
 /// deadline, because one time step of CVODE may contain many products.
@@ -47,7 +50,7 @@ struct BdfSettings {
   std::optional<long> steps_per_factorisation = {};
 };
 
-/// Integrator of dP/dt = L P by CVODE with BDF. GMRES solves the linear systems with the exact
+/// Integrator of dP/dt = L(t) P by CVODE with BDF. GMRES solves the linear systems with the exact
 /// operator L, preconditioned by a factored approximation of I - gamma L.
 class LinearCvodeIntegrator {
  public:

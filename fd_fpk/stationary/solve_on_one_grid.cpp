@@ -47,8 +47,9 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
   const double factored_before = preconditioner.factor_seconds();
   PseudoTransientResult march;
   march.residual = op.stationarity_residual(start);
-  LinearCvodeIntegrator cvode(with_deadline_check(deadline, linear_ode_system(op, preconditioner)),
-                              start,
+  LinearOdeSystem system =
+      linear_ode_system([&op](double, const Eigen::VectorXd& p) { return op * p; }, preconditioner);
+  LinearCvodeIntegrator cvode(with_deadline_check(deadline, std::move(system)), start,
                               {.max_order = 1,
                                .relative_tolerance = kRelativeTolerance,
                                .absolute_tolerance = absolute_tolerance,

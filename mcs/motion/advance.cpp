@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/statistics.hpp"
 #include "problem/noise_factor.hpp"
+#include "problem/time_dependence.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -31,10 +33,20 @@ void advance(const MotionParameters& motion, std::span<Stream* const> streams, d
   }
 }
 
-double time_to_next_kick(const MotionParameters& motion, double y, double v) {
+double noise_intensity_factor(const MotionParameters& motion, const Branch& branch) {
+  if (motion.time_dependence == nullptr) return 1;
+  return motion.time_dependence->intensity_factor(motion.end_time - branch.remaining);
+}
+
+bool does_impulse_arrive(const MotionParameters& motion, Stream& stream) {
+  if (motion.time_dependence == nullptr || !motion.time_dependence->has_rate()) return true;
+  const double uniform = numerics::normal_probability(stream.noise.next_normal());
+  return uniform < motion.time_dependence->rate_factor(motion.end_time - stream.branch.remaining);
+}
+
+double time_to_next_kick(const MotionParameters& motion, double diffusion, double y, double v) {
   const double longest_interval = motion.kicks.longest_interval;
   if (!motion.kicks.has_lossy_wall) return longest_interval;
-  double diffusion = motion.kicks.diffusion;
   if (motion.kicks.factor != nullptr) diffusion *= motion.kicks.factor->squared(y, v);
   constexpr double kPart = 0.1;
   const double in_velocity = kPart * v * v / diffusion;

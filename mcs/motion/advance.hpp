@@ -24,7 +24,16 @@ struct MotionParameters {
   /// Plan of the deposition of samples, null if samples are not deposited. Samples can be deposited
   /// only with Oscillator::Kind::duffing_at_wall.
   const DepositPlan* deposit = nullptr;
+  /// Changes of the excitation in time; null for a constant excitation
+  const problem::TimeDependence* time_dependence = nullptr;
+  double end_time = 0;  ///< time at the end of advance(), used with `time_dependence`
 };
+
+/// Returns the factor of the noise intensity at the present time of a branch.
+double noise_intensity_factor(const MotionParameters& motion, const Branch& branch);
+/// Draws whether an impulse of the largest rate arrives at the present time of a stream, with the
+/// probability a(t) (thinning of a Poisson process).
+bool does_impulse_arrive(const MotionParameters& motion, Stream& stream);
 
 /// Advances streams by the duration `time`, event by event, paper (1)-(2). Flights end exactly at
 /// impacts, at impulses, at noise kicks and at the end of the duration. If the contact force
@@ -39,11 +48,12 @@ struct MotionParameters {
 void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
              const simd::SimdVariant& lanes);
 
-/// Returns the time from a noise kick at (y, v) to the next noise kick. Next to a wall with impact
+/// Returns the time from a noise kick at (y, v), with the given diffusion coefficient without the
+/// factor of multiplicative noise, to the next noise kick. Next to a wall with impact
 /// losses the time is a fraction of v^2/D or (distance^2/D)^(1/3), the times in which noise alone
 /// changes the motion. With a constant interval the strength of the kicks would prevent the
 /// oscillator from coming close to rest.
-double time_to_next_kick(const MotionParameters& motion, double y, double v);
+double time_to_next_kick(const MotionParameters& motion, double diffusion, double y, double v);
 
 // The three functions advance_streams() advance `width` streams, each by its remaining time. One
 // source is compiled for three instruction sets.

@@ -485,7 +485,8 @@ struct LaneState {
     Mask now = impulse_now;
     if constexpr (Motion::kHasKicks) now = now | (active & (time_to_kick <= 0.0));
     if (!simd::any_lane_set(now)) return;
-    Array<double> ys, vs, times_to_impulse, kicks;
+    Array<double> ys, vs, times_to_impulse, kicks, remaining_times;
+    simd::store(remaining, remaining_times.at);
     simd::store(y, ys.at);
     simd::store(v, vs.at);
     simd::store(time_to_impulse, times_to_impulse.at);
@@ -498,6 +499,7 @@ struct LaneState {
       Branch& b = stream.branch;
       b.y = ys.at[i];
       b.v = vs.at[i];
+      b.remaining = remaining_times.at[i];
       if (times_to_impulse.at[i] <= 0) {
         apply_impulse(motion, stream);
         times_to_impulse.at[i] = b.time_to_impulse;
@@ -535,7 +537,8 @@ struct LaneState {
                                      [[maybe_unused]] const Mask& active) {
     if constexpr (Motion::kHasFormula) {
       const Mask moving = active & (time_to_rest < 0.0);
-      return Flight(of_flights, {y, v}, motion.step, until_event, moving, integrator);
+      return Flight(of_flights, {y, v}, motion.end_time - remaining, motion.step, until_event,
+                    moving, integrator);
     } else {
       return Flight(of_flights, {y, v});
     }

@@ -49,6 +49,15 @@ FPKCHECK_INLINE Real formula_force(const Oscillator& oscillator, const PhaseStat
   return simd::select_or_zero(wanted, simd::load<Real>(force.at));
 }
 
+/// Returns the force F(t) at the times of the lanes.
+template <class Real>
+FPKCHECK_INLINE Real external_force(const Oscillator& oscillator, const Real& t) {
+  typename PackedStates<Real>::Numbers times, force;
+  simd::store(t, times.at);
+  evaluate_external_forces(oscillator, simd::kWidth<Real>, times.at, force.at);
+  return simd::load<Real>(force.at);
+}
+
 /// End of the previous flight and the next trial step, one trajectory per lane.
 template <class Real>
 struct IntegratorState {
@@ -70,15 +79,16 @@ class FormulaFlight : public FreeFlight<Real, 6> {
 
  public:
   /// @param oscillator must outlive the flight
+  /// @param time time of the start, used with Oscillator::external_force
   /// @param phase longest step in radians of the mean frequency; the tolerance is proportional to
   /// phase^5, so that all steps are proportional to `phase`
   /// @param until_event limit of the step
   /// @param moving lanes to integrate; the mass stays at its initial state in other lanes
   template <class Mask>
   FPKCHECK_INLINE FormulaFlight(const Oscillator& oscillator, const PhaseState<Real>& start,
-                                double phase, const Real& until_event, const Mask& moving,
-                                IntegratorState<Real>& integrator)
-      : Base(oscillator, start), end_(start) {
+                                const Real& time, double phase, const Real& until_event,
+                                const Mask& moving, IntegratorState<Real>& integrator)
+      : Base(oscillator, start), start_time_(time), end_(start) {
     for (int n = 2; n <= Base::kOrder; ++n) a_[n] = Real{};
     const double relative = phase / kReferencePhase;
     const double tolerance = (oscillator.has_kinks ? kToleranceAtKinks : kTolerance) *
@@ -90,7 +100,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     const Mask unknown = moving & (is_known == none);
     Real first = integrator.acceleration;
     if (simd::any_lane_set(unknown))
-      first = simd::select(unknown, acceleration(start, unknown), first);
+      first = simd::select(unknown, acceleration(start, Real{}, unknown), first);
     const Real trial = simd::lanewise_min(integrator.step, simd::broadcast<Real>(longest));
     step_ = simd::lanewise_min(trial, until_event);
     const Real error = take_step(first, moving) * (1.0 / tolerance);
@@ -159,8 +169,11 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   }
 
   template <class Mask>
-  FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& at, const Mask& wanted) const {
-    return -(formula_force(oscillator_, at, wanted) + oscillator_.force[0]);
+  FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& at, const Real& after_start,
+                                    const Mask& wanted) const {
+    const Real restoring = -(formula_force(oscillator_, at, wanted) + oscillator_.force[0]);
+    if (oscillator_.external_force == nullptr) return restoring;
+    return restoring + external_force(oscillator_, start_time_ + after_start);
   }
 
   /// Takes one step in the lanes of `moving`, from the acceleration at the start.
@@ -181,7 +194,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
         moved = moved + kStage[stage][j] * u[j];
       }
       end = {y + h * (kNode[stage] * v + h * moved), v + h * u[stage]};
-      k[stage] = acceleration(end, moving);
+      k[stage] = acceleration(end, kNode[stage] * h, moving);
     }
     Real y_error{}, v_error{};
     for (int j = 0; j < kStages; ++j) {
@@ -211,7 +224,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     return h * (size(v_error) + local * size(h * y_error)) / extent;
   }
 
-  Real step_;
+  Real start_time_, step_;
   PhaseState<Real> end_;
   Real end_acceleration_{};
 };

@@ -71,8 +71,9 @@ void apply_multiplicative_kicks(const MotionParameters& motion, Stream* const* s
       next[kMostPoints]{}, variance[kMostPoints]{};
   for (int i = 0; i < count; ++i) {
     const Branch& b = streams[i]->branch;
-    next[i] = time_to_next_kick(motion, b.y, b.v);
-    variance[i] = 2 * kicks.diffusion * (b.kick_interval + next[i]) / 2;
+    const double diffusion = kicks.diffusion * noise_intensity_factor(motion, b);
+    next[i] = time_to_next_kick(motion, diffusion, b.y, b.v);
+    variance[i] = 2 * diffusion * (b.kick_interval + next[i]) / 2;
     s[i] = std::sqrt(variance[i]) * streams[i]->noise.next_normal();
     y[i] = b.y;
     v[i] = b.v;

@@ -81,6 +81,11 @@ void set_polynomials(const problem::System& system, bool damping_in_kicks, Oscil
   o.rayleigh = system.rayleigh_coefficient();
 }
 
+// Returns whether the flights are FormulaFlights, which contain all of the damping.
+bool has_formula_flights(const problem::Problem& problem) {
+  return !problem.system.has_polynomial_force() || problem.noise_factor || problem.time.has_force();
+}
+
 Oscillator::Kind kind_of(const problem::Problem& problem, const Oscillator& o) {
   using Kind = Oscillator::Kind;
   if (o.system != nullptr) return Kind::formula;
@@ -106,24 +111,26 @@ bool is_duffing_at_wall(const problem::Problem& problem) {
                           k >= 0 && mu >= 0 && k + mu > 0;
   return is_duffing && system.has_constant_damping() && system.damping() > 0 &&
          system.left_wall() && system.left_wall()->position == 0 && !system.right_wall() &&
-         !problem.noise.is_present();
+         !problem.noise.is_present() && !problem.time.has_force();
 }
 
 Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
                            double mean_force, bool has_noise_kicks) {
   const problem::System& system = problem.system;
   Oscillator o;
-  if (system.has_polynomial_force() && !problem.noise_factor) {
-    set_polynomials(system, has_noise_kicks && system.has_constant_damping(), o);
-  } else {
+  if (problem.time.has_force()) o.external_force = &problem.time;
+  if (has_formula_flights(problem)) {
     set_formulas(problem, o);
+  } else {
+    set_polynomials(system, has_noise_kicks && system.has_constant_damping(), o);
   }
   if (problem.impulse_factor) o.impulse_factor = &*problem.impulse_factor;
   o.force[0] -= mean_force;
   o.kind = kind_of(problem, o);
   o.length = scales.displacement_deviation;
+  o.velocity = scales.velocity_deviation;
   o.frequency = scales.frequency;
-  const double rate = scales.frequency + largest_damping(system, scales);
+  o.fastest_rate = scales.frequency + largest_damping(system, scales);
   const auto make_wall = [&](const problem::Wall& wall, double inwards) {
     Wall w{.exists = true, .position = wall.position, .restitution = wall.restitution};
     if (!wall.has_constant_restitution()) w.formula = &wall;
@@ -132,11 +139,7 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
       constexpr double kAtRest = 0;
       evaluate_forces(o, 1, &wall.position, &kAtRest, &force);
     }
-    w.contact_force = inwards * (force - mean_force);
-    if (w.contact_force > 0) {
-      w.rest_speed =
-          kRestSpeedFraction * std::min(scales.velocity_deviation, w.contact_force / rate);
-    }
+    set_contact_force(o, inwards * (force - mean_force), w);
     return w;
   };
   if (system.left_wall()) o.left = make_wall(*system.left_wall(), 1);
@@ -144,12 +147,26 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
   return o;
 }
 
+void set_contact_force(const Oscillator& oscillator, double force, Wall& wall) {
+  wall.contact_force = force;
+  wall.rest_speed =
+      kRestSpeedFraction *
+      std::max(0.0, std::min(oscillator.velocity, wall.contact_force / oscillator.fastest_rate));
+}
+
+void evaluate_external_forces(const Oscillator& oscillator, int count, const double* t,
+                              double* force) {
+  for (int k = 0; k < count; ++k) force[k] = oscillator.external_force->force(t[k]);
+}
+
 NoiseKicks make_noise_kicks(const problem::Problem& problem, const problem::MotionScales& scales,
                             double diffusion, double step) {
   if (diffusion == 0) return {};
   const problem::System& system = problem.system;
   NoiseKicks kicks{.diffusion = diffusion};
-  if (system.has_constant_damping() && !problem.noise_factor) kicks.damping = system.damping();
+  if (system.has_constant_damping() && !has_formula_flights(problem)) {
+    kicks.damping = system.damping();
+  }
   double rate = scales.frequency + 2 * largest_damping(system, scales);
   if (problem.noise_factor) {
     kicks.factor = &*problem.noise_factor;

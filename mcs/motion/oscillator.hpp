@@ -7,6 +7,7 @@ struct Problem;
 class System;
 class NoiseFactor;
 class StateFunction;
+class TimeDependence;
 struct MotionScales;
 struct Wall;
 }  // namespace fpkcheck::problem
@@ -67,7 +68,10 @@ struct Oscillator {
   Wall left{}, right{};
 
   bool is_duffing_at_wall() const { return kind == Kind::duffing_at_wall; }
-  double length = 1;  ///< length scale of the motion, for relative errors of the flights
+  double length = 1;    ///< length scale of the motion, for relative errors of the flights
+  double velocity = 1;  ///< velocity scale of the motion
+  /// Sum of the frequency and the damping rate of the motion, which bounds the rates of change
+  double fastest_rate = 1;
   /// Frequency scale of the motion; the frequency that limits the time step of a flight is at least
   /// 1/100 of the frequency scale
   double frequency = 1;
@@ -82,6 +86,9 @@ struct Oscillator {
   bool is_ito = false;     ///< whether the force of `system` as written is that of Ito's sense
   bool has_jumps = false;  ///< Expression::has_jumps()
   bool has_kinks = false;  ///< Expression::has_kinks()
+  /// External force F(t), which must outlive the oscillator; null without a force. The kind is then
+  /// `formula`.
+  const problem::TimeDependence* external_force = nullptr;
   /// Factor b(y) of parametric impulses, which must outlive the oscillator; null for b = 1
   const problem::StateFunction* impulse_factor = nullptr;
 };
@@ -133,6 +140,13 @@ bool is_duffing_at_wall(const problem::Problem& problem);
 /// @param has_noise_kicks whether the motion has NoiseKicks
 Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
                            double mean_force = 0, bool has_noise_kicks = false);
+
+/// Sets the force that presses the mass at rest on a wall, and Wall::rest_speed.
+void set_contact_force(const Oscillator& oscillator, double force, Wall& wall);
+
+/// Computes F at `count` times. @pre oscillator.external_force is not null
+void evaluate_external_forces(const Oscillator& oscillator, int count, const double* t,
+                              double* force);
 
 /// Returns the parameters of the kicks that represent Gaussian noise.
 /// @param problem must outlive the kicks of multiplicative noise

@@ -28,6 +28,7 @@ inline void count_turning_point(const MotionParameters& motion, Stream& stream, 
 inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   const double before = b.v;
+  if (!does_impulse_arrive(motion, stream)) b.amplitude = 0;
   const double factor = impulse_factor(motion.oscillator, b.y);
   b.v += factor * b.amplitude;
   b.time_to_rest = -1;
@@ -55,7 +56,8 @@ inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
 inline void apply_kick(const MotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   const NoiseKicks& kicks = motion.kicks;
-  const double next = time_to_next_kick(motion, b.y, b.v);
+  const double diffusion = kicks.diffusion * noise_intensity_factor(motion, b);
+  const double next = time_to_next_kick(motion, diffusion, b.y, b.v);
   const double time = (b.kick_interval + next) / 2;
   const double x = kicks.damping * time;
   const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
@@ -63,7 +65,7 @@ inline void apply_kick(const MotionParameters& motion, Stream& stream) {
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
   const double kick =
-      simd::square_root(2 * kicks.diffusion * time * mean_decay) * stream.noise.next_normal();
+      simd::square_root(2 * diffusion * time * mean_decay) * stream.noise.next_normal();
   const double before = b.v;
   const double damped = decay * b.v;
   b.v = damped + kick;
@@ -71,8 +73,7 @@ inline void apply_kick(const MotionParameters& motion, Stream& stream) {
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
     // The recorded work of a kick has the expectation 0 for any motion.
-    stream.record.work +=
-        damped * kick + (kick * kick - 2 * kicks.diffusion * time * mean_decay) / 2;
+    stream.record.work += damped * kick + (kick * kick - 2 * diffusion * time * mean_decay) / 2;
   }
   b.time_to_kick = next;
   b.kick_interval = next;

@@ -1,6 +1,7 @@
 #include "mcs/simulation/simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -9,6 +10,7 @@
 
 #include "base/process/parallel_for.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
+#include "numerics/roots/bracketed_root.hpp"
 #include "numerics/statistics.hpp"
 #include "problem/problem.hpp"
 
@@ -109,6 +111,47 @@ void Simulation::restart(std::size_t stream, double y, double v) {
 }
 
 void Simulation::advance_without_records(double time) { advance_streams(false, time); }
+
+// Sets the forces that press the mass at rest on the walls at the time t, and ends the rest of all
+// masses: a mass that is still pressed on its wall comes to rest again at once.
+void Simulation::set_contact_forces(double t) {
+  const double force = plan_->time.force(t);
+  const Oscillator& constant = plan_->oscillator;
+  set_contact_force(constant, constant.left.contact_force - force, motion_.oscillator.left);
+  set_contact_force(constant, constant.right.contact_force + force, motion_.oscillator.right);
+  for (Stream& stream : streams_) stream.branch.time_to_rest = -1;
+}
+
+void Simulation::advance_in_time(double from, double to) {
+  motion_.time_dependence = plan_->time.is_present() ? &plan_->time : nullptr;
+  const auto advance_to = [&](double end) {
+    motion_.end_time = end;
+    advance_streams(false, end - from);
+    from = end;
+  };
+  const Oscillator& constant = plan_->oscillator;
+  if (!plan_->time.has_force() || !(constant.left.exists || constant.right.exists)) {
+    return advance_to(to);
+  }
+  // A contact force is constant on intervals of 1/10 radian, and has no zero inside: it only
+  // determines the end of the bounces below Wall::rest_speed.
+  constexpr double kInterval = 0.1, kShortest = 1e-6;
+  const auto contact_forces = [&](double t) {
+    const double force = plan_->time.force(t);
+    return std::array{constant.left.contact_force - force, constant.right.contact_force + force};
+  };
+  while (from < to) {
+    const double shortest = from + kShortest / constant.frequency;
+    double end = from + kInterval / constant.frequency;
+    for (std::size_t wall = 0; wall < 2; ++wall) {
+      const auto force = [&](double t) { return contact_forces(t)[wall]; };
+      if (force(from) * force(end) < 0) end = numerics::bracketed_root(force, from, end);
+    }
+    end = std::min(to, std::max(end, shortest));
+    set_contact_forces((from + end) / 2);
+    advance_to(end);
+  }
+}
 
 void Simulation::burn_in() { advance_streams(false, plan_->burn_in); }
 

@@ -37,6 +37,9 @@ class Simulation {
   void run_round();
   /// Advances all streams by `time` without statistics and series.
   void advance_without_records(double time);
+  /// Advances all streams from one time to another without statistics and series, under the
+  /// excitation of these times.
+  void advance_in_time(double from, double to);
   /// Puts a stream at (y, v). The next sample is half a sampling interval later, and the next
   /// impulse comes after a new waiting time.
   void restart(std::size_t stream, double y, double v);
@@ -67,6 +70,7 @@ class Simulation {
 
  private:
   void advance_streams(bool recorded, double time);
+  void set_contact_forces(double t);
   bool is_stream_in_subset(int part, std::size_t stream) const;
   void save_stream(std::ostream& out, const Stream& stream) const;
   void load_stream(std::istream& in, Stream& stream) const;

@@ -291,7 +291,8 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
       .excitation = excitation,
       .y_bins = bins(options.y_edges, scales.y_low, scales.y_high),
       .v_bins = bins(options.v_edges, -scales.v_high, scales.v_high),
-      .deposit = deposit};
+      .deposit = deposit,
+      .time = problem.time};
 }
 
 std::string short_burn_in_reason(const SimulationPlan& plan, const Options& options) {

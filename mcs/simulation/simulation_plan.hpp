@@ -47,6 +47,7 @@ struct SimulationPlan {
   BinFinder y_bins;
   BinFinder v_bins;
   std::optional<DepositPlan> deposit{};
+  problem::TimeDependence time{};  ///< changes of the excitation in time
 
   double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }
 

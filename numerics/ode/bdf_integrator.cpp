@@ -23,20 +23,20 @@ constexpr int kRecoverable = 1;  // positive flag of a callback: CVODE reduces t
 
 BdfCallbackData& bdf_callbacks(void* data) { return *static_cast<BdfCallbackData*>(data); }
 
-int evaluate_rate(sunrealtype, N_Vector x, N_Vector rate, void* data) {
+int evaluate_rate(sunrealtype t, N_Vector x, N_Vector rate, void* data) {
   BdfCallbackData& callbacks = bdf_callbacks(data);
   return callbacks.thrown.invoke([&] {
-    return callbacks.system.rate(vector_view(x), vector_view(rate)) ? kSuccess : kRecoverable;
+    return callbacks.system.rate(t, vector_view(x), vector_view(rate)) ? kSuccess : kRecoverable;
   });
 }
 
-int evaluate_jacobian(sunrealtype, N_Vector x, N_Vector, SUNMatrix jacobian, void* data, N_Vector,
+int evaluate_jacobian(sunrealtype t, N_Vector x, N_Vector, SUNMatrix jacobian, void* data, N_Vector,
                       N_Vector, N_Vector) {
   BdfCallbackData& callbacks = bdf_callbacks(data);
   return callbacks.thrown.invoke([&] {
     Eigen::Map<Eigen::MatrixXd> matrix(SUNDenseMatrix_Data(jacobian), SUNDenseMatrix_Rows(jacobian),
                                        SUNDenseMatrix_Columns(jacobian));
-    return callbacks.system.jacobian(vector_view(x), matrix) ? kSuccess : kRecoverable;
+    return callbacks.system.jacobian(t, vector_view(x), matrix) ? kSuccess : kRecoverable;
   });
 }
 
@@ -81,6 +81,9 @@ BdfIntegrator::BdfIntegrator(OdeSystem system, const Eigen::VectorXd& start,
                   "CVodeSetLinearSolver");
   require_success(CVodeSetJacFn(cvode, evaluate_jacobian), "CVodeSetJacFn");
   require_success(CVodeSetMaxNumSteps(cvode, kMostSteps), "CVodeSetMaxNumSteps");
+  if (const auto& step = tolerances.longest_step) {
+    require_success(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
+  }
 }
 
 BdfIntegrator::~BdfIntegrator() = default;

@@ -3,21 +3,24 @@
 #include <Eigen/Core>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace fpkcheck::numerics {
 
-/// System of ordinary differential equations dx/dt = f(x) with its Jacobian df/dx. Both functions
+/// System of ordinary differential equations dx/dt = f(t, x) with its Jacobian df/dx. Both functions
 /// return false at a state x outside of the domain of f. CVODE then repeats the step with a smaller
 /// step size.
 struct OdeSystem {
-  std::function<bool(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> rate)> rate;
-  std::function<bool(const Eigen::VectorXd& x, Eigen::Ref<Eigen::MatrixXd> jacobian)> jacobian;
+  std::function<bool(double t, const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> rate)> rate;
+  std::function<bool(double t, const Eigen::VectorXd& x, Eigen::Ref<Eigen::MatrixXd> jacobian)>
+      jacobian;
 };
 
 struct BdfTolerances {
   double relative;
   double absolute;  ///< of all components
+  std::optional<double> longest_step = {};
 };
 
 /// Integrator of a stiff system by CVODE with BDF of variable order 1 .. 5. LU factors of the dense

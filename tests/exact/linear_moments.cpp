@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <array>
+#include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
@@ -17,14 +19,18 @@ void require(bool holds, const char* key, double value, const char* requirement)
                                key, value, requirement));
 }
 
+void require_linear(const problem::System& system) {
+  require(system.has_linear_force(), "system.cubic", system.restoring_force().coefficient(3), "0");
+  require(system.has_constant_damping(), "system.damping", system.damping(), "f = c y'");
+}
+
 }  // namespace
 
 LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCovariance& start,
                                 double time) {
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
-  require(system.has_linear_force(), "system.cubic", system.restoring_force().coefficient(3), "0");
-  require(system.has_constant_damping(), "system.damping", system.damping(), "f = c y'");
+  require_linear(system);
   require(!system.left_wall() || system.left_wall()->position == 0, "wall.left",
           system.left_wall() ? system.left_wall()->position : 0, "a wall at 0");
   require(!system.right_wall(), "wall.right",
@@ -50,6 +56,31 @@ LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCo
       stationary +
       propagator * (covariance + mean * mean.transpose() - stationary) * propagator.transpose();
   return {first(0), first(1), second(0, 0), second(0, 1), second(1, 1)};
+}
+
+LinearMoments linear_moments_in_time(const problem::Problem& problem,
+                                     const MeanAndCovariance& start, double time) {
+  const auto& system = problem.system;
+  require_linear(system);
+  const double c = system.damping(), k = system.stiffness();
+  using State = std::array<double, 5>;
+  State m{start.z, start.v, start.var_z + start.z * start.z, start.cov_zv + start.z * start.v,
+          start.var_v + start.v * start.v};
+  const auto rates = [&](const State& x, State& rate, double t) {
+    const auto& [z, v, zz, zv, vv] = x;
+    const double a = problem.time.rate_factor(t);
+    const double force = problem.impulses.rate_times_moment(1) * a + problem.time.force(t);
+    const double intensity = problem.impulses.rate_times_moment(2) * a +
+                             problem.noise.intensity * problem.time.intensity_factor(t);
+    rate = {v, -k * z - c * v + force, 2 * zv, vv - k * zz - c * zv + force * z,
+            -2 * k * zv - 2 * c * vv + 2 * force * v + intensity};
+  };
+  namespace odeint = boost::numeric::odeint;
+  constexpr double kTolerance = 1e-10, kFirstStep = 1e-3;
+  odeint::integrate_adaptive(
+      odeint::make_controlled<odeint::runge_kutta_dopri5<State>>(kTolerance, kTolerance), rates, m,
+      0.0, time, kFirstStep);
+  return {m[0], m[1], m[2], m[3], m[4]};
 }
 
 }  // namespace fpkcheck::exact

@@ -61,6 +61,28 @@ TEST(LinearMoments, ConvergeToTheStationaryMoments) {
   EXPECT_NEAR(m.vv, 0.1 / (2 * 0.3), 1e-14);
 }
 
+TEST(LinearMoments, InTimeAreThoseOfTheConstantExcitation) {
+  const Problem p = linear(0.3);
+  const auto closed = linear_moments_at(p, kStart, 2),
+             integrated = linear_moments_in_time(p, kStart, 2);
+  for (double LinearMoments::*moment : {&LinearMoments::z, &LinearMoments::v, &LinearMoments::zz,
+                                        &LinearMoments::zv, &LinearMoments::vv}) {
+    EXPECT_NEAR(integrated.*moment, closed.*moment, 1e-8);
+  }
+}
+
+// The response to F = F_0 cos(w t) after the decay of the initial state.
+TEST(LinearMoments, InTimeHaveTheResponseToAHarmonicForce) {
+  Problem p = linear(0.3);
+  p.time = TimeDependence({.force = "0.4*cos(1.1*t)"}, {});
+  const double t = 200, w = 1.1, k = 1.7, c = 0.3;
+  const auto m = linear_moments_in_time(p, kStart, t);
+  const double real = k - w * w, imaginary = c * w, square = real * real + imaginary * imaginary;
+  EXPECT_NEAR(m.z, 0.4 * (real * std::cos(w * t) + imaginary * std::sin(w * t)) / square, 1e-7);
+  EXPECT_NEAR(m.zz - m.z * m.z, 0.1 / (2 * c * k), 1e-7);
+  EXPECT_NEAR(m.vv - m.v * m.v, 0.1 / (2 * c), 1e-7);
+}
+
 TEST(LinearMoments, RefuseOtherProblems) {
   EXPECT_THROW(linear_moments_at(tests::make_problem(), kStart, 1), InputError);
   EXPECT_THROW(linear_moments_at(linear(0.3, 0.1), kStart, 1), InputError);

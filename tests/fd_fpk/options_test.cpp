@@ -145,7 +145,8 @@ TEST(TransientOptions, RoundTripThroughTheirValues) {
                                           .start_mean_displacement = -0.2,
                                           .start_mean_velocity = 0.1,
                                           .relative_tolerance = 1e-4,
-                                          .max_order = 3});
+                                          .max_order = 3,
+                                          .periodic = true});
   EXPECT_EQ(description.values(description.read(values, "options")), values);
   for (std::size_t k = 0; k < values.size(); ++k)
     EXPECT_NE(values[k], defaults[k]) << values[k].name;
@@ -156,8 +157,8 @@ TEST(TransientOptions, HaveTheFlagsOfTheCommandLine) {
   for (const auto& parameter : transient_option_descriptions().parameters())
     flags.push_back(parameter.flag);
   EXPECT_EQ(flags,
-            (std::vector<std::string>{"until", "snapshots", "start-y", "start-v", "start-mean-y",
-                                      "start-mean-v", "time-tolerance", ""}));
+            (std::vector<std::string>{"until", "snapshots", "periodic", "start-y", "start-v",
+                                      "start-mean-y", "start-mean-v", "time-tolerance", ""}));
 }
 
 TEST(TransientOptions, InvalidValuesAreRefused) {

@@ -76,6 +76,67 @@ TEST(TransientGeneralOscillator, HasTheExactMeansAndCovariancesOfTheLinearOscill
   }
 }
 
+// Impulses with a mean, noise and a force that all change in time: a wrong sign of F, a factor of the
+// wrong term, or a factor at the wrong time changes the means or the covariances.
+TEST(TransientGeneralOscillator, HasTheExactMomentsUnderAnExcitationThatChangesInTime) {
+  Problem p =
+      tests::with_impulses(System(kLinear, {.none = true}), tests::gaussian_impulses(1, 0.1, 0.1));
+  p.noise.intensity = 0.1;
+  p.time = problem::TimeDependence(
+      {.rate = "1 + 0.8*sin(2*t)", .intensity = "exp(-t)", .force = "0.5*cos(1.3*t) + 0.2*t"}, {});
+  const TransientOptions moving{.until = 1,
+                                .snapshots = 2,
+                                .start_displacement = 0.8,
+                                .start_velocity = 0.8,
+                                .start_mean_displacement = 0.2,
+                                .start_mean_velocity = -0.3,
+                                .relative_tolerance = 1e-7};
+  const auto result = solve_transient(p, {.refinement = 0.6}, moving);
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  ASSERT_EQ(result.snapshots.size(), 3u);
+  const exact::MeanAndCovariance start{.z = 0.2, .v = -0.3, .var_z = 0.64, .var_v = 0.64};
+  constexpr double kBar = 1e-4;
+  for (const DensitySnapshot& s : result.snapshots) {
+    SCOPED_TRACE(s.time);
+    const auto exact = exact::linear_moments_in_time(p, start, s.time);
+    EXPECT_NEAR(s.moments.y1, exact.z, kBar);
+    EXPECT_NEAR(s.moments.v1, exact.v, kBar);
+    EXPECT_NEAR(s.moments.y2, exact.zz, kBar);
+    EXPECT_NEAR(s.yv, exact.zv, kBar);
+    EXPECT_NEAR(s.moments.v2, exact.vv, kBar);
+    EXPECT_NEAR(s.mass, 1, 1e-6);
+    EXPECT_LT(std::abs(s.power_residual), 1e-3);
+  }
+}
+
+// The exact moments long after any start are those of the periodic state.
+TEST(TransientGeneralOscillator, FindsThePeriodicState) {
+  Problem p = tests::with_noise(System({.damping = 1, .stiffness = 4}, {.none = true}), 1);
+  p.time = problem::TimeDependence({.intensity = "1 + 0.9*sin(4*t)", .force = "0.8*cos(2*t)"}, {});
+  const double period = M_PI;
+  const auto result = solve_transient(
+      p, {.nx = 44, .nv = 44, .max_seconds = 60},
+      {.until = period, .snapshots = 4, .relative_tolerance = 2e-5, .periodic = true});
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  EXPECT_GT(result.periods, 1);
+  EXPECT_LT(result.change_over_period, 1e-4);
+  for (const DensitySnapshot& s : result.snapshots) {
+    SCOPED_TRACE(s.time);
+    const auto exact = exact::linear_moments_in_time(p, {}, 20 * period + s.time);
+    constexpr double kBar = 2e-3;
+    EXPECT_NEAR(s.moments.y1, exact.z, kBar);
+    EXPECT_NEAR(s.moments.v1, exact.v, kBar);
+    EXPECT_NEAR(s.moments.y2, exact.zz, kBar);
+    EXPECT_NEAR(s.moments.v2, exact.vv, kBar);
+  }
+}
+
+TEST(TransientGeneralOscillator, RefusesAPeriodThatTheExcitationDoesNotHave) {
+  Problem p = without_wall();
+  p.time = problem::TimeDependence({.force = "0.3*cos(t)"}, {});
+  EXPECT_THROW(solve_transient(p, {}, {.until = 6, .snapshots = 4, .periodic = true}), InputError);
+}
+
 TEST(TransientGeneralOscillator, KeepsMassAndTheBalanceOfPowerBetweenTwoLossyWalls) {
   for (const double mean : {0.0, 0.1}) {
     SCOPED_TRACE(mean);

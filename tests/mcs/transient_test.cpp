@@ -6,6 +6,7 @@
 
 #include "base/input_error.hpp"
 #include "exact/linear_moments.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::mcs {
@@ -50,6 +51,91 @@ TEST(SimulationOverTime, HasTheExactMomentsOfTheLinearOscillator) {
   EXPECT_NEAR(start.ydot.density[2], probability, 4 * std::sqrt(0.25 / 50e3));
   EXPECT_LT(start.ydot.lower[2], start.ydot.density[2]);
   EXPECT_GT(start.ydot.upper[2], start.ydot.density[2]);
+}
+
+// Without a wall the moments of the linear oscillator are exact for impulses, noise and a force that
+// change in time.
+TEST(SimulationOverTime, HasTheExactMomentsUnderAnExcitationThatChangesInTime) {
+  problem::Problem problem =
+      tests::with_impulses(problem::System({.damping = 0.1, .stiffness = 1}, {.none = true}),
+                           tests::gaussian_impulses(1, 0.2, 0.2));
+  problem.noise.intensity = 0.1;
+  problem.time = problem::TimeDependence(
+      {.rate = "1 + 0.8*sin(2*t)", .intensity = "exp(-t)", .force = "0.5*cos(1.3*t) + 0.2*t"}, {});
+  TransientRequest from_centre = request(4, 4);
+  from_centre.start.mean_displacement = 0;
+  const transform::Transient result =
+      estimate_transient(problem, {.time = 4e5, .seed = 4}, from_centre);
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  for (const auto& s : result.snapshots) {
+    SCOPED_TRACE(s.time);
+    const auto exact = exact::linear_moments_in_time(
+        problem, {.var_z = kStartY * kStartY, .var_v = kStartV * kStartV}, s.time);
+    const auto& error = s.error->moments;
+    EXPECT_NEAR(s.moments.y1, exact.z, 4 * error.y1);
+    EXPECT_NEAR(s.moments.v1, exact.v, 4 * error.v1);
+    EXPECT_NEAR(s.moments.y2, exact.zz, 4 * error.y2);
+    EXPECT_NEAR(s.moments.v2, exact.vv, 4 * error.v2);
+  }
+}
+
+// DuffingFlights with a rate of impulses that changes in time.
+TEST(SimulationOverTime, HasTheExactMomentsAtAWallUnderARateThatChangesInTime) {
+  auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
+  problem.time = problem::TimeDependence({.rate = "4*exp(-t)"}, {});
+  const transform::Transient result =
+      estimate_transient(problem, {.time = 2e5, .seed = 5}, request(4, 2));
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  for (const auto& s : result.snapshots) {
+    SCOPED_TRACE(s.time);
+    const auto exact = exact::linear_moments_in_time(
+        problem, {.var_z = kStartY * kStartY, .var_v = kStartV * kStartV}, s.time);
+    EXPECT_NEAR(s.moments.y2, exact.zz, 4 * s.error->moments.y2);
+    EXPECT_NEAR(s.moments.v2, exact.vv, 4 * s.error->moments.v2);
+  }
+}
+
+TEST(SimulationOverTime, FindsThePeriodicState) {
+  problem::Problem problem =
+      tests::with_impulses(problem::System({.damping = 0.4, .stiffness = 1}, {.none = true}),
+                           tests::gaussian_impulses(1, 0.4));
+  problem.time = problem::TimeDependence({.rate = "1 + 0.9*sin(2*t)", .force = "0.3*cos(t)"}, {});
+  const double period = 2 * M_PI;
+  TransientRequest periodic = request(period, 3);
+  periodic.periodic = true;
+  const transform::Transient result =
+      estimate_transient(problem, {.time = 1e6, .seed = 7}, periodic);
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  for (const auto& s : result.snapshots) {
+    SCOPED_TRACE(s.time);
+    const auto exact = exact::linear_moments_in_time(problem, {}, 20 * period + s.time);
+    EXPECT_NEAR(s.moments.y1, exact.z, 4 * s.error->moments.y1);
+    EXPECT_NEAR(s.moments.y2, exact.zz, 4 * s.error->moments.y2);
+    EXPECT_NEAR(s.moments.v2, exact.vv, 4 * s.error->moments.v2);
+  }
+}
+
+// A force presses the mass on the wall and then lifts it off: bounces end, and the mass leaves the
+// wall when the force changes its sign, at t = 2. The rebound from the drop of all paths is negligible
+// for r = 0.2. Thereafter y = (t - 2)^2 / 2 without stiffness, damping and impulses.
+TEST(SimulationOverTime, LiftsTheMassOffTheWallWhenTheForceChangesItsSign) {
+  problem::Problem problem = tests::with_impulses(
+      problem::System({.damping = 1e-4, .stiffness = 1e-4}, {.left = 0, .left_restitution = 0.2}),
+      tests::gaussian_impulses(1e-4, 1e-8));
+  problem.time = problem::TimeDependence({.force = "20*sign(t - 2) - 19*max(0, sign(t - 2))"}, {});
+  const TransientRequest at_rest{
+      .start = {.displacement_deviation = 1e-3, .velocity_deviation = 1e-3},
+      .until = 4,
+      .snapshots = 4,
+      .y_edges = {0, 1, 3},
+      .v_edges = {-3, 0, 3}};
+  const transform::Transient result =
+      estimate_transient(problem, {.time = 4e3, .seed = 6}, at_rest);
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  EXPECT_LT(result.snapshots[1].moments.y2, 1e-8);
+  EXPECT_NEAR(result.snapshots[3].moments.y1, 0.5, 0.01);
+  EXPECT_NEAR(result.snapshots[4].moments.y1, 2, 0.01);
+  EXPECT_NEAR(result.snapshots[4].moments.v1, 2, 0.01);
 }
 
 TEST(SimulationOverTime, GivesTheSameResultForAnyNumberOfThreads) {

@@ -12,17 +12,18 @@ const Eigen::VectorXd kRates = Eigen::VectorXd::LinSpaced(6, 0.5, 3);
 
 LinearOdeSystem decay() {
   const auto gamma = std::make_shared<double>(0);
-  return {
-      .times = [](const Eigen::VectorXd& p) -> Eigen::VectorXd { return -kRates.cwiseProduct(p); },
-      .factor =
-          [gamma](double given) {
-            *gamma = given;
-            return true;
+  return {.times = [](double, const Eigen::VectorXd& p) -> Eigen::VectorXd {
+            return -kRates.cwiseProduct(p);
           },
-      .solve =
-          [gamma](Eigen::Ref<Eigen::VectorXd> b) {
-            b = b.cwiseQuotient((1 + *gamma * kRates.array()).matrix()).eval();
-          }};
+          .factor =
+              [gamma](double given) {
+                *gamma = given;
+                return true;
+              },
+          .solve =
+              [gamma](Eigen::Ref<Eigen::VectorXd> b) {
+                b = b.cwiseQuotient((1 + *gamma * kRates.array()).matrix()).eval();
+              }};
 }
 
 const Eigen::VectorXd kStart = Eigen::VectorXd::Ones(6);
@@ -86,9 +87,10 @@ TEST(LinearCvodeIntegrator, ExceptionsOfCallbacksPropagate) {
   // As right-hand side, in the first call, and as product in GMRES, some calls later.
   for (int calls = 0; calls < 8; ++calls) {
     system = decay();
-    system.times = [times = decay().times, left = calls](const Eigen::VectorXd& p) mutable {
+    system.times = [times = decay().times, left = calls](double t,
+                                                         const Eigen::VectorXd& p) mutable {
       if (left-- == 0) throw ThrownByTheSystem{3};
-      return times(p);
+      return times(t, p);
     };
     EXPECT_EQ(number_of(system), 3) << calls;
   }

@@ -274,14 +274,17 @@ TEST(AdvanceAnyOscillator, KicksSoonAfterOneNearAWallThatTakesEnergy) {
                           .sampling_interval = 1,
                           .y_bins = nullptr,
                           .v_bins = nullptr};
-  EXPECT_EQ(time_to_next_kick(motion, 0.01, 0), 0.2);  // an elastic wall
+  const auto next = [&](double y, double v) {
+    return time_to_next_kick(motion, motion.kicks.diffusion, y, v);
+  };
+  EXPECT_EQ(next(0.01, 0), 0.2);  // an elastic wall
   motion.oscillator.left.restitution = 0.7;
-  EXPECT_EQ(time_to_next_kick(motion, 0, 0), 1e-6);
-  EXPECT_EQ(time_to_next_kick(motion, 0, 2), 0.2);
-  EXPECT_EQ(time_to_next_kick(motion, 5, 0), 0.2);
+  EXPECT_EQ(next(0, 0), 1e-6);
+  EXPECT_EQ(next(0, 2), 0.2);
+  EXPECT_EQ(next(5, 0), 0.2);
   // Time scales of the motion under noise: v^2/D and (y^2/D)^(1/3).
-  EXPECT_NEAR(time_to_next_kick(motion, 0, 0.2) / time_to_next_kick(motion, 0, 0.1), 4, 1e-12);
-  EXPECT_NEAR(time_to_next_kick(motion, 8e-3, 0) / time_to_next_kick(motion, 1e-3, 0), 4, 1e-12);
+  EXPECT_NEAR(next(0, 0.2) / next(0, 0.1), 4, 1e-12);
+  EXPECT_NEAR(next(8e-3, 0) / next(1e-3, 0), 4, 1e-12);
 }
 
 }  // namespace

@@ -17,12 +17,12 @@ using Eigen::VectorXd;
 OdeSystem stiff_linear_system() {
   const Matrix2d a{{-1, 0}, {999, -1000}};
   return {.rate =
-              [a](const VectorXd& x, Eigen::Ref<VectorXd> rate) {
+              [a](double, const VectorXd& x, Eigen::Ref<VectorXd> rate) {
                 rate = a * x;
                 return true;
               },
           .jacobian =
-              [a](const VectorXd&, Eigen::Ref<MatrixXd> jacobian) {
+              [a](double, const VectorXd&, Eigen::Ref<MatrixXd> jacobian) {
                 jacobian = a;
                 return true;
               }};
@@ -44,34 +44,55 @@ TEST(BdfIntegrator, MeetsTheToleranceOfAStiffSystem) {
   EXPECT_LT(error_at_one(1e-10), 1e-8);
 }
 
-// x' = -2 t from 1 with the time as second component ends at t = 1, where x = 1 - t^2 = 0. States x
-// < 0 are outside of the domain.
+// x' = -2 t from 1 ends at t = 1, where x = 1 - t^2 = 0. States x < 0 are outside of the domain.
 OdeSystem falling_system() {
   return {.rate =
-              [](const VectorXd& x, Eigen::Ref<VectorXd> rate) {
-                rate = Vector2d(-2 * x[1], 1);
+              [](double t, const VectorXd& x, Eigen::Ref<VectorXd> rate) {
+                rate[0] = -2 * t;
                 return x[0] >= 0;
               },
           .jacobian =
-              [](const VectorXd& x, Eigen::Ref<MatrixXd> jacobian) {
-                jacobian = Matrix2d{{0, -2}, {0, 0}};
+              [](double, const VectorXd& x, Eigen::Ref<MatrixXd> jacobian) {
+                jacobian(0, 0) = 0;
                 return x[0] >= 0;
               }};
 }
 
 TEST(BdfIntegrator, StopsWhereTheSolutionLeavesTheDomain) {
-  BdfIntegrator integrator(falling_system(), Vector2d(1, 0), {1e-8, 1e-8});
+  BdfIntegrator integrator(falling_system(), VectorXd::Ones(1), {1e-8, 1e-8});
   ASSERT_TRUE(integrator.advance(0.99)) << integrator.error_message();
   EXPECT_NEAR(integrator.state()[0], 1 - 0.99 * 0.99, 1e-6);
   EXPECT_FALSE(integrator.advance(1.1));
 }
 
+// A pulse of the length 0.1 at t = 50 after a long rest
+double integral_over_pulse(std::optional<double> longest_step) {
+  const OdeSystem pulse{.rate =
+                            [](double t, const VectorXd&, Eigen::Ref<VectorXd> rate) {
+                              rate[0] = t > 50 && t < 50.1 ? 1 : 0;
+                              return true;
+                            },
+                        .jacobian =
+                            [](double, const VectorXd&, Eigen::Ref<MatrixXd> jacobian) {
+                              jacobian(0, 0) = 0;
+                              return true;
+                            }};
+  BdfIntegrator integrator(pulse, VectorXd::Zero(1), {1e-6, 1e-6, longest_step});
+  EXPECT_TRUE(integrator.advance(100)) << integrator.error_message();
+  return integrator.state()[0];
+}
+
+TEST(BdfIntegrator, StepsOverNoPulseLongerThanTheLongestStep) {
+  EXPECT_NEAR(integral_over_pulse(0.05), 0.1, 1e-3);
+  EXPECT_LT(integral_over_pulse({}), 0.05) << "the test needs a pulse that free steps miss";
+}
+
 TEST(BdfIntegrator, RethrowsExceptionsOfTheSystem) {
   OdeSystem system = falling_system();
-  system.rate = [](const VectorXd&, Eigen::Ref<VectorXd>) -> bool {
+  system.rate = [](double, const VectorXd&, Eigen::Ref<VectorXd>) -> bool {
     throw std::domain_error("rate");
   };
-  BdfIntegrator integrator(std::move(system), Vector2d(1, 0), {1e-8, 1e-8});
+  BdfIntegrator integrator(std::move(system), VectorXd::Ones(1), {1e-8, 1e-8});
   EXPECT_THROW(integrator.advance(0.1), std::domain_error);
 }
 

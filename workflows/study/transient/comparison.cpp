@@ -178,8 +178,10 @@ std::vector<double> extended_edges(std::vector<double> edges, double low, double
   return edges;
 }
 
-// Sets bins that cover the stationary density and all states that the initial density reaches.
-void set_bins(const problem::Problem& problem, transform::TransientRequest& request) {
+// Sets bins that cover the stationary density and all states that the initial density reaches,
+// extended by the motion under the force F(t).
+void set_bins(const problem::Problem& given, transform::TransientRequest& request) {
+  const problem::Problem problem = problem::with_largest_excitation(given, request.until);
   const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
@@ -189,9 +191,12 @@ void set_bins(const problem::Problem& problem, transform::TransientRequest& requ
   const auto [low, high] = std::minmax(
       {transformed.frame.physical_y(reached.y_low), transformed.frame.physical_y(reached.y_high)});
   const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
-  request.y_edges = extended_edges(axes.y_edges, left ? axes.y_edges.front() : low,
-                                   right ? axes.y_edges.back() : high);
-  request.v_edges = extended_edges(axes.v_edges, -reached.v_high, reached.v_high);
+  const auto [forced_y, forced_v] = problem::forced_motion_extent(problem, request.until);
+  const auto &y = axes.y_edges, &v = axes.v_edges;
+  request.y_edges = extended_edges(y, left ? y.front() : std::min(low, y.front()) - forced_y,
+                                   right ? y.back() : std::max(high, y.back()) + forced_y);
+  const double v_high = std::max(reached.v_high, v.back()) + forced_v;
+  request.v_edges = extended_edges(v, -v_high, v_high);
 }
 
 }  // namespace
@@ -205,6 +210,8 @@ const base::Description<TransientComparisonOptions>& transient_comparison_option
           .add("snapshots", &T::snapshots, {"N", "number of intervals between stored densities"},
                closed_interval(1, kMostIntervals))
           .with_default(T().snapshots)
+          .add("periodic", &T::periodic,
+               {"", "densities of the periodic state; T is the period of the excitation"})
           .add("start_y", &T::start_y,
                {"S",
                 "standard deviation of y at t = 0 (default: about half of the stationary "
@@ -236,6 +243,7 @@ TransientComparison compare_over_time(const problem::Problem& problem,
                                                 .mean_displacement = options.start_mean_y,
                                                 .mean_velocity = options.start_mean_v},
                                       .until = options.until,
+                                      .periodic = options.periodic,
                                       .snapshots = options.snapshots};
   set_bins(problem, request);
   TransientComparison study{problem, options, {}};
@@ -262,14 +270,32 @@ TransientComparison compare_over_time(const problem::Problem& problem,
   return study;
 }
 
+namespace {
+
+bool is_complete(const TransientComparison& study, const Transient& solution) {
+  return (solution.status == Status::ok || solution.status == Status::inaccurate) &&
+         static_cast<int>(solution.snapshots.size()) == study.options.snapshots + 1;
+}
+
+// Returns the means of the moments over a period, by the trapezoidal rule.
+Moments mean_over_period(const Transient& solution) {
+  Moments mean{};
+  const std::size_t intervals = solution.snapshots.size() - 1;
+  for (std::size_t k = 0; k < intervals; ++k) {
+    for (double Moments::*moment :
+         {&Moments::y1, &Moments::y2, &Moments::y4, &Moments::v1, &Moments::v2, &Moments::v4}) {
+      mean.*moment += solution.snapshots[k].moments.*moment / static_cast<double>(intervals);
+    }
+  }
+  return mean;
+}
+
+}  // namespace
+
 const Transient* reference(const TransientComparison& study) {
-  const auto is_complete = [&](const Transient& solution) {
-    return (solution.status == Status::ok || solution.status == Status::inaccurate) &&
-           static_cast<int>(solution.snapshots.size()) == study.options.snapshots + 1;
-  };
   for (const char* solver : {"fd", "mcs"}) {
     for (const Transient& solution : study.solutions) {
-      if (solution.id.starts_with(solver) && is_complete(solution)) return &solution;
+      if (solution.id.starts_with(solver) && is_complete(study, solution)) return &solution;
     }
   }
   return nullptr;
@@ -304,6 +330,9 @@ std::string json(const TransientComparison& study, const std::string& command) {
                     {solution.has_standard_errors ? "standard_errors" : "error", errors},
                     {"l1", l1},
                     {"l1_error", l1_errors},
+                    {"mean_over_period", study.options.periodic && is_complete(study, solution)
+                                             ? results::moments_to_json(mean_over_period(solution))
+                                             : Json()},
                     {"reference", compared_with ? Json(compared_with->id) : Json()}});
   }
   return functional_json(study.problem, "over_time", list, command);
@@ -428,6 +457,11 @@ std::string solution_text(const TransientComparison& study, const Transient& sol
                   : fmt::format("; not within {:g} at the end", study.options.accuracy);
     }
   }
+  if (study.options.periodic && is_complete(study, solution)) {
+    const Moments mean = mean_over_period(solution);
+    line += fmt::format("; mean over the period: E[y] = {:.5f}, E[y^2] = {:.5f}, E[y'^2] = {:.5f}",
+                        mean.y1, mean.y2, mean.v2);
+  }
   return line + fmt::format("; {} ({:.1f} s)", solution.details, solution.seconds);
 }
 
@@ -436,8 +470,11 @@ std::string solution_text(const TransientComparison& study, const Transient& sol
 std::string table(const TransientComparison& study, const report::TextFormat& format) {
   const Transient* const compared_with = reference(study);
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
-  text +=
-      report::wrap_text("second moments over time, from a Gaussian density at t = 0", format.width);
+  text += report::wrap_text(
+      study.options.periodic ? fmt::format("second moments of the periodic state of period {:.6g}",
+                                           study.options.until)
+                             : "second moments over time, from a Gaussian density at t = 0",
+      format.width);
   text += moment_table(study, format);
   if (compared_with) {
     const std::string distances_text = distance_table(study, *compared_with, format);

@@ -23,6 +23,8 @@ struct TransientComparisonOptions : FunctionalOptions {
 
   double until = 0;
   int snapshots = 20;
+  bool periodic =
+      false;  ///< whether the densities are those of the periodic state of period `until`
   std::optional<double> start_y{}, start_v{};            ///< deviations of the initial density
   std::optional<double> start_mean_y{}, start_mean_v{};  ///< means of the initial density
 };

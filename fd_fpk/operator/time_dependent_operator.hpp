@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/fokker_planck_operator.hpp"
+#include "fd_fpk/options.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// Operator L(t) of the semi-discrete equation dP/dt = L(t) P under an excitation that changes in
+/// time,
+///
+///     L(t) = L_0 + a(t) L_impulses + b(t) L_noise - F(t) d/dv,
+///
+/// with the factors a and b and the force F of problem::TimeDependence. For a constant excitation
+/// L(t) is the operator of fokker_planck_operator().
+class TimeDependentOperator {
+ public:
+  TimeDependentOperator(const problem::Problem& problem, const Options& options,
+                        const Discretisation& on);
+
+  /// Returns L(t) P for cell averages P.
+  Eigen::VectorXd product(double t, const Eigen::VectorXd& averages) const;
+  /// Returns the integral of a density with the given cell averages.
+  double total_mass(const Eigen::VectorXd& averages) const {
+    return constant_.total_mass(averages);
+  }
+
+ private:
+  struct Term {
+    std::function<double(double t)> factor;
+    FokkerPlanckOperator part;
+  };
+
+  FokkerPlanckOperator constant_;
+  std::vector<Term> terms_;
+};
+
+/// Returns the discretisation with the excitation at the time t: drift, diffusion and jumps.
+Discretisation with_excitation_at_time(const problem::Problem& problem, const Options& options,
+                                       const Discretisation& on, double t);
+
+}  // namespace fpkcheck::fd_fpk
