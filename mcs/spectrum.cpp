@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -16,6 +17,7 @@
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
+#include "numerics/interpolation.hpp"
 #include "problem/motion_scales.hpp"
 
 namespace fpkcheck::mcs {
@@ -55,6 +57,25 @@ class Periodogram {
   }
 
   double frequency_step() const { return 2 * kPi / (static_cast<double>(samples_) * interval_); }
+
+  /// Returns the autocovariances at the lags 0, 1 .. samples - 1, in samples, that belong to a
+  /// density at the frequencies of the periodogram, times the autocorrelation of the window.
+  std::vector<double> windowed_covariance(const std::vector<double>& density) {
+    std::vector<std::complex<double>> half(density.begin(), density.end());
+    std::vector<double> covariance;
+    fft_.inv(covariance, half, static_cast<Eigen::Index>(samples_));
+    for (double& r : covariance) r *= kPi / interval_;
+    return covariance;
+  }
+  /// Returns the autocorrelation of the window at a lag in samples.
+  double window_autocorrelation(std::size_t lag) const {
+    double sum = 0, power = 0;
+    for (std::size_t k = 0; k < samples_; ++k) {
+      power += window_[k] * window_[k];
+      if (k + lag < samples_) sum += window_[k] * window_[k + lag];
+    }
+    return sum / power;
+  }
 
   /// Returns the density that a constant 1 adds at the frequency k.
   double density_of_constant(std::size_t k) const {
@@ -127,6 +148,63 @@ double mean_of_series(Simulation& simulation) {
   return sum / samples;
 }
 
+// Sets the autocovariance at the lags up to a quarter of the segments, from the periodograms of the
+// whole segments. The Fourier transform of a periodogram is the autocovariance times the
+// autocorrelation of the window, by which it is divided; cubic polynomials interpolate between the
+// samples. The density of y' is that of y times w^2, without frequencies above the Nyquist frequency;
+// the error contains their share of the variance for the decrease C w^-4 of the density of y.
+// @param constant density of the constant E[y] - centre at the frequency k
+template <class Constant>
+void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogram,
+                        const std::vector<StreamSpectrum>& sums, const Constant& constant,
+                        const StreamWeights& weights, double tail, double nyquist,
+                        transform::Spectrum& spectrum) {
+  constexpr std::size_t kNodes = 4;
+  const bool of_y = spectrum.variable == transform::StateVariable::y;
+  const double step = periodogram.frequency_step();
+  const std::size_t samples = 2 * (sums.front().whole.size() - 1);
+  const double interval = 2 * kPi / (step * static_cast<double>(samples));
+  std::vector<std::vector<double>> covariances;  // of each stream, with the window
+  for (const StreamSpectrum& s : sums) {
+    std::vector<double> density(s.whole.size());
+    for (std::size_t k = 0; k < density.size(); ++k) {
+      const double w = step * static_cast<double>(k);
+      density[k] =
+          (s.whole[k] / static_cast<double>(s.segments) - constant(k)) * (of_y ? 1 : w * w);
+    }
+    covariances.push_back(periodogram.windowed_covariance(density));
+  }
+  // The integral of C w^-2 cos(w t), or of C w^-4 cos(w t), above the Nyquist frequency is at most
+  // its value at t = 0, and at most the first term of an integration by parts, doubled.
+  const double at_nyquist = std::abs(tail) * std::pow(nyquist, of_y ? -4 : -2);
+  const auto beyond_nyquist = [&](double t) {
+    return at_nyquist * std::min(nyquist / (of_y ? 3 : 1), 2 / t);
+  };
+  for (const double lag : lags) {
+    const double at = lag / interval;
+    if (at > static_cast<double>(samples) / 4) break;
+    const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(at) - 1));
+    std::array<double, kNodes> nodes{}, correlations{};
+    for (std::size_t a = 0; a < kNodes; ++a) {
+      nodes[a] = static_cast<double>(first + a);
+      correlations[a] = periodogram.window_autocorrelation(first + a);
+    }
+    const std::vector<double> interpolation = numerics::lagrange_weights(nodes, at);
+    std::vector<double> of_streams;
+    for (const auto& covariance : covariances) {
+      double value = 0;
+      for (std::size_t a = 0; a < kNodes; ++a) {
+        value += interpolation[a] * covariance[first + a] / correlations[a];
+      }
+      of_streams.push_back(value);
+    }
+    const Estimate e = weights.estimate(of_streams);
+    spectrum.lags.push_back(lag);
+    spectrum.autocovariance.push_back(e.mean);
+    spectrum.autocovariance_error.push_back(std::hypot(e.standard_error, beyond_nyquist(lag)));
+  }
+}
+
 std::size_t segment_length(double decay_rate, double interval) {
   std::size_t length = kShortest;
   while (length < kLongest && static_cast<double>(length) * interval * decay_rate < kLength) {
@@ -139,7 +217,8 @@ std::size_t segment_length(double decay_rate, double interval) {
 
 transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Options& options,
                                       transform::StateVariable variable,
-                                      const std::vector<double>& frequencies) {
+                                      const std::vector<double>& frequencies,
+                                      const std::vector<double>& lags) {
   const base::Stopwatch stopwatch;
   transform::Spectrum spectrum{.id = id(options), .variable = variable};
   spectrum.frequencies = frequencies;
@@ -214,8 +293,8 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
     }
     return weights.estimate(values);
   };
-  const Periodogram of_whole(length, plan.sampling_interval),
-      of_half(length / 2, plan.sampling_interval);
+  Periodogram of_whole(length, plan.sampling_interval);
+  const Periodogram of_half(length / 2, plan.sampling_interval);
   const auto whole = [&](double w) { return estimate(w, of_whole, &StreamSpectrum::whole, 1); };
   // The constant C of the decrease C w^-4, at half the Nyquist frequency
   const double tail = whole(nyquist / 2).mean * std::pow(nyquist / 2, 4);
@@ -227,6 +306,10 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
     spectrum.error.push_back(factor *
                              (std::hypot(e.standard_error, of_window) + alias(tail, nyquist, w)));
   }
+  add_autocovariance(
+      lags, of_whole, sums,
+      [&](std::size_t k) { return std::pow(mean_y - centre, 2) * of_whole.density_of_constant(k); },
+      weights, tail, nyquist, spectrum);
   const std::size_t segments = sums.front().segments * streams;
   spectrum.details = fmt::format("{} segments of {:.4g}", segments,
                                  static_cast<double>(length) * plan.sampling_interval);

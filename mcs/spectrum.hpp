@@ -16,10 +16,14 @@ namespace fpkcheck::mcs {
 /// The errors are standard errors from the differences between streams, combined with two bounds of
 /// the bias: the alias from the decrease G(w) ~ w^-4 above the frequencies, and the width of the
 /// window from the estimate with segments of half the length.
+/// The autocovariance is the Fourier transform of the averaged periodograms, divided by the
+/// autocorrelation of the window.
 /// @param frequencies increasing angular frequencies w >= 0
+/// @param lags increasing times t >= 0 of the autocovariance R(t)
 /// @throws InputError as make_simulation_plan()
 transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Options& options,
                                       transform::StateVariable variable,
-                                      const std::vector<double>& frequencies);
+                                      const std::vector<double>& frequencies,
+                                      const std::vector<double>& lags = {});
 
 }  // namespace fpkcheck::mcs

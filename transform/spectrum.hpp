@@ -44,6 +44,11 @@ struct Spectrum {
   double variance = 0;               ///< variance of the variable, from the same solution
   double variance_error = 0;
   std::optional<SpectralPeak> peak = {};  ///< highest local maximum; absent without a maximum
+  /// Autocovariance R(t) at the requested times t >= 0, and its absolute errors. A simulation has
+  /// values up to a quarter of the length of its segments.
+  std::vector<double> lags = {};
+  std::vector<double> autocovariance = {};
+  std::vector<double> autocovariance_error = {};
   /// Modes with the largest shares of the variance; empty for a simulation
   std::vector<CovarianceMode> modes = {};
   std::string details = {};  ///< grid or simulated time, for tables

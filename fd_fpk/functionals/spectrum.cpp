@@ -53,12 +53,27 @@ Eigen::VectorXd largest_modes(const ReducedResolvent::Modes& modes, double varia
   return values;
 }
 
-// Returns the densities at the frequencies and then the further values. The Krylov space grows until
-// the densities of two successive spaces agree.
+// Returns the autocovariance sum c exp(a t) at times t, with the modes that decay.
+Eigen::VectorXd autocovariance_of(const ReducedResolvent::Modes& modes,
+                                  const std::vector<double>& lags) {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(lags.size()));
+  for (Eigen::Index j = 0; j < modes.rates.size(); ++j) {
+    if (!(modes.rates(j).real() < 0)) continue;
+    for (std::size_t k = 0; k < lags.size(); ++k) {
+      values(static_cast<Eigen::Index>(k)) +=
+          (modes.coefficients(j) * std::exp(modes.rates(j) * lags[k])).real();
+    }
+  }
+  return values;
+}
+
+// Returns the densities at the frequencies, the autocovariances at the lags, the changes of the
+// autocovariances by the last vectors of the Krylov space, and then the further values. The Krylov
+// space grows until the densities of two successive spaces agree.
 Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
-                                 transform::StateVariable variable, double shift, int order,
-                                 DirectSolution& on, const base::Deadline& deadline,
-                                 std::string& failure) {
+                                 const std::vector<double>& lags, transform::StateVariable variable,
+                                 double shift, int order, DirectSolution& on,
+                                 const base::Deadline& deadline, std::string& failure) {
   constexpr int kStep = 10, kMost = 200;
   const Grid& grid = on.discretisation.grid;
   const Eigen::VectorXd& p = *on.averages;
@@ -70,9 +85,11 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
   Eigen::VectorXcd points(frequencies.size());
   for (std::size_t k = 0; k < frequencies.size(); ++k) points(k) = {0, frequencies[k]};
 
-  const auto n = static_cast<Eigen::Index>(frequencies.size());
-  Eigen::VectorXd values(n + kFurtherValues), last = Eigen::VectorXd::Zero(n);
-  values(n) = functional.dot(b);
+  const auto n = static_cast<Eigen::Index>(frequencies.size()),
+             m = static_cast<Eigen::Index>(lags.size());
+  Eigen::VectorXd values(n + 2 * m + kFurtherValues), last = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd last_covariance = Eigen::VectorXd::Zero(m);
+  const double variance = functional.dot(b);
   while (model.size() < kMost) {
     if (!model.extend(kStep, deadline)) {
       failure = model.failure_reason();
@@ -81,14 +98,17 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
     const Eigen::VectorXd density =
         2 / std::numbers::pi * model.transfer(functional, points).real();
     const double floor = kFloor * density.cwiseAbs().maxCoeff();
+    const ReducedResolvent::Modes modes = model.modes(functional);
+    const Eigen::VectorXd covariance = autocovariance_of(modes, lags);
     const bool agree =
         ((density - last).array().abs() <= kAgreement * density.array().abs().max(floor)).all();
-    last = density;
     if (agree) {
-      values.head(n) = density;
-      values.tail(3 * kModes) = largest_modes(model.modes(functional), values(n));
+      values << density, covariance, (covariance - last_covariance).cwiseAbs(), variance,
+          largest_modes(modes, variance);
       return values;
     }
+    last = density;
+    last_covariance = covariance;
   }
   failure = fmt::format(
       "the Krylov space of {} vectors does not determine the spectrum to {:g}; reduce the largest "
@@ -101,7 +121,8 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
 
 transform::Spectrum solve_spectrum(const problem::Problem& problem, const Options& options,
                                    transform::StateVariable variable,
-                                   const std::vector<double>& frequencies) {
+                                   const std::vector<double>& frequencies,
+                                   const std::vector<double>& lags) {
   validate(options);
   const base::Stopwatch stopwatch;
   transform::Spectrum spectrum{.id = solution_id(options), .variable = variable};
@@ -119,12 +140,15 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
   const double target = kTargetFraction * options.accuracy;
   const auto on_grid = [&](DirectSolution& on, const base::Deadline& deadline,
                            std::string& failure) {
-    return spectrum_on_grid(frequencies, variable, shift, order, on, deadline, failure);
+    return spectrum_on_grid(frequencies, lags, variable, shift, order, on, deadline, failure);
   };
-  const auto scale = [](const Eigen::VectorXd& values) -> Eigen::VectorXd {
+  const auto n = static_cast<Eigen::Index>(frequencies.size()),
+             m = static_cast<Eigen::Index>(lags.size());
+  const auto scale = [n, m](const Eigen::VectorXd& values) -> Eigen::VectorXd {
     Eigen::VectorXd magnitude = values.cwiseAbs();
-    const auto n = values.size() - kFurtherValues;
     magnitude.tail(3 * kModes).setConstant(HUGE_VAL);  // the modes do not determine the grid
+    magnitude.segment(n, m).setConstant(magnitude(n + 2 * m));  // errors relative to the variance
+    magnitude.segment(n + m, m).setConstant(HUGE_VAL);
     magnitude.head(n) = magnitude.head(n).cwiseMax(kFloor * magnitude.head(n).maxCoeff());
     return magnitude;
   };
@@ -134,22 +158,27 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
     spectrum.reason = converged.failure;
     return spectrum;
   }
-  const auto n = static_cast<Eigen::Index>(frequencies.size());
   spectrum.density.assign(converged.values.begin(), converged.values.begin() + n);
   const double largest = converged.values.head(n).maxCoeff();
   const Eigen::ArrayXd of_krylov_space =
       kAgreement * converged.values.head(n).array().abs().max(kFloor * largest);
   const Eigen::ArrayXd errors = converged.errors.head(n).array() + of_krylov_space;
   spectrum.error.assign(errors.begin(), errors.end());
-  spectrum.variance = converged.values(n);
-  spectrum.variance_error = converged.errors(n);
-  for (Eigen::Index m = n + 1; m + 2 < converged.values.size(); m += 3) {
+  spectrum.variance = converged.values(n + 2 * m);
+  spectrum.variance_error = converged.errors(n + 2 * m);
+  spectrum.lags = lags;
+  const Eigen::VectorXd covariance = converged.values.segment(n, m);
+  const Eigen::VectorXd covariance_errors =
+      converged.errors.segment(n, m) + converged.values.segment(n + m, m);
+  spectrum.autocovariance.assign(covariance.begin(), covariance.end());
+  spectrum.autocovariance_error.assign(covariance_errors.begin(), covariance_errors.end());
+  for (Eigen::Index j = n + 2 * m + 1; j + 2 < converged.values.size(); j += 3) {
     const auto &v = converged.values, &e = converged.errors;
-    spectrum.modes.push_back({.decay_rate = v(m),
-                              .frequency = v(m + 1),
-                              .decay_rate_error = e(m),
-                              .frequency_error = e(m + 1),
-                              .share = v(m + 2)});
+    spectrum.modes.push_back({.decay_rate = v(j),
+                              .frequency = v(j + 1),
+                              .decay_rate_error = e(j),
+                              .frequency_error = e(j + 1),
+                              .share = v(j + 2)});
   }
   spectrum.details = fmt::format("{} x {} cells", converged.nx, converged.nv);
   const double error = errors.maxCoeff() / largest;

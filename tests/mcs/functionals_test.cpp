@@ -28,7 +28,9 @@ constexpr double kMost = 3.5;
 TEST(SimulatedSpectrum, IsThatOfTheLinearOscillator) {
   const std::vector<double> frequencies{0, 0.4, 0.9, 1.2, 1.5, 2, 3};
   for (const StateVariable variable : {StateVariable::y, StateVariable::ydot}) {
-    const auto s = estimate_spectrum(linear_oscillator(), {.time = 4e5}, variable, frequencies);
+    const std::vector<double> lags{0, 0.35, 2, 7};
+    const auto s =
+        estimate_spectrum(linear_oscillator(), {.time = 4e5}, variable, frequencies, lags);
     ASSERT_EQ(s.status, Status::ok) << s.reason;
     double squares = 0;
     for (std::size_t k = 0; k < frequencies.size(); ++k) {
@@ -44,6 +46,14 @@ TEST(SimulatedSpectrum, IsThatOfTheLinearOscillator) {
     EXPECT_LT(squares, 3 * static_cast<double>(frequencies.size()));
     const double variance = variable == StateVariable::y ? 0.1 / (2 * 0.3 * 1.44) : 0.1 / 0.6;
     EXPECT_LE(std::abs(s.variance - variance), kMost * s.variance_error);
+    ASSERT_EQ(s.autocovariance.size(), lags.size());
+    for (std::size_t k = 0; k < lags.size(); ++k) {
+      const double w = std::sqrt(1.44 - 0.0225), t = lags[k], decay = std::exp(-0.15 * t);
+      const double sine = 0.15 / w * std::sin(w * t) * (variable == StateVariable::y ? 1 : -1);
+      const double exact = variance * decay * (std::cos(w * t) + sine);
+      EXPECT_LE(std::abs(s.autocovariance[k] - exact), kMost * s.autocovariance_error[k]) << t;
+      EXPECT_LE(s.autocovariance_error[k], 0.03 * variance) << t;
+    }
   }
 }
 

@@ -54,6 +54,25 @@ TEST(Spectrum, IsThatOfTheLinearOscillatorUnderImpulsesAndNoise) {
   EXPECT_NEAR(velocity.modes[0].share, 1, 1e-4);
 }
 
+TEST(Spectrum, HasTheAutocovarianceOfTheLinearOscillator) {
+  const auto p = tests::with_impulses(System({.damping = 0.3, .stiffness = 1.44}, {.none = true}),
+                                      tests::gaussian_impulses(1, 0.1, 0.1));
+  const std::vector<double> lags{0, 0.5, 2, 7, 15};
+  const double w = std::sqrt(1.44 - 0.0225), of_y = 0.1 / (2 * 0.3 * 1.44), of_v = 0.1 / (2 * 0.3);
+  for (const auto variable : {StateVariable::y, StateVariable::ydot}) {
+    const Spectrum s = solve_spectrum(p, kCoarse, variable, {0.5, 1}, lags);
+    ASSERT_EQ(s.autocovariance.size(), lags.size()) << s.reason;
+    for (std::size_t k = 0; k < lags.size(); ++k) {
+      const double t = lags[k], cosine = std::cos(w * t), sine = 0.15 / w * std::sin(w * t);
+      const double exact = variable == StateVariable::y
+                               ? of_y * std::exp(-0.15 * t) * (cosine + sine)
+                               : of_v * std::exp(-0.15 * t) * (cosine - sine);
+      EXPECT_NEAR(s.autocovariance[k], exact, 2 * s.autocovariance_error[k]) << t;
+      EXPECT_LT(s.autocovariance_error[k], 1e-4) << t;
+    }
+  }
+}
+
 // With an elastic wall at the equilibrium, y = |z| of the linear oscillator without a wall, with the
 // autocovariance (2 s^2/pi) (sqrt(1 - q^2) + q arcsin q - 1), q the autocorrelation of z.
 TEST(Spectrum, IsThatOfTheFoldedLinearOscillatorAtAnElasticWall) {
@@ -80,7 +99,14 @@ TEST(Spectrum, IsThatOfTheFoldedLinearOscillatorAtAnElasticWall) {
     }
     exact.push_back(2 / std::numbers::pi * sum * kStep / 3);
   }
-  expect_within_errors(solve_spectrum(p, {}, StateVariable::y, frequencies), exact, 1e-3);
+  const std::vector<double> lags{0.3, 1, 3.5, 8};
+  const Spectrum spectrum = solve_spectrum(p, {}, StateVariable::y, frequencies, lags);
+  expect_within_errors(spectrum, exact, 1e-3);
+  for (std::size_t j = 0; j < lags.size(); ++j) {
+    const double difference = std::abs(spectrum.autocovariance[j] - covariance(lags[j]));
+    EXPECT_LE(difference, 2 * spectrum.autocovariance_error[j]) << lags[j];
+    EXPECT_LE(difference, 1e-3 * variance) << lags[j];
+  }
 }
 
 // y' is the derivative of y, also with impacts, so that G_v = w^2 G_y.

@@ -27,7 +27,10 @@ SpectrumStudy spectrum_study() {
                     .density = {1, 3, 2},
                     .error = {0.1, 0.2, 0.3},
                     .variance = 5,
-                    .peak = transform::SpectralPeak{.frequency = 1.2, .density = 3.1}},
+                    .peak = transform::SpectralPeak{.frequency = 1.2, .density = 3.1},
+                    .lags = {0, 0.5},
+                    .autocovariance = {5, 4},
+                    .autocovariance_error = {0.02, 0.01}},
                    {.id = "mcs", .status = Status::not_offered, .reason = "none"}};
   return study;
 }
@@ -40,6 +43,9 @@ TEST(SpectrumReport, HasTheKeysOfTheContract) {
   EXPECT_EQ(spectra[0].at("of"), "y");
   EXPECT_EQ(spectra[0].at("density"), Json({1.0, 3.0, 2.0}));
   EXPECT_EQ(spectra[0].at("error").at(2), 0.3);
+  EXPECT_EQ(spectra[0].at("autocovariance").at("lag"), Json({0.0, 0.5}));
+  EXPECT_EQ(spectra[0].at("autocovariance").at("value"), Json({5.0, 4.0}));
+  EXPECT_EQ(spectra[0].at("autocovariance").at("error").at(1), 0.01);
   EXPECT_EQ(spectra[0].at("peak").at("frequency"), 1.2);
   EXPECT_TRUE(spectra[0].at("peak").at("half_width").is_null());
   EXPECT_EQ(spectra[1].at("status"), "not_offered");
@@ -47,10 +53,11 @@ TEST(SpectrumReport, HasTheKeysOfTheContract) {
   EXPECT_EQ(found.at("cases").at(0).at("system").at("damping"), 0.1);
 }
 
-TEST(SpectrumReport, HasARowOfTheCsvForEachFrequency) {
+TEST(SpectrumReport, HasARowOfTheCsvForEachFrequencyAndEachLag) {
   const std::string text = csv(spectrum_study());
-  EXPECT_EQ(std::ranges::count(text, '\n'), 4);
-  EXPECT_NE(text.find("test,fd-kf,y,2,2,0.3"), std::string::npos) << text;
+  EXPECT_EQ(std::ranges::count(text, '\n'), 6);
+  EXPECT_NE(text.find("test,fd-kf,y,2,2,0.3,,"), std::string::npos) << text;
+  EXPECT_NE(text.find("test,fd-kf,y,,,0.01,0.5,4"), std::string::npos) << text;
 }
 
 TEST(SpectrumOptions, RefuseInvalidFrequenciesAndMethods) {

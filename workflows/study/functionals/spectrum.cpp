@@ -67,6 +67,17 @@ std::vector<double> frequencies(const problem::Problem& problem, const SpectrumO
   return evenly_spaced(from, to, static_cast<int>(intervals));
 }
 
+// Returns the times of the autocovariance, up to two decay times of the slowest mode of energy averaging.
+std::vector<double> lags(const problem::Problem& problem) {
+  constexpr double kDecayTimes = 2;
+  constexpr int kIntervals = 200;
+  const auto scales =
+      problem::scales(problem::to_wall_coordinates(problem::wall_frame(problem.system), problem));
+  const double last = kDecayTimes / scales.slowest_decay_rate;
+  const double unit = std::pow(10, std::floor(std::log10(last)) - 1);
+  return evenly_spaced(0, std::ceil(last / unit) * unit, kIntervals);
+}
+
 // Distance of two spectra over all frequencies.
 struct SpectrumDistance {
   double largest_in_errors;  // largest |difference| / combined error
@@ -106,12 +117,12 @@ const base::Description<SpectrumOptions>& spectrum_option_descriptions() {
 
 SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOptions& options,
                              const methods::ProgressListener& listener) {
-  const std::vector<double> at = frequencies(problem, options);
+  const std::vector<double> at = frequencies(problem, options), times = lags(problem);
   SpectrumStudy study{problem, options, {}};
   for_each_selected_method(problem, options, listener, [&](const SelectedMethod& method) {
     study.spectra.push_back(
-        method.fd ? fd_fpk::solve_spectrum(problem, *method.fd, options.variable, at)
-                  : mcs::estimate_spectrum(problem, *method.mcs, options.variable, at));
+        method.fd ? fd_fpk::solve_spectrum(problem, *method.fd, options.variable, at, times)
+                  : mcs::estimate_spectrum(problem, *method.mcs, options.variable, at, times));
   });
   return study;
 }
@@ -133,6 +144,8 @@ std::string json(const SpectrumStudy& study, const std::string& command) {
              {"error_is", error_kind(s.has_standard_errors)},
              {"variance", s.variance},
              {"variance_error", s.variance_error},
+             {"autocovariance",
+              {{"lag", s.lags}, {"value", s.autocovariance}, {"error", s.autocovariance_error}}},
              {"peak", nullptr}};
     if (s.peak) {
       one["peak"] = {{"frequency", s.peak->frequency}, {"density", s.peak->density}};
@@ -162,8 +175,16 @@ std::string csv(const SpectrumStudy& study) {
                       {"density", s.density[k]},
                       {"error", s.error[k]}});
     }
+    for (std::size_t k = 0; k < s.autocovariance.size(); ++k) {
+      rows.push_back({{"case", study.problem.name},
+                      {"solution", s.id},
+                      {"variable", std::string(name(s.variable))},
+                      {"lag", s.lags[k]},
+                      {"autocovariance", s.autocovariance[k]},
+                      {"error", s.autocovariance_error[k]}});
+    }
   }
-  return csv_text(rows, "case solution variable frequency density error");
+  return csv_text(rows, "case solution variable frequency density error lag autocovariance");
 }
 
 std::string table(const SpectrumStudy& study, const report::TextFormat& format) {
@@ -218,33 +239,60 @@ std::string table(const SpectrumStudy& study, const report::TextFormat& format) 
   return text;
 }
 
-report::Figure figure(const SpectrumStudy& study) {
+namespace {
+
+// Returns one series for each solution; those of a simulation have marks with intervals of two
+// standard errors at about 50 points.
+std::vector<report::FigureSeries> series_of_solutions(const SpectrumStudy& study,
+                                                      std::vector<double> Spectrum::*abscissas,
+                                                      std::vector<double> Spectrum::*values,
+                                                      std::vector<double> Spectrum::*errors) {
   std::vector<report::FigureSeries> series;
   for (const auto& method : select_methods(study.options)) {
     const auto found = std::ranges::find(study.spectra, method.identity.id, &Spectrum::id);
-    if (found == study.spectra.end() || !has_density(*found)) continue;
+    if (found == study.spectra.end() || ((*found).*values).empty()) continue;
     const Spectrum& s = *found;
     report::FigureSeries one = report::make_series(s.id, method.identity.plot_style);
-    const std::size_t step =
-        s.has_standard_errors ? std::max<std::size_t>(s.density.size() / 50, 1) : 1;
-    for (std::size_t k = 0; k < s.density.size(); k += step) {
-      report::FigurePoint point{.x = s.frequencies[k], .y = s.density[k]};
+    const std::vector<double>&x = s.*abscissas, &y = s.*values, &error = s.*errors;
+    const std::size_t step = s.has_standard_errors ? std::max<std::size_t>(y.size() / 50, 1) : 1;
+    one.mark_step = s.has_standard_errors ? 1 : std::max<std::size_t>(y.size() / 25, 1);
+    for (std::size_t k = 0; k < y.size(); k += step) {
+      report::FigurePoint point{.x = x[k], .y = y[k]};
       if (s.has_standard_errors) {
-        point.lower = s.density[k] - 2 * s.error[k];
-        point.upper = s.density[k] + 2 * s.error[k];
+        point.lower = y[k] - 2 * error[k];
+        point.upper = y[k] + 2 * error[k];
       }
       one.points.push_back(point);
     }
     series.push_back(std::move(one));
   }
-  if (series.empty()) return {};
-  report::FigurePanel panel{
-      .title = fmt::format("one-sided spectral density of {}", symbol(study.options.variable)),
-      .x = {"{/:Italic w}", study.spectra.front().frequencies.front(),
-            study.spectra.front().frequencies.back()},
-      .y = report::logarithmic_axis("{/:Italic G}({/:Italic w})", series, &report::FigurePoint::y),
-      .series = series};
-  return {.title = report::problem_title(study.problem), .panels = {panel}, .columns = 1};
+  return series;
+}
+
+}  // namespace
+
+report::Figure figure(const SpectrumStudy& study) {
+  const std::string of = symbol(study.options.variable);
+  const auto densities =
+      series_of_solutions(study, &Spectrum::frequencies, &Spectrum::density, &Spectrum::error);
+  if (densities.empty()) return {};
+  const Spectrum& first = *std::ranges::find_if(study.spectra, has_density);
+  std::vector<report::FigurePanel> panels{
+      {.title = fmt::format("one-sided spectral density of {}", of),
+       .x = {"{/:Italic w}", first.frequencies.front(), first.frequencies.back()},
+       .y = report::logarithmic_axis("{/:Italic G}({/:Italic w})", densities,
+                                     &report::FigurePoint::y),
+       .series = densities}};
+  const auto covariances = series_of_solutions(study, &Spectrum::lags, &Spectrum::autocovariance,
+                                               &Spectrum::autocovariance_error);
+  if (!covariances.empty()) {
+    panels.push_back({.title = fmt::format("autocovariance of {}", of),
+                      .x = {"{/:Italic t}", 0, first.lags.back()},
+                      .y = report::linear_axis("{/:Italic R}({/:Italic t})", covariances,
+                                               &report::FigurePoint::y),
+                      .series = covariances});
+  }
+  return {.title = report::problem_title(study.problem), .panels = panels, .columns = 1};
 }
 
 }  // namespace fpkcheck::study
