@@ -178,75 +178,48 @@ class TimeIntegration {
         op_(problem, options, on),
         preconditioner_(problem, on.excitation, options.impact, on.grid) {}
 
-  // Replaces the initial cell averages by those of the periodic state. Otherwise sets the status.
-  void find_periodic_state(Eigen::VectorXd& start, TransientResult& result) {
+  // Integrates from the given cell averages to the end time and stores the snapshots.
+  void store_transient(const Eigen::VectorXd& start, TransientResult& result) {
+    integrate(start, result, [&](double time, const Eigen::VectorXd& averages) {
+      add_snapshot(time, averages, result);
+      return result.status == Status::ok ||
+             (result.status == Status::inadmissible && transient_.continues_if_inadmissible);
+    });
+  }
+
+  // Finds the periodic state, and stores it and its snapshots.
+  // @param guess cell averages with which the search starts
+  void store_periodic_state(const Eigen::VectorXd& guess, TransientResult& result) {
     // The density is within about twice this L1 distance, since other modes decay within a period.
     constexpr double kPeriodTolerance = 1e-4;
-    std::string stopped;
-    const auto after_period = [&](const Eigen::VectorXd& from) -> std::optional<Eigen::VectorXd> {
-      LinearCvodeIntegrator cvode = integrator(from);
-      const auto [flag, reached] = cvode.advance(transient_.until);
-      count_steps(cvode, result);
-      if (flag < 0) {
-        stopped = cvode.error_message();
-        return std::nullopt;
-      }
-      const Eigen::VectorXd averages = cvode.averages();
-      return averages / op_.total_mass(averages);  // GMRES loses some mass
-    };
-    try {
-      const numerics::FixedPoint found = numerics::solve_fixed_point(
-          after_period, start,
-          {.size = [&](const Eigen::VectorXd& change) { return op_.total_mass(change.cwiseAbs()); },
-           .tolerance = kPeriodTolerance});
-      start = found.x;
-      result.periods = found.evaluations;
-      result.change_over_period = found.change;
-      if (found.converged) return;
+    std::vector<std::pair<double, Eigen::VectorXd>> last_period;
+    const numerics::FixedPoint found = numerics::solve_fixed_point(
+        [&](const Eigen::VectorXd& from) -> std::optional<Eigen::VectorXd> {
+          last_period.clear();
+          integrate(from, result, [&](double time, const Eigen::VectorXd& averages) {
+            last_period.emplace_back(time, averages);
+            return true;
+          });
+          if (result.status != Status::ok) return std::nullopt;
+          const Eigen::VectorXd& end = last_period.back().second;
+          return end / op_.total_mass(end);  // GMRES loses some mass
+        },
+        guess,
+        {.size = [&](const Eigen::VectorXd& change) { return op_.total_mass(change.cwiseAbs()); },
+         .tolerance = kPeriodTolerance});
+    result.periods = found.evaluations;
+    result.change_over_period = found.change;
+    if (!found.converged) {
       result.reason = fmt::format(
           "no periodic state after {} periods: the density changes by {:.1e} per period (limit "
           "{:.0e}){}{}",
-          found.evaluations, found.change, kPeriodTolerance, stopped.empty() ? "" : "; ", stopped);
-    } catch (const DeadlineExceeded&) {
-      result.reason =
-          "no periodic state: max_seconds expired; increase max-seconds or use fewer cells";
+          found.evaluations, found.change, kPeriodTolerance, result.reason.empty() ? "" : "; ",
+          result.reason);
+      result.status = Status::not_converged;
+      return;
     }
-    result.status = Status::not_converged;
-  }
-
-  // Integrates to the end time and stores the snapshots.
-  void store_snapshots(const Eigen::VectorXd& start, TransientResult& result) {
-    LinearCvodeIntegrator cvode = integrator(start);
-    const auto may_continue = [&] {
-      return result.status == Status::ok ||
-             (result.status == Status::inadmissible && transient_.continues_if_inadmissible);
-    };
-    const int snapshots = transient_.snapshots;
-    for (int n = 0; n <= snapshots && may_continue(); ++n) {
-      const double time = n == snapshots ? transient_.until : n * (transient_.until / snapshots);
-      LinearCvodeIntegrator::StepResult to{0, 0};
-      try {
-        if (n > 0) to = cvode.advance(time);
-      } catch (const DeadlineExceeded&) {
-        result.status = Status::not_converged;
-        result.reason = fmt::format(
-            "t = {:.4g} not reached: max_seconds expired; increase max-seconds or use fewer cells",
-            time);
-        break;
-      }
-      const auto [flag, reached] = to;
-      if (flag < 0) {
-        result.status = Status::not_converged;
-        result.reason = fmt::format("CVODE stopped at t = {:.4g} before t = {:.4g} (flag {}): {}",
-                                    reached, time, flag, cvode.error_message());
-        break;
-      }
-      result.snapshots.push_back(
-          make_snapshot(problem_, spring_potential_, options_, on_, op_, cvode.averages(), time));
-      check_snapshot(problem_.frame, on_.grid, result.snapshots.back(), result);
-      if (transient_.progress) transient_.progress(static_cast<double>(n) / snapshots);
-    }
-    count_steps(cvode, result);
+    result.periodic_state = {on_.grid.x1.faces(), on_.grid.x2.faces(), found.x};
+    for (const auto& [time, averages] : last_period) add_snapshot(time, averages, result);
   }
 
  private:
@@ -273,6 +246,45 @@ class TimeIntegration {
                         .stop_time = transient_.until,
                         .max_steps = kMostSteps,
                         .steps_per_factorisation = kStepsPerFactorisation}};
+  }
+
+  // Integrates over the times of the snapshots, and calls on_snapshot(time, averages) at each. Sets
+  // the status if the end time is not reached.
+  // @param on_snapshot returns whether the integration continues
+  template <class OnSnapshot>
+  void integrate(const Eigen::VectorXd& start, TransientResult& result,
+                 const OnSnapshot& on_snapshot) {
+    LinearCvodeIntegrator cvode = integrator(start);
+    const int snapshots = transient_.snapshots;
+    for (int n = 0; n <= snapshots; ++n) {
+      const double time = n == snapshots ? transient_.until : n * (transient_.until / snapshots);
+      LinearCvodeIntegrator::StepResult to{0, 0};
+      try {
+        if (n > 0) to = cvode.advance(time);
+      } catch (const DeadlineExceeded&) {
+        result.status = Status::not_converged;
+        result.reason = fmt::format(
+            "t = {:.4g} not reached: max_seconds expired; increase max-seconds or use fewer cells",
+            time);
+        break;
+      }
+      const auto [flag, reached] = to;
+      if (flag < 0) {
+        result.status = Status::not_converged;
+        result.reason = fmt::format("CVODE stopped at t = {:.4g} before t = {:.4g} (flag {}): {}",
+                                    reached, time, flag, cvode.error_message());
+        break;
+      }
+      if (!on_snapshot(time, Eigen::VectorXd(cvode.averages()))) break;
+      if (transient_.progress) transient_.progress(static_cast<double>(n) / snapshots);
+    }
+    count_steps(cvode, result);
+  }
+
+  void add_snapshot(double time, const Eigen::VectorXd& averages, TransientResult& result) const {
+    result.snapshots.push_back(
+        make_snapshot(problem_, spring_potential_, options_, on_, op_, averages, time));
+    check_snapshot(problem_.frame, on_.grid, result.snapshots.back(), result);
   }
 
   static void count_steps(const LinearCvodeIntegrator& cvode, TransientResult& result) {
@@ -331,12 +343,10 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
   result.status = Status::ok;
   if (transient.periodic) {
     if (transient.periodic_guess) averages = remap_to_grid(*transient.periodic_guess, grid);
-    integration.find_periodic_state(averages, result);
-    if (result.status == Status::ok) {
-      result.periodic_state = {grid.x1.faces(), grid.x2.faces(), averages};
-    }
+    integration.store_periodic_state(averages, result);
+  } else {
+    integration.store_transient(averages, result);
   }
-  integration.store_snapshots(averages, result);
   return result;
 }
 

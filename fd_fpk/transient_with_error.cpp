@@ -20,6 +20,11 @@ using transform::TransientRequest;
 // steps.
 constexpr double kCoarsening = 0.7, kToleranceRatio = 10;
 
+// Tolerance of the time steps for a periodic state, whose search integrates over many periods. In
+// case 1 under the force 0.3 cos(1.2 t) the estimated error is 3.5e-3, in place of 1.8e-3 with the
+// tolerance 1e-6, which takes about 1.5 times as many steps.
+constexpr double kPeriodicTolerance = 3e-6;
+
 transform::Marginal averages_over_bins(const std::vector<double>& cell_edges,
                                        const std::vector<double>& cell_averages,
                                        const std::vector<double>& edges) {
@@ -69,13 +74,14 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
                            .start_mean_displacement = request.start.mean_displacement,
                            .start_mean_velocity = request.start.mean_velocity,
                            .periodic = request.periodic};
+  if (request.periodic) on_fine.relative_tolerance = kPeriodicTolerance;
   const auto solve_coarser = [&](double coarsening, double tolerance_ratio,
-                                 const TransientResult* guess) {
+                                 const TransientResult* found) {
     TransientOptions on_coarse = on_fine;
     on_coarse.relative_tolerance *= tolerance_ratio;
     on_coarse.max_cells *= coarsening * coarsening;
     on_coarse.continues_if_inadmissible = true;
-    if (guess && guess->periodic_state) on_coarse.periodic_guess = &*guess->periodic_state;
+    if (found) on_coarse.periodic_guess = &*found->periodic_state;
     Options coarser = options;
     coarser.refinement *= coarsening;
     return solve_transient(problem, coarser, on_coarse);
@@ -85,10 +91,11 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
     // The search for the periodic state on each grid starts from that on the next coarser grid.
     const TransientResult coarsest =
         solve_coarser(kCoarsening * kCoarsening, kToleranceRatio * kToleranceRatio, nullptr);
-    coarse = solve_coarser(kCoarsening, kToleranceRatio, &coarsest);
+    if (coarsest.periodic_state) coarse = solve_coarser(kCoarsening, kToleranceRatio, &coarsest);
     if (!coarse.periodic_state) {
-      transient.status = coarse.status;
-      transient.reason = fmt::format("on the coarse grid: {}", coarse.reason);
+      const TransientResult& last = coarsest.periodic_state ? coarse : coarsest;
+      transient.status = last.status;
+      transient.reason = fmt::format("on a coarse grid: {}", last.reason);
       transient.seconds = stopwatch.seconds();
       return transient;
     }

@@ -154,16 +154,17 @@ MotionExtent forced_motion_extent(const Problem& problem, double until) {
 
 void require_period(const Problem& problem, double period) {
   const auto require = [&](const char* key, const auto& function) {
-    constexpr double kRounding = 1e-6;
+    // A period with five digits is accepted.
+    constexpr double kTolerance = 1e-4;
     double largest = 0;
     for (int k = 0; k < kSampledTimes; ++k) {
       largest = std::max(largest, std::abs(function(period * k / kSampledTimes)));
     }
     for (int k = 0; k < kSampledTimes; ++k) {
       const double t = period * k / kSampledTimes;
-      if (std::abs(function(t + period) - function(t)) <= kRounding * largest) continue;
+      if (std::abs(function(t + period) - function(t)) <= kTolerance * largest) continue;
       throw InputError(fmt::format(
-          "{} does not have the period {:.10g}: {:.6g} at t = {:.4g}, {:.6g} one period later; give "
+          "{} does not have the period {:.10g}: its values are {:.8g} at t = {:.4g} and {:.8g} one period later; give "
           "its period as --until",
           key, period, function(t), t, function(t + period)));
     }
