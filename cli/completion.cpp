@@ -38,10 +38,14 @@ Words case_keys(const Words& words) {
       keys.push_back(section->prefix() + parameter.name + '=');
     }
   }
+  const auto load = [](const std::string& word) {
+    return problem::load_case(word, {}, problem::CaseNaming::from_file,
+                              problem::TimeSection::allowed);
+  };
   for (const auto& word : words) {
     if (problem::find_built_in_case(word) == nullptr && !word.ends_with(".ini")) continue;
     try {
-      for (const auto& [name, value] : problem::load_case(word).system.named_constants()) {
+      for (const auto& [name, value] : load(word).system.named_constants()) {
         keys.push_back("parameters." + name + '=');
       }
     } catch (const InputError&) {

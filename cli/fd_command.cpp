@@ -32,8 +32,8 @@ std::vector<std::string> transient_option_names() {
 TransientOptions transient_options(const Values& given) {
   if (!contains(given, "until")) {
     throw InputError(
-        "--snapshots, --time-tolerance, --periodic or --start-.. without --until: no density over time was "
-        "requested; give --until T");
+        "--snapshots, --time-tolerance, --periodic or --start-.. without --until: no density over "
+        "time was requested; give --until T");
   }
   TransientOptions options;
   for (const auto& [name, value] : given) {

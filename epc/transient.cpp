@@ -86,12 +86,11 @@ std::vector<transform::TransientSnapshot> make_transient_snapshots(
 transform::Transient solve_transient(const problem::Problem& problem, const Options& options,
                                      const TransientRequest& request) {
   validate(options);
-  if (request.periodic) problem::require_period(problem, request.until);
   const base::Stopwatch stopwatch;
   transform::Transient transient{.id = id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system),
-                                   problem::with_largest_excitation(problem, request.until));
+                                   problem::with_largest_excitation(problem, request.span()));
   const problem::MotionScales scales = problem::scales(transformed);
   const problem::Gaussian start = problem::initial_density(transformed, scales, request.start);
   transient.reason = transient_unsupported_reason(transformed, options);

@@ -37,17 +37,18 @@ constexpr double kCellsPerDeviation = 5;
 // Returns a box for the initial density, the stationary density and all states that the initial
 // energy can reach, extended by the motion under the force F(t).
 Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                  const Options& options, const problem::Gaussian& start, double until,
-                  const base::Deadline& deadline) {
+                  const Options& options, const problem::Gaussian& start,
+                  const problem::TimeSpan& span, const base::Deadline& deadline) {
   const auto& system = problem.system;
   Box box = stationary_box(problem, scales, options, deadline);
   const problem::StateRange reached = problem::reachable_states(problem, start);
-  const auto [forced_y, forced_v] = problem::forced_motion_extent(problem, until);
+  const problem::MotionExtent forced = problem::forced_motion_extent(problem, span);
   if (!options.x1_max) {
-    if (!system.left_wall()) box.x1_min = std::min(box.x1_min, reached.y_low) - forced_y;
-    if (!system.right_wall()) box.x1_max = std::max(box.x1_max, reached.y_high) + forced_y;
+    if (!system.left_wall()) box.x1_min = std::min(box.x1_min, reached.y_low) - forced.displacement;
+    if (!system.right_wall())
+      box.x1_max = std::max(box.x1_max, reached.y_high) + forced.displacement;
   }
-  if (!options.x2_max) box.x2_max = std::max(box.x2_max, reached.v_high) + forced_v;
+  if (!options.x2_max) box.x2_max = std::max(box.x2_max, reached.v_high) + forced.speed;
   return box;
 }
 
@@ -84,8 +85,10 @@ DensitySnapshot make_snapshot(const problem::Problem& problem,
       problem::with_excitation_at_time(problem, time),
       energy_terms(problem, options.impact, moments(grid, averages, transport_order(options)), grid,
                    averages, transport_order(options)));
-  s.power = input - dissipated + problem.time.force(time) * frame.physical_velocity(s.moments.v1);
-  s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
+  const double power_of_force = problem.time.force(time) * frame.physical_velocity(s.moments.v1);
+  s.power = input - dissipated + power_of_force;
+  const double input_scale = problem::total_intensity(problem) / 2 + std::abs(power_of_force);
+  s.power_residual = (s.power - energy_rate) / input_scale;
   // The initial Gaussian is bounded, so that its impact rate is the flux into the walls.
   s.impact_rate =
       time == 0
@@ -163,6 +166,9 @@ Eigen::VectorXd remap_to_grid(const CellDensity& density, const Grid& grid) {
   return remapped.reshaped().cwiseQuotient(grid.cell_areas());
 }
 
+// Returns the part that a mode loses while it decays by exp(-exponent).
+double lost_part(double exponent) { return -std::expm1(-exponent); }
+
 // Integrates the cell averages of one problem over time.
 class TimeIntegration {
  public:
@@ -190,8 +196,10 @@ class TimeIntegration {
   // Finds the periodic state, and stores it and its snapshots.
   // @param guess cell averages with which the search starts
   void store_periodic_state(const Eigen::VectorXd& guess, TransientResult& result) {
-    // The density is within about twice this L1 distance, since other modes decay within a period.
-    constexpr double kPeriodTolerance = 1e-4;
+    // Largest L1 distance to the periodic state, of which the slowest mode loses a part per period
+    constexpr double kDistance = 1e-4;
+    const double tolerance =
+        kDistance * lost_part(problem::scales(problem_).slowest_decay_rate * transient_.until);
     std::vector<std::pair<double, Eigen::VectorXd>> last_period;
     const numerics::FixedPoint found = numerics::solve_fixed_point(
         [&](const Eigen::VectorXd& from) -> std::optional<Eigen::VectorXd> {
@@ -206,14 +214,15 @@ class TimeIntegration {
         },
         guess,
         {.size = [&](const Eigen::VectorXd& change) { return op_.total_mass(change.cwiseAbs()); },
-         .tolerance = kPeriodTolerance});
+         .tolerance = tolerance});
     result.periods = found.evaluations;
     result.change_over_period = found.change;
+    result.distance_to_periodic_state = kDistance * found.change / tolerance;
     if (!found.converged) {
       result.reason = fmt::format(
           "no periodic state after {} periods: the density changes by {:.1e} per period (limit "
-          "{:.0e}){}{}",
-          found.evaluations, found.change, kPeriodTolerance, result.reason.empty() ? "" : "; ",
+          "{:.0e}); increase max-seconds, or give several periods as --until{}{}",
+          found.evaluations, found.change, tolerance, result.reason.empty() ? "" : "; ",
           result.reason);
       result.status = Status::not_converged;
       return;
@@ -321,7 +330,8 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
   result.start_mean_velocity = frame.physical_velocity(start.mean_velocity);
 
   const base::Deadline deadline(options.max_seconds);
-  const Box box = transient_box(problem, scales, options, start, transient.until, deadline);
+  const Box box = transient_box(problem, scales, options, start,
+                                {transient.until, transient.periodic}, deadline);
   Options on_grid = refine_for_initial_density(options, box.lengths, start);
   const Discretisation on = discretise_within_limit(problem, box, transient.max_cells, on_grid);
   const Grid& grid = on.grid;
@@ -355,10 +365,9 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
 TransientResult solve_transient(const problem::Problem& problem, const Options& options,
                                 const TransientOptions& transient) {
   validate(options, transient);
-  if (transient.periodic) problem::require_period(problem, transient.until);
-  const problem::Problem transformed =
-      problem::to_wall_coordinates(problem::wall_frame(problem.system),
-                                   problem::with_largest_excitation(problem, transient.until));
+  const problem::Problem transformed = problem::to_wall_coordinates(
+      problem::wall_frame(problem.system),
+      problem::with_largest_excitation(problem, {transient.until, transient.periodic}));
   if (const std::string why = transient_unsupported_reason(transformed, options); !why.empty()) {
     throw InputError(fmt::format("no density over time: {}", why));
   }

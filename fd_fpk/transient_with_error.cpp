@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <future>
 #include <numbers>
 
@@ -60,7 +61,7 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
   transform::Transient transient{.id = solution_identity(options).id};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system),
-                                   problem::with_largest_excitation(problem, request.until));
+                                   problem::with_largest_excitation(problem, request.span()));
   transient.reason = transient_unsupported_reason(transformed, options);
   if (!transient.reason.empty()) {
     transient.status = transform::Status::not_offered;
@@ -75,6 +76,10 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
                            .start_mean_velocity = request.start.mean_velocity,
                            .periodic = request.periodic};
   if (request.periodic) on_fine.relative_tolerance = kPeriodicTolerance;
+  const auto remaining_seconds = [&] {
+    constexpr double kShortest = 0.1;
+    return std::max(kShortest, options.max_seconds - stopwatch.seconds());
+  };
   const auto solve_coarser = [&](double coarsening, double tolerance_ratio,
                                  const TransientResult* found) {
     TransientOptions on_coarse = on_fine;
@@ -84,6 +89,7 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
     if (found) on_coarse.periodic_guess = &*found->periodic_state;
     Options coarser = options;
     coarser.refinement *= coarsening;
+    if (request.periodic) coarser.max_seconds = remaining_seconds();
     return solve_transient(problem, coarser, on_coarse);
   };
   TransientResult coarse, fine;
@@ -100,7 +106,9 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
       return transient;
     }
     on_fine.periodic_guess = &*coarse.periodic_state;
-    fine = solve_transient(problem, options, on_fine);
+    Options in_remaining_time = options;
+    in_remaining_time.max_seconds = remaining_seconds();
+    fine = solve_transient(problem, in_remaining_time, on_fine);
   } else {
     auto coarse_solution = std::async(
         std::launch::async, [&] { return solve_coarser(kCoarsening, kToleranceRatio, nullptr); });
@@ -111,6 +119,12 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
   transform::estimate_errors_by_differences(
       make_transient_snapshots(coarse, request),
       std::numbers::pi / problem::scales(transformed).frequency, transient.snapshots);
+  // Both grids have nearly the same distance to the periodic state.
+  for (transform::TransientSnapshot& s : transient.snapshots) {
+    if (!s.error) continue;
+    s.error->y_l1 += fine.distance_to_periodic_state;
+    s.error->ydot_l1 += fine.distance_to_periodic_state;
+  }
   transient.status = fine.status;
   transient.reason = fine.reason;
   if (!fine.y_edges.empty()) {

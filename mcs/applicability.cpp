@@ -54,8 +54,11 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 
 std::string functional_unsupported_reason(const problem::Problem& problem, const Options& options) {
   const std::string reason = unsupported_reason(problem, options);
-  if (reason.empty() && problem.time.has_rate() && options.equation == DensityEquation::white) {
-    return "mcs does not support white noise in place of impulses with time.rate; use kf, or fd";
+  const bool has_factor = problem.time.has_rate() || problem.time.has_intensity();
+  if (reason.empty() && has_factor && problem.impulses.is_present() &&
+      options.equation == DensityEquation::white) {
+    return "mcs does not support white noise in place of impulses with time.rate or time.intensity; "
+           "use kf, or fd";
   }
   return reason.empty() ? problem::inelastic_collapse_reason(problem, options.equation) : reason;
 }

@@ -146,12 +146,12 @@ transform::TransientSnapshot make_snapshot(const SnapshotSums& sums, double time
 
 // Periods of the periodic state that are simulated without being recorded.
 struct SkippedPeriods {
+  static constexpr double kMost = 1e6;
   int before_first = 0;  // until the initial density is forgotten
   int between = 0;       // until the states are independent of those of the last recorded period
 
   SkippedPeriods(const SimulationPlan& plan, double decay_rate, double period) {
     constexpr double kDecayTimesBetween = 3;  // a correlation of exp(-3) = 0.05
-    constexpr double kMost = 1e6;
     const auto periods = [&](double time) {
       return static_cast<int>(std::min(kMost, std::ceil(time / period)));
     };
@@ -221,12 +221,11 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
 transform::Transient estimate_transient(const problem::Problem& problem, const Options& options,
                                         const TransientRequest& request) {
   const base::Stopwatch stopwatch;
-  if (request.periodic) problem::require_period(problem, request.until);
   transform::Transient transient{.id = id(options)};
   transient.has_standard_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system),
-                                   problem::with_largest_excitation(problem, request.until));
+                                   problem::with_largest_excitation(problem, request.span()));
   const problem::MotionScales scales = problem::scales(transformed);
   const problem::Gaussian density = problem::initial_density(transformed, scales, request.start);
   transient.reason = functional_unsupported_reason(transformed, options);
@@ -263,7 +262,11 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
         make_snapshot(sums[static_cast<std::size_t>(k)], request.time(k), paths, request));
   }
   transient.status = Status::ok;
-  if (request.periodic) transient.reason = short_burn_in_reason(plan, options);
+  if (request.periodic) {
+    transient.reason = periods.before_first >= SkippedPeriods::kMost
+                           ? "the burn-in takes too many periods; give several periods as --until"
+                           : short_burn_in_reason(plan, options);
+  }
   if (!transient.reason.empty()) transient.status = Status::inaccurate;
   transient.details = fmt::format("{:.0f} paths", paths);
   transient.seconds = stopwatch.seconds();

@@ -104,6 +104,13 @@ void read_time_dependence(const std::vector<CaseFileSection>& sections, Problem&
   if (problem.time.has_intensity() && !problem.noise.is_present()) {
     throw InputError("time.intensity is given without [noise]; remove it, or add noise");
   }
+  // The drift D G_v / 2, by which the senses of Ito and Stratonovich differ, would change in time.
+  if (problem.time.has_intensity() && problem.noise_factor &&
+      problem.noise_factor->depends_on_v()) {
+    throw InputError(
+        "time.intensity with a noise.factor that depends on v is not supported; choose a factor of y "
+        "alone");
+  }
 }
 
 std::string number_text(const base::Value& value) {

@@ -90,8 +90,8 @@ base::Value display_value(const base::Parameter& parameter, const base::Value& v
 std::string parameters_text(const Problem& problem, bool typeset = false);
 
 /// Requires the conditions under which a stationary density of the constant excitation exists,
-/// without the section [time]: an excitation, a restoring force that confines the motion, and dissipation that exceeds the energy input at large energies
-/// (EnergyAveraging).
+/// without the section [time]: an excitation, a restoring force that confines the motion, and
+/// dissipation that exceeds the energy input at large energies (EnergyAveraging).
 /// @throws InputError that states which condition is violated and which parameters to change
 void require_stationary_density(const Problem& problem);
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/input_error.hpp"
+#include "problem/effective_potential.hpp"
 #include "problem/motion_scales.hpp"
+#include "problem/parameter_ranges.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::problem {
@@ -58,45 +61,113 @@ namespace {
 
 constexpr int kSampledTimes = 4096;
 
+// Returns equidistant times for even k = 0 .. kSampledTimes, and for odd k times whose distances have
+// no period: multiples of the golden ratio, modulo 1.
+double sampled_time(int k, double until) {
+  return k % 2 == 0 ? until * k / kSampledTimes : until * std::fmod(k * std::numbers::phi, 1.0);
+}
+
 // Returns the largest value of a function of time between 0 and `until`.
 template <class Function>
-double largest_value(const char* key, const Function& function, double until, bool is_factor) {
+double largest_value(const char* key, const Function& function, double until) {
   double largest = -HUGE_VAL;
   for (int k = 0; k <= kSampledTimes; ++k) {
-    const double t = until * k / kSampledTimes, value = function(t);
+    const double t = sampled_time(k, until), value = function(t);
     if (!std::isfinite(value)) {
       throw InputError(fmt::format(
           "{} is not finite at t = {:.4g}; choose a formula that is finite up to t = {:g}", key, t,
           until));
     }
-    if (is_factor && value < 0) {
-      throw InputError(
-          fmt::format("{} = {:.4g} at t = {:.4g} (must not be negative)", key, value, t));
-    }
     largest = std::max(largest, value);
-  }
-  if (is_factor && largest == 0) {
-    throw InputError(
-        fmt::format("{} is 0 from t = 0 to t = {:g}; remove the section instead", key, until));
   }
   return largest;
 }
 
+// Returns the largest value of a factor, which must not be negative.
+template <class Function>
+double largest_factor(const char* key, const Function& factor, double until) {
+  const double largest = largest_value(key, factor, until);
+  largest_value(
+      key,
+      [&](double t) {
+        const double value = factor(t);
+        if (value >= 0) return value;
+        throw InputError(
+            fmt::format("{} = {:.4g} at t = {:.4g} (must not be negative)", key, value, t));
+      },
+      until);
+  if (largest == 0) {
+    throw InputError(fmt::format(
+        "{} is 0 at {} times from t = 0 to t = {:g}; choose a factor above 0, or longer "
+        "pulses",
+        key, kSampledTimes, until));
+  }
+  return largest;
+}
+
+// Requires that the functions of time have the period T.
+void require_period(const TimeDependence& time, double period) {
+  if (!time.is_present()) {
+    throw InputError(
+        "--periodic: the excitation is constant; add the section [time], or omit --periodic");
+  }
+  const auto require = [&](const char* key, const auto& function) {
+    // A period with five digits is accepted. At a jump, rounding may give the value of the other side.
+    constexpr double kTolerance = 1e-4;
+    constexpr int kMostJumps = kSampledTimes / 100;
+    double largest = 0;
+    for (int k = 0; k < kSampledTimes; ++k) {
+      largest = std::max(largest, std::abs(function(sampled_time(k, period))));
+    }
+    int differences = 0;
+    for (int k = 0; k < kSampledTimes; ++k) {
+      const double t = sampled_time(k, period);
+      if (std::abs(function(t + period) - function(t)) <= kTolerance * largest) continue;
+      if (++differences <= kMostJumps) continue;
+      throw InputError(fmt::format(
+          "{} does not have the period {:.10g}: its values are {:.8g} at t = {:.4g} and {:.8g} one "
+          "period later; give its period as --until",
+          key, period, function(t), t, function(t + period)));
+    }
+  };
+  require("time.rate", [&](double t) { return time.rate_factor(t); });
+  require("time.intensity", [&](double t) { return time.intensity_factor(t); });
+  require("time.force", [&](double t) { return time.force(t); });
+}
+
+void require_magnitude(const char* key, double magnitude) {
+  if (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude) return;
+  throw InputError(
+      fmt::format("{}: the largest product with the constant excitation is {:.3g} (must be {:g} "
+                  ".. {:g})",
+                  key, magnitude, kSmallestMagnitude, kLargestMagnitude));
+}
+
 }  // namespace
 
-Problem with_largest_excitation(const Problem& problem, double until) {
-  if (!problem.time.is_present()) return problem;
+Problem with_largest_excitation(const Problem& problem, const TimeSpan& span) {
   const TimeDependence& time = problem.time;
-  const double rate = largest_value(
-      "time.rate", [&](double t) { return time.rate_factor(t); }, until, true);
-  const double intensity = largest_value(
-      "time.intensity", [&](double t) { return time.intensity_factor(t); }, until, true);
-  largest_value(
-      "time.force", [&](double t) { return time.force(t); }, until, false);
+  if (span.periodic) require_period(time, span.until);
+  if (!time.is_present()) return problem;
+  const double rate = largest_factor(
+      "time.rate", [&](double t) { return time.rate_factor(t); }, span.until);
+  const double intensity = largest_factor(
+      "time.intensity", [&](double t) { return time.intensity_factor(t); }, span.until);
+  const double force = largest_value(
+      "time.force", [&](double t) { return std::abs(time.force(t)); }, span.until);
+  if (force > 0) require_magnitude("time.force", force);
   Problem strongest = problem;
-  if (time.has_rate()) strongest.impulses = problem.impulses.with_rate_multiplied_by(rate);
-  strongest.noise.intensity *= intensity;
+  if (time.has_rate()) {
+    require_magnitude("time.rate", rate * problem.impulses.arrival_rate());
+    require_magnitude("time.rate", rate * problem.impulses.intensity());
+    strongest.impulses = problem.impulses.with_rate_multiplied_by(rate);
+  }
+  if (time.has_intensity()) {
+    require_magnitude("time.intensity", intensity * problem.noise.intensity);
+    strongest.noise.intensity *= intensity;
+  }
   strongest.time = time.with_factors_divided_by(rate, intensity);
+  if (problem.frame.is_identity()) require_stationary_density(strongest);
   return strongest;
 }
 
@@ -114,25 +185,35 @@ Problem with_excitation_at_time(const Problem& problem, double t) {
   return at_time;
 }
 
-MotionExtent forced_motion_extent(const Problem& problem, double until) {
+MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span) {
   if (!problem.time.has_force()) return {};
   const MotionScales motion = scales(problem);
   const System& system = problem.system;
-  // Steps of 1/50 radian; the extent is needed to 1 % only.
-  constexpr double kStep = 0.02, kMostSteps = 1e6;
-  const double step = std::max(kStep / motion.frequency, until / kMostSteps);
-  double y = motion.centre, v = 0;
+  const EffectivePotential potential(system);
+  // Steps of 1/50 radian of the local frequency: the extent is needed to 1 % only. The motion over a
+  // longer time than kMostSteps is not followed.
+  constexpr double kStep = 0.02, kDecayTimes = 5;
+  constexpr int kMostSteps = 1000000;
+  const double end =
+      span.periodic ? span.until + kDecayTimes / motion.slowest_decay_rate : span.until;
+  const double at_rest = potential(motion.centre), force_at_rest = system.force(motion.centre, 0);
+  double y = motion.centre, v = 0, t = 0;
   MotionExtent extent;
-  const auto acceleration = [&](double t, double at_y, double at_v) {
-    return problem.time.force(t) - system.force(at_y, at_v);
+  const auto acceleration = [&](double at, double at_y, double at_v) {
+    return problem.time.force(at) - system.force(at_y, at_v);
   };
-  for (double t = 0; t < until; t += step) {
+  for (int n = 0; n < kMostSteps && t < end; ++n) {
+    const double stiffness =
+        y == motion.centre ? 0 : (system.force(y, v) - force_at_rest) / (y - motion.centre);
+    const double frequency = std::max(motion.frequency, std::sqrt(std::abs(stiffness)));
+    const double step = std::min(kStep / frequency, end - t);
     // Heun's method
     const double a = acceleration(t, y, v);
     const double y_end = y + step * v, v_end = v + step * a;
-    const double b = acceleration(t + step, y_end, v_end);
+    const double b = acceleration(std::min(t + step, end), y_end, v_end);
     y += step * (v + v_end) / 2;
     v += step * (a + b) / 2;
+    t += step;
     if (const auto& wall = system.left_wall(); wall && y < wall->position) {
       y = wall->position;
       if (v < 0) v *= -wall->restitution_at(-v);
@@ -148,30 +229,10 @@ MotionExtent forced_motion_extent(const Problem& problem, double until) {
     }
     extent.displacement = std::max(extent.displacement, std::abs(y - motion.centre));
     extent.speed = std::max(extent.speed, std::abs(v));
+    extent.amplitude =
+        std::max(extent.amplitude, std::sqrt(v * v + 2 * std::max(0.0, potential(y) - at_rest)));
   }
   return extent;
-}
-
-void require_period(const Problem& problem, double period) {
-  const auto require = [&](const char* key, const auto& function) {
-    // A period with five digits is accepted.
-    constexpr double kTolerance = 1e-4;
-    double largest = 0;
-    for (int k = 0; k < kSampledTimes; ++k) {
-      largest = std::max(largest, std::abs(function(period * k / kSampledTimes)));
-    }
-    for (int k = 0; k < kSampledTimes; ++k) {
-      const double t = period * k / kSampledTimes;
-      if (std::abs(function(t + period) - function(t)) <= kTolerance * largest) continue;
-      throw InputError(fmt::format(
-          "{} does not have the period {:.10g}: its values are {:.8g} at t = {:.4g} and {:.8g} one period later; give "
-          "its period as --until",
-          key, period, function(t), t, function(t + period)));
-    }
-  };
-  require("time.rate", [&](double t) { return problem.time.rate_factor(t); });
-  require("time.intensity", [&](double t) { return problem.time.intensity_factor(t); });
-  require("time.force", [&](double t) { return problem.time.force(t); });
 }
 
 }  // namespace fpkcheck::problem

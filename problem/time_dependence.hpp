@@ -60,28 +60,33 @@ class TimeDependence {
 
 struct Problem;
 
-/// Returns the problem whose rate of impulses and noise intensity are the largest between the times
-/// 0 and `until`. The factors of the result are relative to these values, at most 1 up to the
-/// distance of 4096 sampled times. The constant excitation of the result bounds boxes, grids and
-/// scales of motion.
-/// @throws InputError if a factor is negative, a function is not finite, or a factor is 0 throughout
-Problem with_largest_excitation(const Problem& problem, double until);
+/// The times 0 .. `until` of a computation. If `periodic`, they are a period of the excitation, and
+/// the state is the periodic one.
+struct TimeSpan {
+  double until;
+  bool periodic = false;
+};
+
+/// Returns the problem whose rate of impulses and noise intensity are the largest of the time span.
+/// The factors of the result are relative to these values, at most 1 up to the distance of 4096
+/// sampled times. The constant excitation of the result bounds boxes, grids and scales of motion.
+/// @throws InputError if a factor is negative or 0 throughout, a function is not finite, a periodic
+/// excitation is constant or has another period, or the largest excitation has no stationary density
+Problem with_largest_excitation(const Problem& problem, const TimeSpan& span);
 
 /// Returns the problem with the constant rate of impulses and noise intensity of the time t, without
 /// the force F.
 Problem with_excitation_at_time(const Problem& problem, double t);
 
-/// Largest distance from the equilibrium, and largest speed, of a motion.
+/// Largest distance from the equilibrium, largest speed, and largest sqrt(2 H) of a motion with the
+/// energy H above that of the equilibrium.
 struct MotionExtent {
-  double displacement = 0, speed = 0;
+  double displacement = 0, speed = 0, amplitude = 0;
 };
 
 /// Returns the extent of the motion under the force F(t) alone, from rest at the centre of
-/// MotionScales until the time `until`; 0 without a force F.
-MotionExtent forced_motion_extent(const Problem& problem, double until);
-
-/// Requires that the excitation has the period T > 0.
-/// @throws InputError that names the function without this period
-void require_period(const Problem& problem, double period);
+/// MotionScales until the end of the time span; without a force F all extents are 0. A periodic motion
+/// is followed over several decay times of the slowest mode.
+MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span);
 
 }  // namespace fpkcheck::problem

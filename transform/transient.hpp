@@ -19,6 +19,7 @@ struct TransientRequest {
   int snapshots = 20;  ///< number N of intervals: densities at the times t = 0, T/N, .., T
   std::vector<double> y_edges = {}, v_edges = {};  ///< edges of the bins, in physical coordinates
 
+  problem::TimeSpan span() const { return {until, periodic}; }
   double time(int snapshot) const {
     return snapshot == snapshots ? until : snapshot * (until / snapshots);
   }

@@ -26,8 +26,8 @@ using transform::Status;
 // errors of the moments of order 8 lead to another density in case 1, which is wrong by 0.05 in L1
 // at t = 1.
 constexpr double kTimeTolerance = 1e-7;
-// Largest change of the moments of the orthonormal basis functions over a period of the periodic state
-constexpr double kPeriodicTolerance = 1e-5;
+// Largest distance of the moments of the orthonormal basis functions to those of the periodic state
+constexpr double kPeriodicDistance = 1e-5;
 // Largest confinement level in deviations of v of the stationary density. At a level of 9
 // deviations basis functions of order 8 have values of 1e4 at the level, and case 1 needs a
 // tolerance of 1e-10.
@@ -172,7 +172,9 @@ class Evolution {
         scales_(problem::scales(problem)),
         deadline_(options.max_seconds),
         stationary_(stationary_density()),
-        forced_speed_(problem::forced_motion_extent(problem, request.times.back()).speed) {}
+        forced_amplitude_(
+            problem::forced_motion_extent(problem, {request.times.back(), request.periodic})
+                .amplitude) {}
 
   ClosureEvolution run(const DensityOfClosure& density_of) {
     // A density narrower than the stationary density needs more points on the same domain.
@@ -233,7 +235,7 @@ class Evolution {
   double stationary_level() const {
     const double level = std::min(
         stationary_.level, kLevelDeviations * kLevelDeviations / 2 * stationary_.temperature);
-    const double speed = std::sqrt(2 * level) + forced_speed_;
+    const double speed = std::sqrt(2 * level) + forced_amplitude_;
     return speed * speed / 2;
   }
 
@@ -284,12 +286,18 @@ class Evolution {
                    return true;
                  }},
             start,
-            {.relative = kTimeTolerance, .absolute = kTimeTolerance, .longest_step = longest_step}};
+            {.relative = kTimeTolerance,
+             .absolute = kTimeTolerance,
+             .longest_step = longest_step,
+             .end_time = times_.back()}};
   }
 
   // Replaces the moments by those of the periodic state, or sets the status and returns false.
   bool find_periodic_state(const ClosureEquations& equations, CoefficientsOfMoments& coefficients,
                            VectorXd& moments, ClosureEvolution& evolution) const {
+    // The change per period is the part of the distance that the slowest mode loses.
+    const double tolerance =
+        -kPeriodicDistance * std::expm1(-scales_.slowest_decay_rate * times_.back());
     const numerics::FixedPoint found = numerics::solve_fixed_point(
         [&](const VectorXd& from) -> std::optional<VectorXd> {
           if (deadline_.has_passed() || !coefficients.find(from)) return std::nullopt;
@@ -300,7 +308,7 @@ class Evolution {
         },
         moments,
         {.size = [](const VectorXd& change) { return change.lpNorm<Eigen::Infinity>(); },
-         .tolerance = kPeriodicTolerance});
+         .tolerance = tolerance});
     moments = found.x;
     if (found.converged && coefficients.find(moments)) return true;
     evolution.status = Status::not_converged;
@@ -309,8 +317,8 @@ class Evolution {
             ? fmt::format("no periodic state in {:g} s (max_seconds)", options_.max_seconds)
             : fmt::format(
                   "no periodic state after {} periods: the moments change by {:.1e} per period "
-                  "(limit {:.0e})",
-                  found.evaluations, found.change, kPeriodicTolerance);
+                  "(limit {:.0e}); use fd or mcs, or give several periods as --until",
+                  found.evaluations, found.change, tolerance);
     return false;
   }
 
@@ -434,7 +442,7 @@ class Evolution {
   problem::MotionScales scales_;
   base::Deadline deadline_;
   ClosureDensity stationary_;
-  double forced_speed_;
+  double forced_amplitude_;
 };
 
 }  // namespace

@@ -48,6 +48,7 @@ double time_to_next_kick(const MotionParameters& motion, double diffusion, doubl
   const double longest_interval = motion.kicks.longest_interval;
   if (!motion.kicks.has_lossy_wall) return longest_interval;
   if (motion.kicks.factor != nullptr) diffusion *= motion.kicks.factor->squared(y, v);
+  if (diffusion == 0) return longest_interval;
   constexpr double kPart = 0.1;
   const double in_velocity = kPart * v * v / diffusion;
   if (in_velocity >= longest_interval) return longest_interval;

@@ -1,7 +1,6 @@
 #include "mcs/simulation/simulation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -110,8 +109,6 @@ void Simulation::restart(std::size_t stream, double y, double v) {
   }
 }
 
-void Simulation::advance_without_records(double time) { advance_streams(false, time); }
-
 // Sets the forces that press the mass at rest on the walls at the time t, and ends the rest of all
 // masses: a mass that is still pressed on its wall comes to rest again at once.
 void Simulation::set_contact_forces(double t) {
@@ -133,21 +130,28 @@ void Simulation::advance_in_time(double from, double to) {
   if (!plan_->time.has_force() || !(constant.left.exists || constant.right.exists)) {
     return advance_to(to);
   }
-  // A contact force is constant on intervals of 1/10 radian, and has no zero inside: it only
-  // determines the end of the bounces below Wall::rest_speed.
-  constexpr double kInterval = 0.1, kShortest = 1e-6;
-  const auto contact_forces = [&](double t) {
+  // While the mass is pressed on a wall, the contact force is constant on intervals of half a
+  // radian: it only determines the end of the bounces below Wall::rest_speed. Intervals end at its
+  // zeros, which are sought in steps of 1/10 radian.
+  constexpr double kSearchStep = 0.1, kPressedInterval = 0.5, kShortest = 1e-6;
+  const auto contact_force = [&](bool left, double t) {
     const double force = plan_->time.force(t);
-    return std::array{constant.left.contact_force - force, constant.right.contact_force + force};
+    return left ? constant.left.contact_force - force : constant.right.contact_force + force;
   };
   while (from < to) {
-    const double shortest = from + kShortest / constant.frequency;
-    double end = from + kInterval / constant.frequency;
-    for (std::size_t wall = 0; wall < 2; ++wall) {
-      const auto force = [&](double t) { return contact_forces(t)[wall]; };
-      if (force(from) * force(end) < 0) end = numerics::bracketed_root(force, from, end);
+    double end = to;
+    const double middle = from + kShortest / constant.frequency;
+    for (const bool left : {true, false}) {
+      if (!(left ? constant.left : constant.right).exists) continue;
+      const auto force = [&](double t) { return contact_force(left, t); };
+      if (force(middle) > 0) end = std::min(end, from + kPressedInterval / constant.frequency);
+      for (double low = middle; low < end;) {
+        const double high = std::min(end, low + kSearchStep / constant.frequency);
+        if (force(low) * force(high) < 0) end = numerics::bracketed_root(force, low, high);
+        low = high;
+      }
     }
-    end = std::min(to, std::max(end, shortest));
+    end = std::min(to, std::max(end, middle));
     set_contact_forces((from + end) / 2);
     advance_to(end);
   }

@@ -35,8 +35,6 @@ class Simulation {
 
   void burn_in();
   void run_round();
-  /// Advances all streams by `time` without statistics and series.
-  void advance_without_records(double time);
   /// Advances all streams from one time to another without statistics and series, under the
   /// excitation of these times.
   void advance_in_time(double from, double to);

@@ -67,7 +67,7 @@ struct BdfIntegrator::Handles {
 };
 
 BdfIntegrator::BdfIntegrator(OdeSystem system, const Eigen::VectorXd& start,
-                             const BdfTolerances& tolerances)
+                             const BdfSettings& settings)
     : handles_(std::make_unique<Handles>(std::move(system), start)) {
   constexpr long kMostSteps = 100000;  // between two calls of advance()
   void* const cvode = handles_->cvode.get();
@@ -75,14 +75,17 @@ BdfIntegrator::BdfIntegrator(OdeSystem system, const Eigen::VectorXd& start,
   require_success(CVodeInit(cvode, evaluate_rate, 0.0, handles_->state.get()), "CVodeInit");
   set_error_handler<keep_message>(cvode, handles_->context, data);
   require_success(CVodeSetUserData(cvode, data), "CVodeSetUserData");
-  require_success(CVodeSStolerances(cvode, tolerances.relative, tolerances.absolute),
+  require_success(CVodeSStolerances(cvode, settings.relative, settings.absolute),
                   "CVodeSStolerances");
   require_success(CVodeSetLinearSolver(cvode, handles_->lu.get(), handles_->matrix.get()),
                   "CVodeSetLinearSolver");
   require_success(CVodeSetJacFn(cvode, evaluate_jacobian), "CVodeSetJacFn");
   require_success(CVodeSetMaxNumSteps(cvode, kMostSteps), "CVodeSetMaxNumSteps");
-  if (const auto& step = tolerances.longest_step) {
+  if (const auto& step = settings.longest_step) {
     require_success(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
+  }
+  if (const auto& time = settings.end_time) {
+    require_success(CVodeSetStopTime(cvode, *time), "CVodeSetStopTime");
   }
 }
 

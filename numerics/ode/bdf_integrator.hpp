@@ -17,10 +17,11 @@ struct OdeSystem {
       jacobian;
 };
 
-struct BdfTolerances {
+struct BdfSettings {
   double relative;
   double absolute;  ///< of all components
   std::optional<double> longest_step = {};
+  std::optional<double> end_time = {};  ///< time beyond which the system is not evaluated
 };
 
 /// Integrator of a stiff system by CVODE with BDF of variable order 1 .. 5. LU factors of the dense
@@ -29,7 +30,7 @@ class BdfIntegrator {
  public:
   /// @param start state at the time 0
   /// @throws std::runtime_error when SUNDIALS cannot be set up
-  BdfIntegrator(OdeSystem system, const Eigen::VectorXd& start, const BdfTolerances& tolerances);
+  BdfIntegrator(OdeSystem system, const Eigen::VectorXd& start, const BdfSettings& settings);
   ~BdfIntegrator();
   BdfIntegrator(const BdfIntegrator&) = delete;
   BdfIntegrator& operator=(const BdfIntegrator&) = delete;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <optional>
 
 namespace fpkcheck::numerics {
@@ -17,8 +18,9 @@ struct FixedPointOptions {
 };
 
 struct FixedPoint {
-  Eigen::VectorXd x;    ///< last value of f
-  double change = 0;    ///< size of the last change f(x) - x
+  Eigen::VectorXd x;  ///< last value of f
+  /// Size of the last change f(x) - x; infinite without a value of f
+  double change = std::numeric_limits<double>::infinity();
   int evaluations = 0;  ///< number of evaluations of f
   bool converged = false;
 };
@@ -29,7 +31,7 @@ struct FixedPoint {
 ///
 ///     f_k - sum_j xi_j (f_{j+1} - f_j),   with xi that minimises |u_k - sum_j xi_j (u_{j+1} - u_j)|.
 ///
-/// For a linear map the iterations are those of GMRES. If the next argument is outside the domain of
+/// k is at most 7. Up to this k, the iterations of a linear map are those of GMRES. If the next argument is outside the domain of
 /// f, the iteration starts again from f_k.
 FixedPoint solve_fixed_point(const VectorMap& f, const Eigen::VectorXd& start,
                              const FixedPointOptions& options);

@@ -17,8 +17,8 @@ namespace fpkcheck::problem {
 /// Values of the named constants that an expression may use.
 using NamedConstants = std::map<std::string, double, std::less<>>;
 
-/// Returns whether formulas can use a name for a constant: letters, digits and '_', not y, v, t or pi,
-/// and no function.
+/// Returns whether formulas can use a name for a constant: letters, digits and '_', not y, v, t or
+/// pi, and no function.
 bool is_name_of_constant(std::string_view name);
 
 /// A polynomial in y and v, as coefficients of y^i v^j by their exponents (i, j).

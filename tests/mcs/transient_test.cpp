@@ -95,6 +95,19 @@ TEST(SimulationOverTime, HasTheExactMomentsAtAWallUnderARateThatChangesInTime) {
   }
 }
 
+// Without noise during part of the time, the kicks have no finite rate next to the wall.
+TEST(SimulationOverTime, HasFiniteMomentsWhereTheNoiseVanishes) {
+  problem::Problem problem =
+      tests::with_noise(problem::System({.damping = 0.2, .constant = 0.5, .stiffness = 1},
+                                        {.left = 0, .left_restitution = 0.5}),
+                        0.2);
+  problem.time = problem::TimeDependence({.intensity = "max(0, sin(t))"}, {});
+  const transform::Transient result =
+      estimate_transient(problem, {.time = 2e4, .seed = 8}, request(6, 3));
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  for (const auto& s : result.snapshots) EXPECT_TRUE(std::isfinite(s.moments.v2)) << s.time;
+}
+
 TEST(SimulationOverTime, FindsThePeriodicState) {
   problem::Problem problem =
       tests::with_impulses(problem::System({.damping = 0.4, .stiffness = 1}, {.none = true}),

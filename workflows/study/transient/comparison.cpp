@@ -134,10 +134,14 @@ void require_accurate(double accuracy, const Transient* compared_with, Transient
   if (solution.status != Status::ok) return;
   constexpr double kMassLimit = 1e-3;
   const double missing = largest_missing_mass(solution);
+  const bool has_moments = std::ranges::all_of(solution.snapshots, [](const TransientSnapshot& s) {
+    return std::isfinite(s.moments.y2) && std::isfinite(s.moments.v2);
+  });
   const auto refuse = [&](std::string reason) {
     solution.status = Status::inaccurate;
     solution.reason = std::move(reason);
   };
+  if (!has_moments) return refuse("a moment is not finite");
   if (!(missing < kMassLimit)) {
     return refuse(fmt::format("the mass in the bins differs from 1 by {:.1e} (limit {:.0e})",
                               missing, kMassLimit));
@@ -181,7 +185,7 @@ std::vector<double> extended_edges(std::vector<double> edges, double low, double
 // Sets bins that cover the stationary density and all states that the initial density reaches,
 // extended by the motion under the force F(t).
 void set_bins(const problem::Problem& given, transform::TransientRequest& request) {
-  const problem::Problem problem = problem::with_largest_excitation(given, request.until);
+  const problem::Problem problem = problem::with_largest_excitation(given, request.span());
   const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
@@ -191,11 +195,12 @@ void set_bins(const problem::Problem& given, transform::TransientRequest& reques
   const auto [low, high] = std::minmax(
       {transformed.frame.physical_y(reached.y_low), transformed.frame.physical_y(reached.y_high)});
   const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
-  const auto [forced_y, forced_v] = problem::forced_motion_extent(problem, request.until);
+  const problem::MotionExtent forced = problem::forced_motion_extent(problem, request.span());
   const auto &y = axes.y_edges, &v = axes.v_edges;
-  request.y_edges = extended_edges(y, left ? y.front() : std::min(low, y.front()) - forced_y,
-                                   right ? y.back() : std::max(high, y.back()) + forced_y);
-  const double v_high = std::max(reached.v_high, v.back()) + forced_v;
+  request.y_edges =
+      extended_edges(y, left ? y.front() : std::min(low, y.front()) - forced.displacement,
+                     right ? y.back() : std::max(high, y.back()) + forced.displacement);
+  const double v_high = std::max(reached.v_high, v.back()) + forced.speed;
   request.v_edges = extended_edges(v, -v_high, v_high);
 }
 
@@ -277,8 +282,15 @@ bool is_complete(const TransientComparison& study, const Transient& solution) {
          static_cast<int>(solution.snapshots.size()) == study.options.snapshots + 1;
 }
 
-// Returns the means of the moments over a period, by the trapezoidal rule.
-Moments mean_over_period(const Transient& solution) {
+// Returns the means of the moments over a period, by the trapezoidal rule; empty with too few phases
+// for the harmonics of the moments.
+std::optional<Moments> mean_over_period(const TransientComparison& study,
+                                        const Transient& solution) {
+  constexpr int kFewestPhases = 8;
+  if (!study.options.periodic || study.options.snapshots < kFewestPhases ||
+      !is_complete(study, solution)) {
+    return std::nullopt;
+  }
   Moments mean{};
   const std::size_t intervals = solution.snapshots.size() - 1;
   for (std::size_t k = 0; k < intervals; ++k) {
@@ -321,6 +333,7 @@ std::string json(const TransientComparison& study, const std::string& command) {
       const auto at = compared_with ? distances(solution, *compared_with, k) : std::nullopt;
       l1.push_back(at ? Json{{"y", at->y}, {"ydot", at->ydot}} : Json());
     }
+    const auto mean = mean_over_period(study, solution);
     list.push_back({{"solution", solution.id},
                     {"status", name(solution.status)},
                     {"reason", solution.reason},
@@ -330,9 +343,7 @@ std::string json(const TransientComparison& study, const std::string& command) {
                     {solution.has_standard_errors ? "standard_errors" : "error", errors},
                     {"l1", l1},
                     {"l1_error", l1_errors},
-                    {"mean_over_period", study.options.periodic && is_complete(study, solution)
-                                             ? results::moments_to_json(mean_over_period(solution))
-                                             : Json()},
+                    {"mean_over_period", mean ? results::moments_to_json(*mean) : Json()},
                     {"reference", compared_with ? Json(compared_with->id) : Json()}});
   }
   return functional_json(study.problem, "over_time", list, command);
@@ -457,10 +468,9 @@ std::string solution_text(const TransientComparison& study, const Transient& sol
                   : fmt::format("; not within {:g} at the end", study.options.accuracy);
     }
   }
-  if (study.options.periodic && is_complete(study, solution)) {
-    const Moments mean = mean_over_period(solution);
+  if (const auto mean = mean_over_period(study, solution)) {
     line += fmt::format("; mean over the period: E[y] = {:.5f}, E[y^2] = {:.5f}, E[y'^2] = {:.5f}",
-                        mean.y1, mean.y2, mean.v2);
+                        mean->y1, mean->y2, mean->v2);
   }
   return line + fmt::format("; {} ({:.1f} s)", solution.details, solution.seconds);
 }

@@ -49,12 +49,17 @@ std::string transient_table(const TransientRun& run, std::size_t width) {
   constexpr std::size_t kMaxRows = 24;
   const auto& result = run.result;
   std::string text = wrap_text(report::case_title(run.problem), width);
+  const std::string solved =
+      fmt::format("{}/{}", problem::name(run.options.equation), problem::name(run.options.impact));
   text += wrap_text(
-      fmt::format("{}/{} from a Gaussian about ({:.4g}, {:.4g}) of deviations {:.4g} (y) and "
-                  "{:.4g} (y')",
-                  problem::name(run.options.equation), problem::name(run.options.impact),
-                  result.start_mean_displacement, result.start_mean_velocity,
-                  result.start_displacement, result.start_velocity),
+      run.transient.periodic
+          ? fmt::format("{} in the periodic state, after {} periods to an L1 change of {:.0e} per "
+                        "period",
+                        solved, result.periods, result.change_over_period)
+          : fmt::format("{} from a Gaussian about ({:.4g}, {:.4g}) of deviations {:.4g} (y) and "
+                        "{:.4g} (y')",
+                        solved, result.start_mean_displacement, result.start_mean_velocity,
+                        result.start_displacement, result.start_velocity),
       width);
   const std::size_t last = result.snapshots.empty() ? 0 : result.snapshots.size() - 1;
   const std::size_t stride = last / kMaxRows + 1;
@@ -127,6 +132,7 @@ Json options_json(const TransientRun& run) {
   json["snapshots"] = run.transient.snapshots;
   json["relative_tolerance"] = run.transient.relative_tolerance;
   json["max_order"] = run.transient.max_order;
+  json["periodic"] = run.transient.periodic;
   return json;
 }
 
@@ -136,26 +142,29 @@ std::string transient_json(const TransientRun& run) {
   const auto& result = run.result;
   Json snapshots = Json::array();
   for (const auto& s : result.snapshots) snapshots.push_back(snapshot_json(s));
-  const Json json{{"schema", kTransientSchema},
-                  {"program", results::program_to_json(results::current_program(run.command))},
-                  {"case", results::problem_to_json(run.problem)},
-                  {"options", options_json(run)},
-                  {"status", transform::name(result.status)},
-                  {"reason", result.reason},
-                  {"seconds", result.seconds},
-                  {"start",
-                   {{"y", result.start_displacement},
-                    {"ydot", result.start_velocity},
-                    {"mean_y", result.start_mean_displacement},
-                    {"mean_ydot", result.start_mean_velocity}}},
-                  {"nx", result.y_edges.empty() ? 0 : result.y_edges.size() - 1},
-                  {"nv", result.v_edges.empty() ? 0 : result.v_edges.size() - 1},
-                  {"steps", result.steps},
-                  {"factorisations", result.factorisations},
-                  {"rhs_evaluations", result.rhs_evaluations},
-                  {"krylov_iterations", result.krylov_iterations},
-                  {"regularisation_length", result.regularisation_length},
-                  {"snapshots", snapshots}};
+  const Json json{
+      {"schema", kTransientSchema},
+      {"program", results::program_to_json(results::current_program(run.command))},
+      {"case", results::problem_to_json(run.problem)},
+      {"options", options_json(run)},
+      {"status", transform::name(result.status)},
+      {"reason", result.reason},
+      {"seconds", result.seconds},
+      {"start",
+       {{"y", result.start_displacement},
+        {"ydot", result.start_velocity},
+        {"mean_y", result.start_mean_displacement},
+        {"mean_ydot", result.start_mean_velocity}}},
+      {"nx", result.y_edges.empty() ? 0 : result.y_edges.size() - 1},
+      {"nv", result.v_edges.empty() ? 0 : result.v_edges.size() - 1},
+      {"steps", result.steps},
+      {"periods", result.periods},
+      {"change_over_period", run.transient.periodic ? Json(result.change_over_period) : Json()},
+      {"factorisations", result.factorisations},
+      {"rhs_evaluations", result.rhs_evaluations},
+      {"krylov_iterations", result.krylov_iterations},
+      {"regularisation_length", result.regularisation_length},
+      {"snapshots", snapshots}};
   return results::serialise_json(results::replace_non_finite_by_null(json));
 }
 
