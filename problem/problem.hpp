@@ -22,8 +22,8 @@ struct Problem {
   /// The factor b(y) of parametric impulses, impulse.factor; absent if b = 1. An impulse changes y'
   /// by b(y) Y. Since y is continuous, the senses of Ito and Marcus agree.
   std::optional<StateFunction> impulse_factor = {};
-  /// Changes of the excitation in time. Only computations of densities over time regard them; all
-  /// others require a constant excitation.
+  /// Changes of the excitation in time, for densities over time. All other computations require a
+  /// constant excitation.
   TimeDependence time = {};
   /// Transformation between the coordinate of `system` and the physical coordinate y. Solvers
   /// return moments of the physical coordinate y.

@@ -88,13 +88,13 @@ const std::vector<UnsupportedFeature>& unsupported_features() {
 }
 
 std::string unsupported_feature_message(std::string_view name) {
-  static const std::vector<std::string> of_force{"forcing", "harmonic", "periodic", "sinusoidal",
-                                                 "frequency"};
+  static const std::vector<std::string> words_of_forcing{"forcing", "harmonic", "periodic",
+                                                         "sinusoidal", "frequency"};
   std::vector<std::string> parts;
   const std::string lower = boost::algorithm::to_lower_copy(std::string(name));
   boost::algorithm::split(parts, lower, boost::algorithm::is_any_of("._-"));
-  if (std::ranges::find_first_of(parts, of_force) != parts.end()) {
-    return "write a force F(t) as a formula, e.g. time.force = 0.3*cos(1.2*t)";
+  if (std::ranges::find_first_of(parts, words_of_forcing) != parts.end()) {
+    return "not a key; a force F(t) is a formula, e.g. time.force = 0.3*cos(1.2*t)";
   }
   for (const auto& [subject, words] : unsupported_features()) {
     const bool is_named = std::ranges::find_first_of(parts, words) != parts.end();

@@ -58,8 +58,8 @@ struct UnsupportedFeature {
 /// Returns all unsupported features, in agreement with the list in README.md.
 const std::vector<UnsupportedFeature>& unsupported_features();
 
-/// Returns one line that names the unsupported feature that a key or a command requests; empty if
-/// no unsupported feature is requested.
+/// Returns one line that names the unsupported feature that a key or a command requests, or the key
+/// of a force that changes in time; empty for other keys and commands.
 std::string unsupported_feature_message(std::string_view name);
 
 }  // namespace fpkcheck::problem

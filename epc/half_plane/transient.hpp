@@ -35,8 +35,8 @@ struct ClosureEvolution {
 struct EvolutionRequest {
   problem::Gaussian start;
   std::vector<double> times;  ///< increasing times; the first is 0
-  /// Whether the densities are those of the periodic state, with the last time as period. The search
-  /// for it begins at `start`.
+  /// Whether the densities are those of the periodic state, with the last time as period. The
+  /// search for the periodic state begins at `start`.
   bool periodic = false;
 };
 
