@@ -63,13 +63,14 @@ Eigen::VectorXcd ReducedResolvent::transfer(const Eigen::VectorXd& w, const Eige
   return values;
 }
 
-ReducedResolvent::Modes ReducedResolvent::modes(const Eigen::VectorXd& w) const {
-  const Eigen::EigenSolver<Eigen::MatrixXd> eigen(hessenberg_.topLeftCorner(size_, size_));
+ReducedResolvent::Modes ReducedResolvent::modes(const Eigen::VectorXd& w,
+                                                std::optional<int> size) const {
+  const int n = size.value_or(size_);
+  const Eigen::EigenSolver<Eigen::MatrixXd> eigen(hessenberg_.topLeftCorner(n, n));
   const Eigen::MatrixXcd vectors = eigen.eigenvectors();
-  const Eigen::VectorXcd start =
-      vectors.partialPivLu().solve(norm_ * Eigen::VectorXcd::Unit(size_, 0));
+  const Eigen::VectorXcd start = vectors.partialPivLu().solve(norm_ * Eigen::VectorXcd::Unit(n, 0));
   const Eigen::VectorXcd of_w =
-      vectors.transpose() * (basis_.leftCols(size_).transpose() * w).cast<std::complex<double>>();
+      vectors.transpose() * (basis_.leftCols(n).transpose() * w).cast<std::complex<double>>();
   return {.rates = system_.shift() - eigen.eigenvalues().cwiseInverse().array(),
           .coefficients = of_w.cwiseProduct(start)};
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <optional>
 #include <string>
 
 #include "base/process/stopwatch.hpp"
@@ -43,7 +44,8 @@ class ReducedResolvent {
   struct Modes {
     Eigen::VectorXcd rates, coefficients;
   };
-  Modes modes(const Eigen::VectorXd& w) const;
+  /// @param size number of basis vectors of the reduced model, at most size(); all if absent
+  Modes modes(const Eigen::VectorXd& w, std::optional<int> size = {}) const;
 
  private:
   const ShiftedSystem& system_;

@@ -88,7 +88,6 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
   const auto n = static_cast<Eigen::Index>(frequencies.size()),
              m = static_cast<Eigen::Index>(lags.size());
   Eigen::VectorXd values(n + 2 * m + kFurtherValues), last = Eigen::VectorXd::Zero(n);
-  Eigen::VectorXd last_covariance = Eigen::VectorXd::Zero(m);
   const double variance = functional.dot(b);
   while (model.size() < kMost) {
     if (!model.extend(kStep, deadline)) {
@@ -98,17 +97,19 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
     const Eigen::VectorXd density =
         2 / std::numbers::pi * model.transfer(functional, points).real();
     const double floor = kFloor * density.cwiseAbs().maxCoeff();
-    const ReducedResolvent::Modes modes = model.modes(functional);
-    const Eigen::VectorXd covariance = autocovariance_of(modes, lags);
     const bool agree =
         ((density - last).array().abs() <= kAgreement * density.array().abs().max(floor)).all();
+    last = density;
     if (agree) {
-      values << density, covariance, (covariance - last_covariance).cwiseAbs(), variance,
+      const ReducedResolvent::Modes modes = model.modes(functional),
+                                    of_smaller_space =
+                                        model.modes(functional, model.size() - kStep);
+      const Eigen::VectorXd covariance = autocovariance_of(modes, lags);
+      values << density, covariance,
+          (covariance - autocovariance_of(of_smaller_space, lags)).cwiseAbs(), variance,
           largest_modes(modes, variance);
       return values;
     }
-    last = density;
-    last_covariance = covariance;
   }
   failure = fmt::format(
       "the Krylov space of {} vectors does not determine the spectrum to {:g}; reduce the largest "
@@ -146,9 +147,9 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
              m = static_cast<Eigen::Index>(lags.size());
   const auto scale = [n, m](const Eigen::VectorXd& values) -> Eigen::VectorXd {
     Eigen::VectorXd magnitude = values.cwiseAbs();
-    magnitude.tail(3 * kModes).setConstant(HUGE_VAL);  // the modes do not determine the grid
-    magnitude.segment(n, m).setConstant(magnitude(n + 2 * m));  // errors relative to the variance
-    magnitude.segment(n + m, m).setConstant(HUGE_VAL);
+    // Autocovariances and modes do not determine the grid.
+    magnitude.segment(n, 2 * m).setConstant(HUGE_VAL);
+    magnitude.tail(3 * kModes).setConstant(HUGE_VAL);
     magnitude.head(n) = magnitude.head(n).cwiseMax(kFloor * magnitude.head(n).maxCoeff());
     return magnitude;
   };
