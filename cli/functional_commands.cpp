@@ -74,8 +74,8 @@ finite volumes the L1 distances refer to the simulation.
         difference from order n-2 gives the error
   mcs   independent paths, with sampling errors
 The case may have a section [time] with formulas: factors of the rate of impulses and of the noise
-intensity, and a force F(t). With --periodic the densities are those of the periodic state, over one
-period T of these formulas, and the means over the period are printed.
+intensity, and a force F(t). With --periodic the densities are those of the periodic state, which
+repeats after the period T of the formulas; the means over a period are printed.
 The status of finite volumes and closures is ok if their error is at most --accuracy. Exit code 0
 when every finite-volume solution and simulation of the list has status ok or does not support the
 problem, and at least one has status ok. The status of closures does not change the exit code.

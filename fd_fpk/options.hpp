@@ -130,8 +130,8 @@ struct TransientOptions {
   int max_order = 2;
   /// Most cells of an automatic grid. Time steps on more than 10 000 cells take minutes.
   double max_cells = 10000;
-  /// Whether the densities are those of the periodic state, with the period T of the excitation. The
-  /// search for the periodic state starts from the initial Gaussian.
+  /// Whether the densities are those of the periodic state, with the period T of the excitation.
+  /// The search for the periodic state starts from the initial Gaussian.
   bool periodic = false;
   /// Density at t = 0 with which the search for the periodic state starts, in place of the initial
   /// Gaussian; may be null

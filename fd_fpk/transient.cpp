@@ -91,10 +91,9 @@ DensitySnapshot make_snapshot(const problem::Problem& problem,
   s.power_residual = (s.power - energy_rate) / input_scale;
   // The initial Gaussian is bounded, so that its impact rate is the flux into the walls.
   s.impact_rate =
-      time == 0
-          ? flux_into_walls(system, grid, averages, transport_order(options))
-          : impact_rate(system, with_excitation_at_time(problem, options, on, time).excitation,
-                        options.impact, grid, averages, change, transport_order(options));
+      time == 0 ? flux_into_walls(system, grid, averages, transport_order(options))
+                : impact_rate(system, excitation_at_time(problem, options, on, time),
+                              options.impact, grid, averages, change, transport_order(options));
   s.mass = op.total_mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
   s.wall = relative_box_edge_density(problem::scales(problem), grid, averages);
@@ -166,9 +165,6 @@ Eigen::VectorXd remap_to_grid(const CellDensity& density, const Grid& grid) {
   return remapped.reshaped().cwiseQuotient(grid.cell_areas());
 }
 
-// Returns the part that a mode loses while it decays by exp(-exponent).
-double lost_part(double exponent) { return -std::expm1(-exponent); }
-
 // Integrates the cell averages of one problem over time.
 class TimeIntegration {
  public:
@@ -199,7 +195,7 @@ class TimeIntegration {
     // Largest L1 distance to the periodic state, of which the slowest mode loses a part per period
     constexpr double kDistance = 1e-4;
     const double tolerance =
-        kDistance * lost_part(problem::scales(problem_).slowest_decay_rate * transient_.until);
+        kDistance * problem::decayed_part(problem::scales(problem_), transient_.until);
     std::vector<std::pair<double, Eigen::VectorXd>> last_period;
     const numerics::FixedPoint found = numerics::solve_fixed_point(
         [&](const Eigen::VectorXd& from) -> std::optional<Eigen::VectorXd> {
@@ -244,14 +240,14 @@ class TimeIntegration {
     constexpr double kLongestStep = 0.02;
     LinearOdeSystem system = linear_ode_system(
         [this](double t, const Eigen::VectorXd& p) { return op_.product(t, p); }, preconditioner_);
-    std::optional<double> longest_step;
-    if (problem_.time.is_present()) longest_step = kLongestStep * transient_.until;
+    std::optional<double> max_step;
+    if (problem_.time.is_present()) max_step = kLongestStep * transient_.until;
     return {with_deadline_check(deadline_, std::move(system)), start,
             BdfSettings{.max_order = transient_.max_order,
                         .relative_tolerance = transient_.relative_tolerance,
                         .absolute_tolerance = transient_.relative_tolerance * start.maxCoeff(),
                         .linear_tolerance = kLinearTolerance,
-                        .max_step = longest_step,
+                        .max_step = max_step,
                         .stop_time = transient_.until,
                         .max_steps = kMostSteps,
                         .steps_per_factorisation = kStepsPerFactorisation}};

@@ -81,12 +81,12 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
     return std::max(kShortest, options.max_seconds - stopwatch.seconds());
   };
   const auto solve_coarser = [&](double coarsening, double tolerance_ratio,
-                                 const TransientResult* found) {
+                                 const TransientResult* on_coarser_grid) {
     TransientOptions on_coarse = on_fine;
     on_coarse.relative_tolerance *= tolerance_ratio;
     on_coarse.max_cells *= coarsening * coarsening;
     on_coarse.continues_if_inadmissible = true;
-    if (found) on_coarse.periodic_guess = &*found->periodic_state;
+    if (on_coarser_grid) on_coarse.periodic_guess = &*on_coarser_grid->periodic_state;
     Options coarser = options;
     coarser.refinement *= coarsening;
     if (request.periodic) coarser.max_seconds = remaining_seconds();

@@ -45,17 +45,18 @@ constexpr double kMostSpectrumEvents = 4e7, kEventsPerSample = 0.25;
 class Periodogram {
  public:
   Periodogram(std::size_t samples, double interval) : samples_(samples), interval_(interval) {
-    double power = 0;
     for (std::size_t k = 0; k < samples; ++k) {
       const double s =
           std::sin(kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(samples));
       window_.push_back(s * s);
-      power += window_.back() * window_.back();
+      window_power_ += window_.back() * window_.back();
     }
-    factor_ = interval / (kPi * power);
+    factor_ = interval / (kPi * window_power_);
     fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   }
 
+  std::size_t samples() const { return samples_; }
+  double interval() const { return interval_; }
   double frequency_step() const { return 2 * kPi / (static_cast<double>(samples_) * interval_); }
 
   /// Returns the autocovariances at the lags 0, 1 .. samples - 1, in samples, that belong to a
@@ -69,12 +70,9 @@ class Periodogram {
   }
   /// Returns the autocorrelation of the window at a lag in samples.
   double window_autocorrelation(std::size_t lag) const {
-    double sum = 0, power = 0;
-    for (std::size_t k = 0; k < samples_; ++k) {
-      power += window_[k] * window_[k];
-      if (k + lag < samples_) sum += window_[k] * window_[k + lag];
-    }
-    return sum / power;
+    double sum = 0;
+    for (std::size_t k = 0; k + lag < samples_; ++k) sum += window_[k] * window_[k + lag];
+    return sum / window_power_;
   }
 
   /// Returns the density that a constant 1 adds at the frequency k.
@@ -95,6 +93,7 @@ class Periodogram {
  private:
   std::size_t samples_;
   double interval_;
+  double window_power_ = 0;  // sum of the squares of the window
   double factor_;
   std::vector<double> window_, windowed_;
   std::vector<std::complex<double>> transformed_;
@@ -151,8 +150,9 @@ double mean_of_series(Simulation& simulation) {
 // Sets the autocovariance at the lags up to a quarter of the segments, from the periodograms of the
 // whole segments. The Fourier transform of a periodogram is the autocovariance times the
 // autocorrelation of the window, by which it is divided; cubic polynomials interpolate between the
-// samples. The density of y' is that of y times w^2, without frequencies above the Nyquist frequency;
-// the error contains their share of the variance for the decrease C w^-4 of the density of y.
+// samples. The density of y' is that of y times w^2, without frequencies above the Nyquist
+// frequency; the error contains their share of the variance for the decrease C w^-4 of the density
+// of y.
 // @param constant density of the constant E[y] - centre at the frequency k
 template <class Constant>
 void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogram,
@@ -162,8 +162,6 @@ void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogra
   constexpr std::size_t kNodes = 4;
   const bool of_y = spectrum.variable == transform::StateVariable::y;
   const double step = periodogram.frequency_step();
-  const std::size_t samples = 2 * (sums.front().whole.size() - 1);
-  const double interval = 2 * kPi / (step * static_cast<double>(samples));
   std::vector<std::vector<double>> covariances;  // of each stream, with the window
   for (const StreamSpectrum& s : sums) {
     std::vector<double> density(s.whole.size());
@@ -181,8 +179,8 @@ void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogra
     return at_nyquist * std::min(nyquist / (of_y ? 3 : 1), 2 / t);
   };
   for (const double lag : lags) {
-    const double at = lag / interval;
-    if (at > static_cast<double>(samples) / 4) break;
+    const double at = lag / periodogram.interval();
+    if (at > static_cast<double>(periodogram.samples()) / 4) break;
     const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(at) - 1));
     std::array<double, kNodes> nodes{}, correlations{};
     for (std::size_t a = 0; a < kNodes; ++a) {

@@ -146,14 +146,14 @@ transform::TransientSnapshot make_snapshot(const SnapshotSums& sums, double time
 
 // Periods of the periodic state that are simulated without being recorded.
 struct SkippedPeriods {
-  static constexpr double kMost = 1e6;
+  static constexpr double kMostPeriods = 1e6;
   int before_first = 0;  // until the initial density is forgotten
   int between = 0;       // until the states are independent of those of the last recorded period
 
   SkippedPeriods(const SimulationPlan& plan, double decay_rate, double period) {
     constexpr double kDecayTimesBetween = 3;  // a correlation of exp(-3) = 0.05
     const auto periods = [&](double time) {
-      return static_cast<int>(std::min(kMost, std::ceil(time / period)));
+      return static_cast<int>(std::min(kMostPeriods, std::ceil(time / period)));
     };
     before_first = periods(plan.burn_in);
     between = periods(kDecayTimesBetween / decay_rate);
@@ -263,7 +263,7 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
   }
   transient.status = Status::ok;
   if (request.periodic) {
-    transient.reason = periods.before_first >= SkippedPeriods::kMost
+    transient.reason = periods.before_first >= SkippedPeriods::kMostPeriods
                            ? "the burn-in takes too many periods; give several periods as --until"
                            : short_burn_in_reason(plan, options);
   }

@@ -97,6 +97,10 @@ MotionScales scales(const Problem& problem) {
              : scales_by_averaging(problem, EnergyAveraging(problem));
 }
 
+double decayed_part(const MotionScales& scales, double time) {
+  return -std::expm1(-scales.slowest_decay_rate * time);
+}
+
 double impulses_per_decay_time(const Problem& problem, const MotionScales& scales) {
   return problem.impulses.arrival_rate() / scales.slowest_decay_rate;
 }

@@ -33,6 +33,10 @@ MotionScales scales(const Problem& problem);
 /// @pre the motion is confined: !averaging.unconfined_reason()
 MotionScales scales_by_averaging(const Problem& problem, const EnergyAveraging& averaging);
 
+/// Returns the part 1 - exp(-slowest_decay_rate T) of the slowest deviation from the stationary
+/// density that decays in the time T.
+double decayed_part(const MotionScales& scales, double time);
+
 /// Returns the mean number of impulses in the time in which the slowest deviation from the
 /// stationary density decays by a factor e; 0 without impulses.
 double impulses_per_decay_time(const Problem& problem, const MotionScales& scales);

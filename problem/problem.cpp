@@ -108,8 +108,8 @@ void read_time_dependence(const std::vector<CaseFileSection>& sections, Problem&
   if (problem.time.has_intensity() && problem.noise_factor &&
       problem.noise_factor->depends_on_v()) {
     throw InputError(
-        "time.intensity with a noise.factor that depends on v is not supported; choose a factor of y "
-        "alone");
+        "time.intensity with a noise.factor that depends on v is not supported; choose a factor of "
+        "y alone");
   }
 }
 
@@ -119,6 +119,18 @@ std::string number_text(const base::Value& value) {
 }
 
 }  // namespace
+
+Problem without_impulses(Problem problem) {
+  problem.impulses = ImpulseTrain();
+  problem.impulse_factor.reset();
+  return problem;
+}
+
+Problem without_noise(Problem problem) {
+  problem.noise = {};
+  problem.noise_factor.reset();
+  return problem;
+}
 
 double noise_diffusion(const Problem& problem, double y, double v) {
   return problem.noise.diffusion() *
@@ -178,8 +190,8 @@ const base::Parameter& named_constant_parameter(std::string_view name) {
                                          .range = base::finite_numbers()};
   if (!is_name_of_constant(name)) {
     throw InputError(fmt::format(
-        "parameters.{} is not a name of a constant; use letters, digits and '_', but not y, v, t, pi "
-        "or the name of a function",
+        "parameters.{} is not a name of a constant; use letters, digits and '_', but not y, v, t, "
+        "pi or the name of a function",
         base::sanitise(name)));
   }
   return parameter;
@@ -241,8 +253,8 @@ Problem problem_from_sections(const std::string& name, const std::vector<CaseFil
   read_time_dependence(sections, problem);
   if (problem.time.is_present() && time == TimeSection::refused) {
     throw InputError(
-        "the section [time] changes the excitation in time, so that there is no stationary density; "
-        "compute densities over time: fpkcheck run CASE --until T");
+        "the section [time] changes the excitation in time, so that there is no stationary "
+        "density; compute densities over time: fpkcheck run CASE --until T");
   }
   require_stationary_density(problem);
   return problem;

@@ -30,6 +30,9 @@ struct Problem {
   WallFrame frame = {};
 };
 
+Problem without_impulses(Problem problem);
+Problem without_noise(Problem problem);
+
 /// Returns the diffusion coefficient D G(y, v) of the noise.
 double noise_diffusion(const Problem& problem, double y, double v);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/input_error.hpp"
 #include "problem/effective_potential.hpp"
@@ -61,8 +62,8 @@ namespace {
 
 constexpr int kSampledTimes = 4096;
 
-// Returns equidistant times for even k = 0 .. kSampledTimes, and for odd k times whose distances have
-// no period: multiples of the golden ratio, modulo 1.
+// Returns equidistant times for even k = 0 .. kSampledTimes, and for odd k times whose distances
+// have no period: multiples of the golden ratio, modulo 1.
 double sampled_time(int k, double until) {
   return k % 2 == 0 ? until * k / kSampledTimes : until * std::fmod(k * std::numbers::phi, 1.0);
 }
@@ -86,19 +87,18 @@ double largest_value(const char* key, const Function& function, double until) {
 // Returns the largest value of a factor, which must not be negative.
 template <class Function>
 double largest_factor(const char* key, const Function& factor, double until) {
-  const double largest = largest_value(key, factor, until);
-  largest_value(
-      key,
-      [&](double t) {
-        const double value = factor(t);
-        if (value >= 0) return value;
-        throw InputError(
-            fmt::format("{} = {:.4g} at t = {:.4g} (must not be negative)", key, value, t));
-      },
-      until);
+  const auto not_negative = [&](double t) {
+    const double value = factor(t);
+    if (value < 0) {
+      throw InputError(
+          fmt::format("{} = {:.4g} at t = {:.4g} (must not be negative)", key, value, t));
+    }
+    return value;
+  };
+  const double largest = largest_value(key, not_negative, until);
   if (largest == 0) {
     throw InputError(fmt::format(
-        "{} is 0 at {} times from t = 0 to t = {:g}; choose a factor above 0, or longer "
+        "{} is 0 at all {} sampled times from t = 0 to t = {:g}; choose a factor above 0, or longer "
         "pulses",
         key, kSampledTimes, until));
   }
@@ -112,13 +112,12 @@ void require_period(const TimeDependence& time, double period) {
         "--periodic: the excitation is constant; add the section [time], or omit --periodic");
   }
   const auto require = [&](const char* key, const auto& function) {
-    // A period with five digits is accepted. At a jump, rounding may give the value of the other side.
+    // A period with five digits is accepted. At a jump, rounding may give the value of the other
+    // side.
     constexpr double kTolerance = 1e-4;
     constexpr int kMostJumps = kSampledTimes / 100;
-    double largest = 0;
-    for (int k = 0; k < kSampledTimes; ++k) {
-      largest = std::max(largest, std::abs(function(sampled_time(k, period))));
-    }
+    const double largest = largest_value(
+        key, [&](double t) { return std::abs(function(t)); }, period);
     int differences = 0;
     for (int k = 0; k < kSampledTimes; ++k) {
       const double t = sampled_time(k, period);
@@ -135,12 +134,10 @@ void require_period(const TimeDependence& time, double period) {
   require("time.force", [&](double t) { return time.force(t); });
 }
 
-void require_magnitude(const char* key, double magnitude) {
+void require_magnitude(const char* key, const char* quantity, double magnitude) {
   if (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude) return;
-  throw InputError(
-      fmt::format("{}: the largest product with the constant excitation is {:.3g} (must be {:g} "
-                  ".. {:g})",
-                  key, magnitude, kSmallestMagnitude, kLargestMagnitude));
+  throw InputError(fmt::format("{}: the largest {} is {:.3g} (must be {:g} .. {:g})", key, quantity,
+                               magnitude, kSmallestMagnitude, kLargestMagnitude));
 }
 
 }  // namespace
@@ -155,15 +152,15 @@ Problem with_largest_excitation(const Problem& problem, const TimeSpan& span) {
       "time.intensity", [&](double t) { return time.intensity_factor(t); }, span.until);
   const double force = largest_value(
       "time.force", [&](double t) { return std::abs(time.force(t)); }, span.until);
-  if (force > 0) require_magnitude("time.force", force);
+  if (force > 0) require_magnitude("time.force", "force", force);
   Problem strongest = problem;
   if (time.has_rate()) {
-    require_magnitude("time.rate", rate * problem.impulses.arrival_rate());
-    require_magnitude("time.rate", rate * problem.impulses.intensity());
+    require_magnitude("time.rate", "rate of impulses", rate * problem.impulses.arrival_rate());
+    require_magnitude("time.rate", "intensity of impulses", rate * problem.impulses.intensity());
     strongest.impulses = problem.impulses.with_rate_multiplied_by(rate);
   }
   if (time.has_intensity()) {
-    require_magnitude("time.intensity", intensity * problem.noise.intensity);
+    require_magnitude("time.intensity", "noise intensity", intensity * problem.noise.intensity);
     strongest.noise.intensity *= intensity;
   }
   strongest.time = time.with_factors_divided_by(rate, intensity);
@@ -175,8 +172,7 @@ Problem with_excitation_at_time(const Problem& problem, double t) {
   if (!problem.time.is_present()) return problem;
   Problem at_time = problem;
   if (const double rate = problem.time.rate_factor(t); rate == 0) {
-    at_time.impulses = ImpulseTrain();
-    at_time.impulse_factor.reset();
+    at_time = without_impulses(std::move(at_time));
   } else if (problem.impulses.is_present()) {
     at_time.impulses = problem.impulses.with_rate_multiplied_by(rate);
   }
@@ -190,8 +186,8 @@ MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span) 
   const MotionScales motion = scales(problem);
   const System& system = problem.system;
   const EffectivePotential potential(system);
-  // Steps of 1/50 radian of the local frequency: the extent is needed to 1 % only. The motion over a
-  // longer time than kMostSteps is not followed.
+  // Steps of 1/50 radian of the local frequency: the extent is needed to 1 % only. The motion after
+  // kMostSteps is not followed.
   constexpr double kStep = 0.02, kDecayTimes = 5;
   constexpr int kMostSteps = 1000000;
   const double end =

@@ -71,11 +71,12 @@ struct TimeSpan {
 /// The factors of the result are relative to these values, at most 1 up to the distance of 4096
 /// sampled times. The constant excitation of the result bounds boxes, grids and scales of motion.
 /// @throws InputError if a factor is negative or 0 throughout, a function is not finite, a periodic
-/// excitation is constant or has another period, or the largest excitation has no stationary density
+/// excitation is constant or has another period, or the largest excitation has no stationary
+/// density
 Problem with_largest_excitation(const Problem& problem, const TimeSpan& span);
 
-/// Returns the problem with the constant rate of impulses and noise intensity of the time t, without
-/// the force F.
+/// Returns the problem with the constant rate of impulses and noise intensity of the time t,
+/// without the force F.
 Problem with_excitation_at_time(const Problem& problem, double t);
 
 /// Largest distance from the equilibrium, largest speed, and largest sqrt(2 H) of a motion with the
@@ -85,8 +86,8 @@ struct MotionExtent {
 };
 
 /// Returns the extent of the motion under the force F(t) alone, from rest at the centre of
-/// MotionScales until the end of the time span; without a force F all extents are 0. A periodic motion
-/// is followed over several decay times of the slowest mode.
+/// MotionScales until the end of the time span; without a force F all extents are 0. A periodic
+/// motion is followed over several decay times of the slowest mode.
 MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span);
 
 }  // namespace fpkcheck::problem

@@ -266,8 +266,8 @@ class Evolution {
                                             const VectorXd& start) const {
     // A step of any accuracy could pass over a short pulse of the excitation.
     constexpr double kLongestStep = 1e-2;
-    std::optional<double> longest_step;
-    if (problem_.time.is_present()) longest_step = kLongestStep * times_.back();
+    std::optional<double> max_step;
+    if (problem_.time.is_present()) max_step = kLongestStep * times_.back();
     return {{.rate =
                  [&](double t, const VectorXd& m, Eigen::Ref<VectorXd> rate) {
                    if (deadline_.has_passed() || !coefficients.find(m)) return false;
@@ -288,16 +288,15 @@ class Evolution {
             start,
             {.relative = kTimeTolerance,
              .absolute = kTimeTolerance,
-             .longest_step = longest_step,
-             .end_time = times_.back()}};
+             .max_step = max_step,
+             .stop_time = times_.back()}};
   }
 
   // Replaces the moments by those of the periodic state, or sets the status and returns false.
   bool find_periodic_state(const ClosureEquations& equations, CoefficientsOfMoments& coefficients,
                            VectorXd& moments, ClosureEvolution& evolution) const {
     // The change per period is the part of the distance that the slowest mode loses.
-    const double tolerance =
-        -kPeriodicDistance * std::expm1(-scales_.slowest_decay_rate * times_.back());
+    const double tolerance = kPeriodicDistance * problem::decayed_part(scales_, times_.back());
     const numerics::FixedPoint found = numerics::solve_fixed_point(
         [&](const VectorXd& from) -> std::optional<VectorXd> {
           if (deadline_.has_passed() || !coefficients.find(from)) return std::nullopt;

@@ -3,22 +3,6 @@
 #include <utility>
 
 namespace fpkcheck::fd_fpk {
-namespace {
-
-problem::Problem without_impulses(problem::Problem problem) {
-  problem.impulses = problem::ImpulseTrain();
-  problem.impulse_factor.reset();
-  return problem;
-}
-
-problem::Problem without_noise(problem::Problem problem) {
-  problem.noise = {};
-  problem.noise_factor.reset();
-  return problem;
-}
-
-}  // namespace
-
 TimeDependentOperator::TimeDependentOperator(const problem::Problem& problem,
                                              const Options& options, const Discretisation& on) {
   const auto operator_of = [&](const Excitation& excitation) {
@@ -63,13 +47,13 @@ Eigen::VectorXd TimeDependentOperator::product(double t, const Eigen::VectorXd& 
   return change;
 }
 
-Discretisation with_excitation_at_time(const problem::Problem& problem, const Options& options,
-                                       const Discretisation& on, double t) {
-  if (!problem.time.is_present()) return on;
-  Discretisation at_time =
-      with_excitation_of(problem::with_excitation_at_time(problem, t), options, on);
-  at_time.excitation.drift += problem.time.force(t);
-  return at_time;
+Excitation excitation_at_time(const problem::Problem& problem, const Options& options,
+                              const Discretisation& on, double t) {
+  if (!problem.time.is_present()) return on.excitation;
+  Excitation excitation =
+      with_excitation_of(problem::with_excitation_at_time(problem, t), options, on).excitation;
+  excitation.drift += problem.time.force(t);
+  return excitation;
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -39,8 +39,8 @@ class TimeDependentOperator {
   std::vector<Term> terms_;
 };
 
-/// Returns the discretisation with the excitation at the time t: drift, diffusion and jumps.
-Discretisation with_excitation_at_time(const problem::Problem& problem, const Options& options,
-                                       const Discretisation& on, double t);
+/// Returns the excitation at the time t, with the drift of the force F(t).
+Excitation excitation_at_time(const problem::Problem& problem, const Options& options,
+                              const Discretisation& on, double t);
 
 }  // namespace fpkcheck::fd_fpk

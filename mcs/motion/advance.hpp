@@ -48,11 +48,11 @@ bool does_impulse_arrive(const MotionParameters& motion, Stream& stream);
 void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
              const simd::SimdVariant& lanes);
 
-/// Returns the time from a noise kick at (y, v), with the given diffusion coefficient without the
-/// factor of multiplicative noise, to the next noise kick. Next to a wall with impact
+/// Returns the time from a noise kick at (y, v) to the next noise kick. Next to a wall with impact
 /// losses the time is a fraction of v^2/D or (distance^2/D)^(1/3), the times in which noise alone
 /// changes the motion. With a constant interval the strength of the kicks would prevent the
 /// oscillator from coming close to rest.
+/// @param diffusion present diffusion coefficient D, without the factor of multiplicative noise
 double time_to_next_kick(const MotionParameters& motion, double diffusion, double y, double v);
 
 // The three functions advance_streams() advance `width` streams, each by its remaining time. One

@@ -1,6 +1,7 @@
 #include "mcs/simulation/simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -109,13 +110,19 @@ void Simulation::restart(std::size_t stream, double y, double v) {
   }
 }
 
-// Sets the forces that press the mass at rest on the walls at the time t, and ends the rest of all
-// masses: a mass that is still pressed on its wall comes to rest again at once.
-void Simulation::set_contact_forces(double t) {
+// Returns the forces that press the mass on the left and on the right wall at the time t.
+std::array<double, 2> Simulation::contact_forces(double t) const {
   const double force = plan_->time.force(t);
-  const Oscillator& constant = plan_->oscillator;
-  set_contact_force(constant, constant.left.contact_force - force, motion_.oscillator.left);
-  set_contact_force(constant, constant.right.contact_force + force, motion_.oscillator.right);
+  return {plan_->oscillator.left.contact_force - force,
+          plan_->oscillator.right.contact_force + force};
+}
+
+// Sets the contact forces of the time t, and ends the rest of all masses: a mass that is still
+// pressed on its wall comes to rest again at once.
+void Simulation::set_contact_forces(double t) {
+  const auto [left, right] = contact_forces(t);
+  set_contact_force(plan_->oscillator, left, motion_.oscillator.left);
+  set_contact_force(plan_->oscillator, right, motion_.oscillator.right);
   for (Stream& stream : streams_) stream.branch.time_to_rest = -1;
 }
 
@@ -126,32 +133,29 @@ void Simulation::advance_in_time(double from, double to) {
     advance_streams(false, end - from);
     from = end;
   };
-  const Oscillator& constant = plan_->oscillator;
-  if (!plan_->time.has_force() || !(constant.left.exists || constant.right.exists)) {
-    return advance_to(to);
-  }
+  const Oscillator& oscillator = plan_->oscillator;
+  const std::array has_wall{oscillator.left.exists, oscillator.right.exists};
+  if (!plan_->time.has_force() || !(has_wall[0] || has_wall[1])) return advance_to(to);
   // While the mass is pressed on a wall, the contact force is constant on intervals of half a
   // radian: it only determines the end of the bounces below Wall::rest_speed. Intervals end at its
   // zeros, which are sought in steps of 1/10 radian.
   constexpr double kSearchStep = 0.1, kPressedInterval = 0.5, kShortest = 1e-6;
-  const auto contact_force = [&](bool left, double t) {
-    const double force = plan_->time.force(t);
-    return left ? constant.left.contact_force - force : constant.right.contact_force + force;
-  };
   while (from < to) {
     double end = to;
-    const double middle = from + kShortest / constant.frequency;
-    for (const bool left : {true, false}) {
-      if (!(left ? constant.left : constant.right).exists) continue;
-      const auto force = [&](double t) { return contact_force(left, t); };
-      if (force(middle) > 0) end = std::min(end, from + kPressedInterval / constant.frequency);
-      for (double low = middle; low < end;) {
-        const double high = std::min(end, low + kSearchStep / constant.frequency);
+    const double earliest_end = from + kShortest / oscillator.frequency;
+    for (std::size_t wall = 0; wall < has_wall.size(); ++wall) {
+      if (!has_wall[wall]) continue;
+      const auto force = [&](double t) { return contact_forces(t)[wall]; };
+      if (force(earliest_end) > 0) {
+        end = std::min(end, from + kPressedInterval / oscillator.frequency);
+      }
+      for (double low = earliest_end; low < end;) {
+        const double high = std::min(end, low + kSearchStep / oscillator.frequency);
         if (force(low) * force(high) < 0) end = numerics::bracketed_root(force, low, high);
         low = high;
       }
     }
-    end = std::min(to, std::max(end, middle));
+    end = std::min(to, std::max(end, earliest_end));
     set_contact_forces((from + end) / 2);
     advance_to(end);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <iosfwd>
 #include <vector>
@@ -68,6 +69,7 @@ class Simulation {
 
  private:
   void advance_streams(bool recorded, double time);
+  std::array<double, 2> contact_forces(double t) const;
   void set_contact_forces(double t);
   bool is_stream_in_subset(int part, std::size_t stream) const;
   void save_stream(std::ostream& out, const Stream& stream) const;

@@ -81,10 +81,10 @@ BdfIntegrator::BdfIntegrator(OdeSystem system, const Eigen::VectorXd& start,
                   "CVodeSetLinearSolver");
   require_success(CVodeSetJacFn(cvode, evaluate_jacobian), "CVodeSetJacFn");
   require_success(CVodeSetMaxNumSteps(cvode, kMostSteps), "CVodeSetMaxNumSteps");
-  if (const auto& step = settings.longest_step) {
+  if (const auto& step = settings.max_step) {
     require_success(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
   }
-  if (const auto& time = settings.end_time) {
+  if (const auto& time = settings.stop_time) {
     require_success(CVodeSetStopTime(cvode, *time), "CVodeSetStopTime");
   }
 }

@@ -8,9 +8,9 @@
 
 namespace fpkcheck::numerics {
 
-/// System of ordinary differential equations dx/dt = f(t, x) with its Jacobian df/dx. Both functions
-/// return false at a state x outside of the domain of f. CVODE then repeats the step with a smaller
-/// step size.
+/// System of ordinary differential equations dx/dt = f(t, x) with its Jacobian df/dx. Both
+/// functions return false at a state x outside of the domain of f. CVODE then repeats the step with
+/// a smaller step size.
 struct OdeSystem {
   std::function<bool(double t, const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> rate)> rate;
   std::function<bool(double t, const Eigen::VectorXd& x, Eigen::Ref<Eigen::MatrixXd> jacobian)>
@@ -20,8 +20,8 @@ struct OdeSystem {
 struct BdfSettings {
   double relative;
   double absolute;  ///< of all components
-  std::optional<double> longest_step = {};
-  std::optional<double> end_time = {};  ///< time beyond which the system is not evaluated
+  std::optional<double> max_step = {};
+  std::optional<double> stop_time = {};  ///< time that no step exceeds
 };
 
 /// Integrator of a stiff system by CVODE with BDF of variable order 1 .. 5. LU factors of the dense

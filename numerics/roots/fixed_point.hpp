@@ -25,14 +25,14 @@ struct FixedPoint {
   bool converged = false;
 };
 
-/// Computes a fixed point x = f(x) by Anderson acceleration (Walker and Ni, SIAM Journal on Numerical
-/// Analysis 49 (2011) 1715). With the values f_j and the changes u_j = f_j - x_j of the last
-/// evaluations j = 0 .. k, the next argument is
+/// Computes a fixed point x = f(x) by Anderson acceleration (Walker and Ni, SIAM Journal on
+/// Numerical Analysis 49 (2011) 1715). With the values f_j and the changes u_j = f_j - x_j of the
+/// last evaluations j = 0 .. k, k <= 7, the next argument is
 ///
-///     f_k - sum_j xi_j (f_{j+1} - f_j),   with xi that minimises |u_k - sum_j xi_j (u_{j+1} - u_j)|.
+///     f_k - sum_j xi_j (f_{j+1} - f_j),  where xi minimises |u_k - sum_j xi_j (u_{j+1} - u_j)|.
 ///
-/// k is at most 7. Up to this k, the iterations of a linear map are those of GMRES. If the next argument is outside the domain of
-/// f, the iteration starts again from f_k.
+/// The first eight iterations of a linear map are those of GMRES. If the next argument is outside
+/// the domain of f, the iteration starts again from f_k.
 FixedPoint solve_fixed_point(const VectorMap& f, const Eigen::VectorXd& start,
                              const FixedPointOptions& options);
 

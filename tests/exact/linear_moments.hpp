@@ -35,8 +35,9 @@ struct MeanAndCovariance {
 LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCovariance& start,
                                 double time);
 
-/// The moments at `time` of the linear oscillator without walls, under impulses of any law and white
-/// noise whose rate and intensity change in time, and a force F(t), by numerical integration of
+/// The moments at `time` of the linear oscillator without walls, under impulses of any law and
+/// white noise whose rate and intensity change in time, and a force F(t), by numerical integration
+/// of
 ///
 ///     dE[x]/dt = A E[x] + (0, b),      b = lambda a(t) E[Y] + F(t),
 ///     dS/dt = A S + S A^T + (0, b) E[x]^T + E[x] (0, b)^T + diag(0, lambda a(t) E[Y^2] + 2D b(t))

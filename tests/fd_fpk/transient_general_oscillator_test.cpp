@@ -76,8 +76,8 @@ TEST(TransientGeneralOscillator, HasTheExactMeansAndCovariancesOfTheLinearOscill
   }
 }
 
-// Impulses with a mean, noise and a force that all change in time: a wrong sign of F, a factor of the
-// wrong term, or a factor at the wrong time changes the means or the covariances.
+// Impulses with a mean, noise and a force that all change in time: a wrong sign of F, a factor of
+// the wrong term, or a factor at the wrong time changes the means or the covariances.
 TEST(TransientGeneralOscillator, HasTheExactMomentsUnderAnExcitationThatChangesInTime) {
   Problem p =
       tests::with_impulses(System(kLinear, {.none = true}), tests::gaussian_impulses(1, 0.1, 0.1));

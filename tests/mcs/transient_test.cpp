@@ -53,8 +53,8 @@ TEST(SimulationOverTime, HasTheExactMomentsOfTheLinearOscillator) {
   EXPECT_GT(start.ydot.upper[2], start.ydot.density[2]);
 }
 
-// Without a wall the moments of the linear oscillator are exact for impulses, noise and a force that
-// change in time.
+// Without a wall the moments of the linear oscillator are exact for impulses, noise and a force
+// that change in time.
 TEST(SimulationOverTime, HasTheExactMomentsUnderAnExcitationThatChangesInTime) {
   problem::Problem problem =
       tests::with_impulses(problem::System({.damping = 0.1, .stiffness = 1}, {.none = true}),
@@ -129,8 +129,8 @@ TEST(SimulationOverTime, FindsThePeriodicState) {
 }
 
 // A force presses the mass on the wall and then lifts it off: bounces end, and the mass leaves the
-// wall when the force changes its sign, at t = 2. The rebound from the drop of all paths is negligible
-// for r = 0.2. Thereafter y = (t - 2)^2 / 2 without stiffness, damping and impulses.
+// wall when the force changes its sign, at t = 2. The rebound from the drop of all paths is
+// negligible for r = 0.2. Thereafter y = (t - 2)^2 / 2 without stiffness, damping and impulses.
 TEST(SimulationOverTime, LiftsTheMassOffTheWallWhenTheForceChangesItsSign) {
   problem::Problem problem = tests::with_impulses(
       problem::System({.damping = 1e-4, .stiffness = 1e-4}, {.left = 0, .left_restitution = 0.2}),

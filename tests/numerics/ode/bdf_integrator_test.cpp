@@ -66,7 +66,7 @@ TEST(BdfIntegrator, StopsWhereTheSolutionLeavesTheDomain) {
 }
 
 // A pulse of the length 0.1 at t = 50 after a long rest
-double integral_over_pulse(std::optional<double> longest_step) {
+double integral_over_pulse(std::optional<double> max_step) {
   const OdeSystem pulse{.rate =
                             [](double t, const VectorXd&, Eigen::Ref<VectorXd> rate) {
                               rate[0] = t > 50 && t < 50.1 ? 1 : 0;
@@ -77,7 +77,7 @@ double integral_over_pulse(std::optional<double> longest_step) {
                               jacobian(0, 0) = 0;
                               return true;
                             }};
-  BdfIntegrator integrator(pulse, VectorXd::Zero(1), {1e-6, 1e-6, longest_step});
+  BdfIntegrator integrator(pulse, VectorXd::Zero(1), {1e-6, 1e-6, max_step});
   EXPECT_TRUE(integrator.advance(100)) << integrator.error_message();
   return integrator.state()[0];
 }

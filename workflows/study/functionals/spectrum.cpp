@@ -67,7 +67,8 @@ std::vector<double> frequencies(const problem::Problem& problem, const SpectrumO
   return evenly_spaced(from, to, static_cast<int>(intervals));
 }
 
-// Returns the times of the autocovariance, up to two decay times of the slowest mode of energy averaging.
+// Returns the times of the autocovariance, up to two decay times of the slowest mode of energy
+// averaging.
 std::vector<double> lags(const problem::Problem& problem) {
   constexpr double kDecayTimes = 2;
   constexpr int kIntervals = 200;
@@ -167,22 +168,19 @@ std::string json(const SpectrumStudy& study, const std::string& command) {
 std::string csv(const SpectrumStudy& study) {
   std::vector<StudyRecord> rows;
   for (const Spectrum& s : study.spectra) {
-    for (std::size_t k = 0; k < s.density.size(); ++k) {
-      rows.push_back({{"case", study.problem.name},
-                      {"solution", s.id},
-                      {"variable", std::string(name(s.variable))},
-                      {"frequency", s.frequencies[k]},
-                      {"density", s.density[k]},
-                      {"error", s.error[k]}});
-    }
-    for (std::size_t k = 0; k < s.autocovariance.size(); ++k) {
-      rows.push_back({{"case", study.problem.name},
-                      {"solution", s.id},
-                      {"variable", std::string(name(s.variable))},
-                      {"lag", s.lags[k]},
-                      {"autocovariance", s.autocovariance[k]},
-                      {"error", s.autocovariance_error[k]}});
-    }
+    const auto add = [&](const char* abscissa, const std::vector<double>& x, const char* quantity,
+                         const std::vector<double>& values, const std::vector<double>& errors) {
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        rows.push_back({{"case", study.problem.name},
+                        {"solution", s.id},
+                        {"variable", std::string(name(s.variable))},
+                        {abscissa, x[k]},
+                        {quantity, values[k]},
+                        {"error", errors[k]}});
+      }
+    };
+    add("frequency", s.frequencies, "density", s.density, s.error);
+    add("lag", s.lags, "autocovariance", s.autocovariance, s.autocovariance_error);
   }
   return csv_text(rows, "case solution variable frequency density error lag autocovariance");
 }

@@ -282,8 +282,8 @@ bool is_complete(const TransientComparison& study, const Transient& solution) {
          static_cast<int>(solution.snapshots.size()) == study.options.snapshots + 1;
 }
 
-// Returns the means of the moments over a period, by the trapezoidal rule; empty with too few phases
-// for the harmonics of the moments.
+// Returns the means of the moments over a period, by the trapezoidal rule; empty with too few
+// phases for the harmonics of the moments.
 std::optional<Moments> mean_over_period(const TransientComparison& study,
                                         const Transient& solution) {
   constexpr int kFewestPhases = 8;
