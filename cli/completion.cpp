@@ -38,14 +38,12 @@ Words case_keys(const Words& words) {
       keys.push_back(section->prefix() + parameter.name + '=');
     }
   }
-  const auto load = [](const std::string& word) {
-    return problem::load_case(word, {}, problem::CaseNaming::from_file,
-                              problem::TimeSection::allowed);
-  };
   for (const auto& word : words) {
     if (problem::find_built_in_case(word) == nullptr && !word.ends_with(".ini")) continue;
     try {
-      for (const auto& [name, value] : load(word).system.named_constants()) {
+      const problem::Problem loaded = problem::load_case(
+          word, {}, problem::CaseNaming::from_file, problem::TimeSection::allowed);
+      for (const auto& [name, value] : loaded.system.named_constants()) {
         keys.push_back("parameters." + name + '=');
       }
     } catch (const InputError&) {
