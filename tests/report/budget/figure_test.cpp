@@ -70,7 +70,8 @@ TEST(BudgetFigure, OmitsTheTailsInASingleColumn) {
 }
 
 TEST(BudgetFigure, AxisContainsEveryBar) {
-  const auto& y = budget_figure(budgeted_case()).panels[0].y;
+  const Figure figure = budget_figure(budgeted_case());
+  const auto& y = figure.panels[0].y;
   EXPECT_TRUE(y.is_logarithmic);
   EXPECT_LT(y.from, 0.00047);
   EXPECT_GT(y.to, 0.0024);
