@@ -32,7 +32,7 @@ struct EstimatedFunctionals {
 /// Numbers of spline cells of the control functions in y and in y'. For moments alone 40 x 88 cells
 /// suffice.
 struct ControlSplineCells {
-  int y = 80, v = 176;
+  int y = 64, v = 100;
 };
 
 /// Layout of the sums that the simulation deposits. The layout depends only on the problem.

@@ -21,15 +21,15 @@ constexpr double kStep = 0.5;
 
 constexpr double kMostBytes = 256e6;  // limit on the memory of the velocity lattices of all streams
 
-constexpr double kFewSamples = 2e5;
-constexpr ControlSplineCells kCoarse{.y = 40, .v = 88};
-
+// Returns the numbers of cells with which the fit takes about as long as the simulation or less.
 ControlSplineCells choose_cells(const problem::Problem& problem, const Options& options) {
   if (options.cells) return *options.cells;
-  if (!options.simulation.time) return {};
-  const auto plan = mcs::make_simulation_plan(problem, options.simulation);
-  return *options.simulation.time < kFewSamples * plan.sampling_interval ? kCoarse
-                                                                         : ControlSplineCells{};
+  constexpr double kFewSamples = 2e5, kManySamples = 1e7;
+  const mcs::SimulationPlan plan = mcs::make_simulation_plan(problem, options.simulation);
+  const double samples =
+      static_cast<double>(plan.rounds) * static_cast<double>(plan.samples_per_round) * plan.streams;
+  if (samples < kFewSamples) return {.y = 40, .v = 88};
+  return samples < kManySamples ? ControlSplineCells{} : ControlSplineCells{.y = 80, .v = 176};
 }
 
 double lattice_bytes(const mcs::DepositGrid& grid) {
@@ -75,8 +75,6 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   if (simulation.progress) {
     simulation.progress = [&](const mcs::Progress& at) {
       const bool fitted = setup.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-      // The sampling errors with control variates are known only at the end. The progress reports
-      // omit the sampling errors without control variates, which are a thousand times larger.
       options.simulation.progress({.fraction = fitted ? at.fraction : 0});
     };
   }

@@ -17,9 +17,8 @@ struct Options {
   /// Options of the simulation. solve() sets `deposit`, and sets an empty `step` to 0.5 rad. The
   /// reported fraction of progress is 0 until the fit of the control functions ends.
   mcs::Options simulation{};
-  /// Numbers of cells of the control functions. The default is 80 x 176 cells. If the requested
-  /// simulation has fewer than 2e5 sampling intervals, the default is 40 x 88 cells, since the fit
-  /// would take much longer than the simulation.
+  /// Numbers of cells of the control functions. The default is 64 x 100 cells; 40 x 88 for less
+  /// than 2e5 sampling intervals of the simulation, and 80 x 176 for more than 1e7.
   std::optional<ControlSplineCells> cells{};
 };
 

@@ -23,7 +23,8 @@ using problem::DensityEquation;
 struct Progress {
   double fraction;  ///< fraction of the simulation that is complete, estimated
   /// Expected L1 sampling errors of p(y) and p(y') if the simulation ended now, as in
-  /// Solution::sampling of the result; empty if this process simulates only a part of the streams
+  /// Solution::sampling of the result; empty with control variates, and if this process simulates
+  /// only a part of the streams
   std::optional<double> y_l1{}, ydot_l1{};
 };
 
@@ -44,7 +45,7 @@ struct Options {
   DensityEquation equation = DensityEquation::kf;
   /// Simulated time, summed over all streams, rounded up to whole rounds. The default is 1.6e6
   /// decay times of the slowest mode of equivalent linearisation (2/c_eq below critical damping).
-  /// The option `tails` divides the default time by 32, and `controlled` by 8. With `samples` or
+  /// The options `tails` and `controlled` divide the default time by 32. With `samples` or
   /// `target_error` the time limit is 1e4 times the default. A default time that needs more than a
   /// few seconds is shortened, unless `accuracy` requires up to about a minute
   /// (simulation/simulation_plan.cpp).

@@ -81,7 +81,10 @@ RunProgress run_progress(const Simulation& simulation, const Options& options) {
   // With several processes each process has only a part of the streams, from which the errors of
   // the complete result cannot be computed.
   if (options.process_group.parts > 1) return now;
-  if (options.target_error || options.progress) now.errors = current_sampling_errors(simulation);
+  // With control variates the sampling errors are known only at the end.
+  if (options.target_error || (options.progress && !options.controlled)) {
+    now.errors = current_sampling_errors(simulation);
+  }
   if (options.target_error) {
     now.fraction = std::max(now.fraction, std::pow(*options.target_error / now.errors->target, 2));
     now.goal_reached = now.goal_reached && now.errors->target <= *options.target_error;

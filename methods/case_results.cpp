@@ -26,13 +26,20 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
                          settings.case_listener);
   poll();
   if (!settings.with_backward) return cases;
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    add_guaranteed_bounds(cases[k], settings.threads);
+  // The cases run in parallel, since the fits of the backward equation are serial.
+  const int threads = base::number_of_threads(settings.threads);
+  const int cases_at_once = std::clamp(static_cast<int>(cases.size()), 1, threads);
+  base::parallel_for(cases.size(), cases_at_once, [&](std::size_t k) {
     poll();
-    add_moment_error_estimates(cases[k], estimators[k], settings.threads);
+    constexpr double kSeconds = 0.6;  // of all processors: the third grid of most problems
+    cases[k].bounds = guaranteed_bounds(cases[k].problem, {.relative_half_width = 1e-5,
+                                                           .seconds = kSeconds * cases_at_once,
+                                                           .threads = threads / cases_at_once});
+    poll();
+    add_moment_error_estimates(cases[k], estimators[k], threads / cases_at_once);
     if (settings.case_listener) settings.case_listener(cases[k]);
-    poll();
-  }
+  });
+  poll();
   return cases;
 }
 
@@ -50,12 +57,6 @@ compare::GuaranteedBounds guaranteed_bounds(const problem::Problem& problem,
   if (!completed) bounds = {.reason = kOutOfMemory, .seconds = 0, .each = {}};
   bounds.seconds = stopwatch.seconds();
   return bounds;
-}
-
-void add_guaranteed_bounds(results::CaseResult& case_result, int thread_count) {
-  backward::Options options{.relative_half_width = 1e-5, .seconds = 1};
-  if (thread_count > 0) options.threads = thread_count;
-  case_result.bounds = guaranteed_bounds(case_result.problem, options);
 }
 
 namespace {

@@ -20,7 +20,8 @@ struct CaseResultSettings {
   /// moment error estimates. With a listener, a stop request prevents further solves, as in
   /// run_cases().
   CaseListener case_listener = {};
-  /// Function that is called after the solutions and after each further long operation; may throw.
+  /// Function that is called after the solutions and after each further long operation, by several
+  /// threads; may throw.
   std::function<void()> poll = {};
 };
 
@@ -35,11 +36,6 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
 /// bounds, and its `reason` is kOutOfMemory.
 compare::GuaranteedBounds guaranteed_bounds(const problem::Problem& problem,
                                             const backward::Options& options);
-
-/// Computes guaranteed bounds with about one second of refinement, and stores them in the result of
-/// the case.
-/// @param thread_count number of threads; 0 for one per processor
-void add_guaranteed_bounds(results::CaseResult& case_result, int thread_count);
 
 /// Computes moment error estimates and error sources of solutions by the dual-weighted residual
 /// method (backward/residual/density_residuals.hpp). Only solutions whose density is a function or

@@ -26,10 +26,24 @@ int threads_of(const Options& options) {
   return options.threads.value_or(base::available_processors());
 }
 
+double requested_half_width(const FunctionalBounds& bound, const Options& options) {
+  return std::max(options.half_width, options.relative_half_width * std::abs(bound.value.middle()));
+}
+
 bool is_narrow_enough(const FunctionalBounds& bound, const Options& options) {
-  const double requested_half_width =
-      std::max(options.half_width, options.relative_half_width * std::abs(bound.value.middle()));
-  return requested_half_width > 0 && bound.value.half_width() <= requested_half_width;
+  const double requested = requested_half_width(bound, options);
+  return requested > 0 && bound.value.half_width() <= requested;
+}
+
+// Returns the number of levels from a grid to the next one: 2 if the requested half-width probably
+// needs two levels and the time suffices for the second, otherwise 1.
+std::size_t levels_to_next_grid(const FunctionalBounds& bound, const Options& options,
+                                double seconds, double seconds_of_grid) {
+  constexpr double kWidthRatio = 3;  // between successive grids; 2 to 5 in the cases of the paper
+  const double requested = requested_half_width(bound, options);
+  const bool is_needed = requested > 0 && bound.value.half_width() > kWidthRatio * requested;
+  const double end = seconds + kGridCostRatio * kGridCostRatio * seconds_of_grid;
+  return is_needed && end <= options.seconds ? 2 : 1;
 }
 
 // Reason why the refinement of the grids stopped for a functional.
@@ -41,7 +55,9 @@ struct StopReason {
 
 struct Refinement {
   GuaranteedBounds bounds;
-  std::vector<StopReason> ends;  ///< reason why the refinement stopped, for each functional
+  std::vector<StopReason> ends;          ///< reason why the refinement stopped, for each functional
+  std::vector<std::size_t> next_levels;  ///< level of the next grid of each functional
+  std::vector<double> expected_seconds{};  ///< expected time of that grid; 0 for the first grid
 };
 
 using FunctionalIndices = std::vector<std::size_t>;
@@ -53,16 +69,15 @@ struct GridGroup {
 };
 
 // Groups the functionals whose bounds are too wide. All functionals of a group have the same next
-// grid in the sequence of grids. Stores a StopReason for each functional whose grid sequence is
-// exhausted.
-std::vector<GridGroup> next_grid_groups(std::size_t level, const Options& options,
-                                        Refinement& refinement) {
+// grid. Stores a StopReason for each functional whose grid sequence is exhausted.
+std::vector<GridGroup> next_grid_groups(const Options& options, Refinement& refinement) {
   std::vector<GridGroup> groups;
   for (std::size_t i = 0; i < refinement.bounds.each.size(); ++i) {
     const FunctionalBounds& bound = refinement.bounds.each[i];
     StopReason& end = refinement.ends[i];
     if (end.cause != StopReason::Cause::none || is_narrow_enough(bound, options)) continue;
     const auto grids = spline_grid_sequence(width_limiting_feature(bound.functional));
+    const std::size_t level = refinement.next_levels[i];
     if (level >= grids.size()) {
       end.cause = StopReason::Cause::grids;
       continue;
@@ -117,20 +132,20 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
     result.bounds.each.push_back({f, {-HUGE_VAL, HUGE_VAL}});
   }
   result.ends.resize(options.functionals.size());
+  result.next_levels.resize(options.functionals.size());
+  result.expected_seconds.resize(options.functionals.size());
 
   const base::Stopwatch stopwatch;
-  std::vector<double> previous_seconds(
-      options.functionals.size());  // computing time of the last grid of each functional
-  for (std::size_t level = 0;; ++level) {
-    const auto groups = next_grid_groups(level, options, result);
+  for (;;) {
+    const auto groups = next_grid_groups(options, result);
     if (groups.empty()) return result;
     for (const auto& [grid, indices] : groups) {
-      const double expected =
-          stopwatch.seconds() + kGridCostRatio * previous_seconds[indices.front()];
+      const double expected_seconds = result.expected_seconds[indices.front()];
+      const double expected = stopwatch.seconds() + expected_seconds;
       const auto end_all = [&result, &ended = indices](const StopReason& end) {
         for (const std::size_t i : ended) result.ends[i] = end;
       };
-      if (level > 0 && expected > options.seconds) {
+      if (expected_seconds > 0 && expected > options.seconds) {
         end_all({StopReason::Cause::time, expected});
         continue;
       }
@@ -150,15 +165,18 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
       record.unknowns = report.unknowns;
       record.seconds = of_grid.seconds();
       for (std::size_t n = 0; n < indices.size(); ++n) {
-        previous_seconds[indices[n]] = record.seconds;
-        numerics::Enclosure& value = result.bounds.each[indices[n]].value;
-        value = value.intersection(record.values[n]);
+        FunctionalBounds& bound = result.bounds.each[indices[n]];
+        bound.value = bound.value.intersection(record.values[n]);
         // The enclosures from two grids both contain the exact expectation. An empty intersection
         // of the enclosures shows an error of the program or of the rounding of the processor.
-        if (value.lower > value.upper) {
+        if (bound.value.lower > bound.value.upper) {
           throw std::logic_error("bounds of " + name(functionals[n]) +
                                  " from two grids are disjoint");
         }
+        const std::size_t levels =
+            levels_to_next_grid(bound, options, stopwatch.seconds(), record.seconds);
+        result.next_levels[indices[n]] += levels;
+        result.expected_seconds[indices[n]] = std::pow(kGridCostRatio, levels) * record.seconds;
       }
       result.bounds.grids.push_back(std::move(record));
     }

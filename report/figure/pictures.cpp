@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/files/file_transaction.hpp"
+#include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
 #include "report/budget/figure.hpp"
 #include "report/figure/convergence_figure.hpp"
@@ -74,10 +75,13 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
   for (const auto& [stem, script] : pictures) {
     base::write_file_atomically(figures / (stem + ".gp"), script);
   }
+  std::vector<std::vector<std::string>> warnings_of_pictures(pictures.size());
   try {
-    for (const auto& picture : pictures) {
-      if (base::stop_requested()) return {};
-      const auto own = draw_formats(gnuplot, figures, picture.stem, options);
+    base::parallel_for(pictures.size(), base::kOneThreadPerProcessor, [&](std::size_t k) {
+      if (base::stop_requested()) return;
+      warnings_of_pictures[k] = draw_formats(gnuplot, figures, pictures[k].stem, options);
+    });
+    for (const auto& own : warnings_of_pictures) {
       warnings.insert(warnings.end(), own.begin(), own.end());
     }
   } catch (const GnuplotMissing& missing) {

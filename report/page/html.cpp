@@ -112,7 +112,8 @@ std::string gzip_base64(std::string_view text) {
   z_stream stream{};
   // The only possible error is a lack of memory, since the parameters are valid and the buffer is
   // large enough.
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kWindowBits + kGzip, kMemoryLevel,
+  // The best compression of plotly.js would be 3 % smaller and take five times as long.
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kWindowBits + kGzip, kMemoryLevel,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();
   }
