@@ -95,7 +95,8 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
 void set_status(const RootSearchResult& root, double quadrature_tolerance,
                 const std::string& inadmissible_reason, Result& result) {
   auto& [solution, summary] = result;
-  if (!(root.quadrature_change < quadrature_tolerance)) {
+  // The root search does not refine the quadrature of a density that has not decayed.
+  if (inadmissible_reason.empty() && !(root.quadrature_change < quadrature_tolerance)) {
     solution = {};
     solution.status = Status::not_converged;
     solution.reason = fmt::format(

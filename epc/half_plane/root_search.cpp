@@ -20,23 +20,29 @@ using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMaxRefinements = 4;
+constexpr int kMostHomotopies = 2;  // at the levels of one order
 
 // Multiplies the number of quadrature points in the plane by more than 2.
 QuadraturePointCounts refined_size(const QuadraturePointCounts& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
 }
 
-// Attempts a solution at each confinement level in turn. Returns the first result with a decay
-// ratio below the limit, or else the result with the smallest decay ratio. The return value is
-// empty if every attempt failed.
+// Attempts a solution at each confinement level in turn, except close to a level with a solution.
+// Returns the first result with a decay ratio below the limit, or else the result with the smallest
+// decay ratio. The return value is empty if every attempt failed.
 template <class Result, class Attempt>
 std::optional<Result> try_confinement_levels(const std::vector<double>& levels,
                                              double decay_ratio_limit, const Attempt& attempt) {
+  constexpr double kClose = 0.01;
   std::optional<Result> best;
+  std::vector<double> solved_levels;
   double least = std::numeric_limits<double>::infinity();
   for (const double level : levels) {
+    const auto is_close = [&](double solved) { return std::abs(level / solved - 1) < kClose; };
+    if (std::ranges::any_of(solved_levels, is_close)) continue;
     std::optional<std::pair<Result, double>> outcome = attempt(level);
     if (!outcome) continue;
+    solved_levels.push_back(level);
     auto& [result, density] = *outcome;
     if (!best || density < least) {
       best = std::move(result);
@@ -104,12 +110,14 @@ class RootSearch {
   }
 
   std::optional<ClosureDensity> solve_order(const ClosureDensity& guess, int n) {
+    homotopies_left_ = kMostHomotopies;
     const auto attempt = [&](double level) -> std::optional<std::pair<ClosureDensity, double>> {
       if (is_past_deadline()) return std::nullopt;
       const StartingPoint start =
           start_of(guess, n, level, initial_size(guess, n, level, SearchStage::rough));
       const NewtonResult result = solve(start, SearchStage::rough);
       if (!result.converged) return std::nullopt;
+      homotopies_left_ = 0;
       const ClosureDensity closure = closure_density_of(start.equations, result.a, level);
       return std::pair{closure, formulation_.decay_ratio(closure, SearchStage::rough)};
     };
@@ -119,8 +127,10 @@ class RootSearch {
   }
 
   void solve_requested_order(const ClosureDensity& guess) {
+    homotopies_left_ = kMostHomotopies;
     const auto attempt = [&](double level) -> std::optional<std::pair<RootSearchResult, double>> {
       if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
+      homotopies_left_ = 0;
       // The accurate root may allow a better confinement level than the initial guess.
       const RootSearchResult first_root = root_;
       const auto improved_confinement_level =
@@ -136,7 +146,8 @@ class RootSearch {
     if (best) root_ = *best;
   }
 
-  // Increases the number of quadrature points until the quadrature error is small.
+  // Increases the number of quadrature points until the quadrature error is small. A density that
+  // has not decayed by far is inadmissible with any number of points.
   bool solve_at_level(const ClosureDensity& guess, double level) {
     const QuadratureRefinementCriterion refinement = formulation_.quadrature_refinement();
     const bool estimated =
@@ -144,19 +155,26 @@ class RootSearch {
     QuadraturePointCounts size = initial_size(guess, options_.order, level, SearchStage::last);
     StartingPoint at = start_of(guess, options_.order, level, size);
     NewtonResult result = solve(at, SearchStage::last);
+    const auto is_good_enough = [&](double change, const ClosureEquations& equations) {
+      constexpr double kFarAboveLimit = 100;
+      return change < refinement.tolerance ||
+             formulation_.decay_ratio(closure_density_of(equations, result.a, level),
+                                      SearchStage::last) >
+                 kFarAboveLimit * formulation_.decay_ratio_limit(SearchStage::last);
+    };
     for (int left = kMaxRefinements; result.converged; --left) {
       const QuadraturePointCounts finer = refined_size(size);
       StartingPoint fine{equations_of(at.equations.basis(), level, finer), result.a};
       if (estimated) {
         const double change = change_on_finer_points(fine.equations, at.equations, result.a);
-        if (change < refinement.tolerance || left == 0) {
+        if (left == 0 || is_good_enough(change, at.equations)) {
           return store_root(at.equations, result, level, size, change);
         }
       }
       result = solve(fine, SearchStage::last);
       if (!estimated && result.converged) {
         const double change = step_norm(result.a - fine.a, covariance_at(fine.equations, result.a));
-        if (change < refinement.tolerance || left == 1) {
+        if (left == 1 || is_good_enough(change, fine.equations)) {
           return store_root(fine.equations, result, level, finer, change);
         }
       }
@@ -209,12 +227,18 @@ class RootSearch {
             .polish = last};
   }
 
-  // If Newton's method fails, the end of a homotopy is a second starting point.
+  // If Newton's method fails, the end of a homotopy is a second starting point, unless another
+  // level has a root or several homotopies have failed at this order.
   NewtonResult solve(const StartingPoint& start, SearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
     if (result.converged) return result;
+    if (homotopies_left_ == 0) {
+      store_failure(start, result, "");
+      return result;
+    }
+    --homotopies_left_;
     const numerics::SolutionCurve homotopy_curve =
         follow_homotopy(start.equations, start.a, [this] { return deadline_.has_passed(); });
     const bool end_reached = homotopy_curve.end == numerics::TerminationReason::end_reached;
@@ -225,16 +249,20 @@ class RootSearch {
       iterations_ += result.iterations;
     }
     if (!result.converged) {
-      root_.newton = result;
-      root_.failure = fmt::format(
-          "Newton's method failed at order {} after {} iterations (least residual {:.1e}): a "
-          "homotopy {}",
-          start.equations.basis().order(), result.iterations, result.residual,
-          end_reached ? std::string("led to no root")
-                      : fmt::format("ended at {:.0f} % of its path",
-                                    100 * homotopy_curve.point_with_largest_t().t));
+      store_failure(start, result,
+                    end_reached ? ": a homotopy led to no root"
+                                : fmt::format(": a homotopy ended at {:.0f} % of its path",
+                                              100 * homotopy_curve.point_with_largest_t().t));
     }
     return result;
+  }
+
+  void store_failure(const StartingPoint& start, const NewtonResult& result,
+                     const std::string& homotopy) {
+    root_.newton = result;
+    root_.failure = fmt::format(
+        "Newton's method failed at order {} after {} iterations (least residual {:.1e}){}",
+        start.equations.basis().order(), result.iterations, result.residual, homotopy);
   }
 
   ClosureDensity closure_density_of(const ClosureEquations& equations, const VectorXd& a,
@@ -279,7 +307,7 @@ class RootSearch {
   double unit_;
   base::Deadline deadline_;
   RootSearchResult root_;
-  int iterations_ = 0, homotopies_ = 0;
+  int iterations_ = 0, homotopies_ = 0, homotopies_left_ = 0;
   bool deadline_reported_ = false;
 };
 
