@@ -59,8 +59,8 @@ TEST(ControlSplines, AreNarrowerAtTheWallUnlessTheMotionIsOffTheWall) {
   const auto pushed = tests::make_problem({.rate = 300, .mean = 0.9 * std::sqrt(0.1 / 300)});
   ASSERT_GT(problem::static_deflection(pushed),
             4 * problem::equivalent_linearisation(pushed).displacement_deviation);
-  EXPECT_EQ(control_splines(pushed, cells, CellWidths::narrower_at_walls).y.breaks(),
-            control_splines(pushed, cells, CellWidths::even).y.breaks());
+  const auto off_wall = control_splines(pushed, cells, CellWidths::narrower_at_walls);
+  EXPECT_NEAR(off_wall.y.breaks()[2], 2 * off_wall.y.breaks()[1], 1e-12);
 }
 
 }  // namespace
