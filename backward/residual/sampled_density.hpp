@@ -35,6 +35,10 @@ struct AxisQuadrature {
   Eigen::MatrixXd integrals_with_density(const Eigen::MatrixXd& functions) const {
     return functions.transpose() * weighted;
   }
+  /// The same for functions with a small support, such as splines
+  RowMajorSparseMatrix local_integrals_with_density(const Eigen::MatrixXd& functions) const {
+    return RowMajorSparseMatrix(functions.transpose().sparseView()) * weighted;
+  }
 };
 
 /// Density at a wall as a function of the impact speed.

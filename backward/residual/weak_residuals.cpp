@@ -150,10 +150,14 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
   const GeneratorFactors y = displacement_generator_factors(problem_.system, y_, p.y.points);
   const GeneratorFactors v = velocity_generator_factors(
       problem_, v_, p.v.points, interpolated_spline_means_after_impulse(p.v.points));
+  // All functions of y have a small support. Functions of v have one, except after impulses.
+  const auto integrated_over_y = [&](const Eigen::MatrixXd& functions) -> Eigen::MatrixXd {
+    return p.y.local_integrals_with_density(functions) * p.samples;
+  };
   Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_.size(), v_.size());
   for (std::size_t term = 0; term < y.size(); ++term) {
-    residuals.noalias() += p.y.integrals_with_density(y[term]) * p.samples *
-                           p.v.integrals_with_density(v[term]).transpose();
+    residuals.noalias() +=
+        integrated_over_y(y[term]) * p.v.integrals_with_density(v[term]).transpose();
   }
   std::vector<Eigen::VectorXd> of_impacts;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
@@ -168,11 +172,11 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
     of_impacts.push_back(speeds.integrals_with_density(flux) * p.impacts[n].samples / mass);
   }
   const Eigen::MatrixXd cells =
-      p.y.integrals_with_density(cell_indicators(p.y.points, y_.breaks())) * p.samples *
-      p.v.integrals_with_density(cell_indicators(p.v.points, v_.breaks())).transpose();
+      integrated_over_y(cell_indicators(p.y.points, y_.breaks())) *
+      p.v.local_integrals_with_density(cell_indicators(p.v.points, v_.breaks())).transpose();
   const Eigen::MatrixXd means =
-      p.y.integrals_with_density(spline_values(y_, p.y.points).value) * p.samples *
-      p.v.integrals_with_density(spline_values(v_, p.v.points).value).transpose();
+      integrated_over_y(spline_values(y_, p.y.points).value) *
+      p.v.local_integrals_with_density(spline_values(v_, p.v.points).value).transpose();
   return {.mass = mass,
           .moments = {.y1 = moment(1, 0),
                       .y2 = moment(2, 0),
