@@ -35,7 +35,8 @@ struct ControlSplineCells {
   int y = 64, v = 100;
 };
 
-/// Layout of the sums that the simulation deposits. The layout depends only on the problem.
+/// Layout of the sums that the simulation deposits. The layout depends on the problem and on the
+/// cells of the control functions.
 ///  - Splines: the default splines of the control functions (backward/control/control_function_fit.hpp).
 ///  - Velocity lattice: spacing of an eighth of the standard deviation of the impulses.
 ///  - Smooth bins: spacing of 0.15 standard deviations of y and 0.3 standard deviations of y'. Each

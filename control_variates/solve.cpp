@@ -21,9 +21,12 @@ constexpr double kStep = 0.5;
 
 constexpr double kMostBytes = 256e6;  // limit on the memory of the velocity lattices of all streams
 
-// Returns the numbers of cells with which the fit takes about as long as the simulation or less.
+// Returns more cells for longer simulations, since the fit of 80 x 176 cells takes as long as the
+// simulation of about 1e7 samples. With checkpoints the number does not depend on the simulated
+// time, so that a longer simulation can resume from a shorter one.
 ControlSplineCells choose_cells(const problem::Problem& problem, const Options& options) {
   if (options.cells) return *options.cells;
+  if (!options.simulation.checkpoint.empty() || !options.simulation.resume.empty()) return {};
   constexpr double kFewSamples = 2e5, kManySamples = 1e7;
   const mcs::SimulationPlan plan = mcs::make_simulation_plan(problem, options.simulation);
   const double samples =

@@ -17,8 +17,9 @@ struct Options {
   /// Options of the simulation. solve() sets `deposit`, and sets an empty `step` to 0.5 rad. The
   /// reported fraction of progress is 0 until the fit of the control functions ends.
   mcs::Options simulation{};
-  /// Numbers of cells of the control functions. The default is 64 x 100 cells; 40 x 88 for less
-  /// than 2e5 sampling intervals of the simulation, and 80 x 176 for more than 1e7.
+  /// Numbers of cells of the control functions. The default is 64 x 100 cells; without checkpoints
+  /// 40 x 88 if the time limit of the simulation is below 2e5 sampling intervals, and 80 x 176 above
+  /// 1e7.
   std::optional<ControlSplineCells> cells{};
 };
 

@@ -170,23 +170,27 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
   require_compatible_options(problems, methods);
   SolutionTable run(problems, methods, listener, estimators, case_listener);
   // The first closure of a problem computes the residual-based error estimator, for which the other
-  // closures of the problem wait. Meanwhile other processors solve the density equations.
-  std::vector<SolveTask> first_closures, equations, closures, all_processors;
-  for (std::size_t p = 0; p < problems.size(); ++p) {
-    bool has_closure = false;
-    for (std::size_t m = 0; m < methods.size(); ++m) {
-      const bool is_closure = methods[m].identity.role == transform::SolutionRole::closure;
-      auto& tasks = methods[m].uses_all_processors ? all_processors
-                    : !is_closure                  ? equations
-                    : has_closure                  ? closures
-                                                   : first_closures;
-      tasks.push_back({p, m});
-      has_closure = has_closure || is_closure;
+  // closures of the problem wait. Meanwhile other processors compute solutions that do not use it.
+  // Blocks of problems are completed in turn, so that a stop request loses few problems.
+  const auto block = static_cast<std::size_t>(base::number_of_threads(thread_count));
+  std::vector<SolveTask> single_threaded, all_processors;
+  for (std::size_t begin = 0; begin < problems.size(); begin += block) {
+    std::vector<SolveTask> others, closures;
+    for (std::size_t p = begin; p < std::min(begin + block, problems.size()); ++p) {
+      bool has_closure = false;
+      for (std::size_t m = 0; m < methods.size(); ++m) {
+        const bool is_closure = methods[m].identity.role == transform::SolutionRole::closure;
+        auto& tasks = methods[m].uses_all_processors ? all_processors
+                      : !is_closure                  ? others
+                      : has_closure                  ? closures
+                                                     : single_threaded;
+        tasks.push_back({p, m});
+        has_closure = has_closure || is_closure;
+      }
     }
+    single_threaded.insert(single_threaded.end(), others.begin(), others.end());
+    single_threaded.insert(single_threaded.end(), closures.begin(), closures.end());
   }
-  std::vector<SolveTask> single_threaded = std::move(first_closures);
-  single_threaded.insert(single_threaded.end(), equations.begin(), equations.end());
-  single_threaded.insert(single_threaded.end(), closures.begin(), closures.end());
   base::parallel_for(single_threaded.size(), thread_count,
                      [&](std::size_t t) { run.solve(single_threaded[t]); });
   for (const SolveTask& task : all_processors) run.solve(task);

@@ -35,17 +35,6 @@ bool is_narrow_enough(const FunctionalBounds& bound, const Options& options) {
   return requested > 0 && bound.value.half_width() <= requested;
 }
 
-// Returns the number of levels from a grid to the next one: 2 if the requested half-width probably
-// needs two levels and the time suffices for the second, otherwise 1.
-std::size_t levels_to_next_grid(const FunctionalBounds& bound, const Options& options,
-                                double seconds, double seconds_of_grid) {
-  constexpr double kWidthRatio = 3;  // between successive grids; 2 to 5 in the cases of the paper
-  const double requested = requested_half_width(bound, options);
-  const bool is_needed = requested > 0 && bound.value.half_width() > kWidthRatio * requested;
-  const double end = seconds + kGridCostRatio * kGridCostRatio * seconds_of_grid;
-  return is_needed && end <= options.seconds ? 2 : 1;
-}
-
 // Reason why the refinement of the grids stopped for a functional.
 struct StopReason {
   enum class Cause { none, time, grids, fit } cause = Cause::none;
@@ -53,12 +42,32 @@ struct StopReason {
   std::string error_message{};
 };
 
+// The next grid of a functional in its sequence of grids.
+struct NextGrid {
+  std::size_t level = 0;
+  std::size_t step = 0;  ///< number of levels from the last grid: 2 if a grid is skipped
+  double seconds = 0;    ///< expected computing time; 0 for the first grid
+};
+
 struct Refinement {
   GuaranteedBounds bounds;
-  std::vector<StopReason> ends;          ///< reason why the refinement stopped, for each functional
-  std::vector<std::size_t> next_levels;  ///< level of the next grid of each functional
-  std::vector<double> expected_seconds{};  ///< expected time of that grid; 0 for the first grid
+  std::vector<StopReason> ends;  ///< reason why the refinement stopped, for each functional
+  std::vector<NextGrid> next;    ///< next grid of each functional
 };
+
+// Returns the grid after `last`. A grid is skipped if the requested half-width probably needs two
+// levels and the time suffices.
+NextGrid grid_after(const NextGrid& last, double seconds_of_last, const FunctionalBounds& bound,
+                    const Options& options, double seconds_left) {
+  constexpr double kWidthRatio = 3;  // between successive grids; 2 to 5 in the cases of the paper
+  const double requested = requested_half_width(bound, options);
+  const double seconds = kGridCostRatio * seconds_of_last;
+  const auto grids = spline_grid_sequence(width_limiting_feature(bound.functional));
+  const bool skips = requested > 0 && bound.value.half_width() > kWidthRatio * requested &&
+                     last.level + 2 < grids.size() && kGridCostRatio * seconds <= seconds_left;
+  return skips ? NextGrid{last.level + 2, 2, kGridCostRatio * seconds}
+               : NextGrid{last.level + 1, 1, seconds};
+}
 
 using FunctionalIndices = std::vector<std::size_t>;
 
@@ -77,7 +86,7 @@ std::vector<GridGroup> next_grid_groups(const Options& options, Refinement& refi
     StopReason& end = refinement.ends[i];
     if (end.cause != StopReason::Cause::none || is_narrow_enough(bound, options)) continue;
     const auto grids = spline_grid_sequence(width_limiting_feature(bound.functional));
-    const std::size_t level = refinement.next_levels[i];
+    const std::size_t level = refinement.next[i].level;
     if (level >= grids.size()) {
       end.cause = StopReason::Cause::grids;
       continue;
@@ -132,21 +141,29 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
     result.bounds.each.push_back({f, {-HUGE_VAL, HUGE_VAL}});
   }
   result.ends.resize(options.functionals.size());
-  result.next_levels.resize(options.functionals.size());
-  result.expected_seconds.resize(options.functionals.size());
+  result.next.resize(options.functionals.size());
 
   const base::Stopwatch stopwatch;
   for (;;) {
     const auto groups = next_grid_groups(options, result);
     if (groups.empty()) return result;
     for (const auto& [grid, indices] : groups) {
-      const double expected_seconds = result.expected_seconds[indices.front()];
-      const double expected = stopwatch.seconds() + expected_seconds;
-      const auto end_all = [&result, &ended = indices](const StopReason& end) {
-        for (const std::size_t i : ended) result.ends[i] = end;
+      double seconds = 0;
+      for (const std::size_t i : indices) seconds = std::max(seconds, result.next[i].seconds);
+      const double expected = stopwatch.seconds() + seconds;
+      // Ends the refinement, or returns to a grid that was skipped.
+      const auto end_at_grid = [&result, &ended = indices](const StopReason& end) {
+        for (const std::size_t i : ended) {
+          NextGrid& next = result.next[i];
+          if (next.step == 2) {
+            next = {next.level - 1, 1, next.seconds / kGridCostRatio};
+          } else {
+            result.ends[i] = end;
+          }
+        }
       };
-      if (expected_seconds > 0 && expected > options.seconds) {
-        end_all({StopReason::Cause::time, expected});
+      if (seconds > 0 && expected > options.seconds) {
+        end_at_grid({StopReason::Cause::time, expected});
         continue;
       }
       std::vector<Functional> functionals;
@@ -159,7 +176,7 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
             bounds_from_grid(problem, tau, grid, functionals, threads_of(options), &report);
       } catch (const FitFailure& broken) {
         // the fit would also fail on finer grids
-        end_all({StopReason::Cause::fit, 0, broken.what()});
+        end_at_grid({StopReason::Cause::fit, 0, broken.what()});
         continue;
       }
       record.unknowns = report.unknowns;
@@ -173,10 +190,9 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
           throw std::logic_error("bounds of " + name(functionals[n]) +
                                  " from two grids are disjoint");
         }
-        const std::size_t levels =
-            levels_to_next_grid(bound, options, stopwatch.seconds(), record.seconds);
-        result.next_levels[indices[n]] += levels;
-        result.expected_seconds[indices[n]] = std::pow(kGridCostRatio, levels) * record.seconds;
+        NextGrid& next = result.next[indices[n]];
+        next =
+            grid_after(next, record.seconds, bound, options, options.seconds - stopwatch.seconds());
       }
       result.bounds.grids.push_back(std::move(record));
     }

@@ -28,7 +28,8 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
                               Result& result);
 
 /// Sets the status of the solution. If the quadrature does not resolve the root, the status is
-/// not_converged. A root is inadmissible if
+/// not_converged, except for an inadmissible root whose quadrature was not refined
+/// (RootSearchResult::is_refinement_omitted). A root is inadmissible if
 /// - the formulation states a reason why the root is inadmissible;
 /// - the integral of the density by an independent quadrature is not 1;
 ///  - too much probability lies at or beyond the confinement level: the confinement would determine

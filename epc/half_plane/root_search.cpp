@@ -20,7 +20,7 @@ using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMaxRefinements = 4;
-constexpr int kMostHomotopies = 2;  // at the levels of one order
+constexpr int kMostHomotopies = 2;  // in one pass over the confinement levels
 
 // Multiplies the number of quadrature points in the plane by more than 2.
 QuadraturePointCounts refined_size(const QuadraturePointCounts& size) {
@@ -110,7 +110,7 @@ class RootSearch {
   }
 
   std::optional<ClosureDensity> solve_order(const ClosureDensity& guess, int n) {
-    homotopies_left_ = kMostHomotopies;
+    begin_pass_over_levels();
     const auto attempt = [&](double level) -> std::optional<std::pair<ClosureDensity, double>> {
       if (is_past_deadline()) return std::nullopt;
       const StartingPoint start =
@@ -127,7 +127,7 @@ class RootSearch {
   }
 
   void solve_requested_order(const ClosureDensity& guess) {
-    homotopies_left_ = kMostHomotopies;
+    begin_pass_over_levels();
     const auto attempt = [&](double level) -> std::optional<std::pair<RootSearchResult, double>> {
       if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
       homotopies_left_ = 0;
@@ -146,8 +146,8 @@ class RootSearch {
     if (best) root_ = *best;
   }
 
-  // Increases the number of quadrature points until the quadrature error is small. A density that
-  // has not decayed by far is inadmissible with any number of points.
+  // Increases the number of quadrature points until the quadrature error is small. The quadrature of
+  // a density that is far from decayed is not refined, since the root is inadmissible.
   bool solve_at_level(const ClosureDensity& guess, double level) {
     const QuadratureRefinementCriterion refinement = formulation_.quadrature_refinement();
     const bool estimated =
@@ -155,28 +155,34 @@ class RootSearch {
     QuadraturePointCounts size = initial_size(guess, options_.order, level, SearchStage::last);
     StartingPoint at = start_of(guess, options_.order, level, size);
     NewtonResult result = solve(at, SearchStage::last);
-    const auto is_good_enough = [&](double change, const ClosureEquations& equations) {
+    const auto is_far_from_decayed = [&](const ClosureEquations& equations) {
       constexpr double kFarAboveLimit = 100;
-      return change < refinement.tolerance ||
-             formulation_.decay_ratio(closure_density_of(equations, result.a, level),
+      return formulation_.decay_ratio(closure_density_of(equations, result.a, level),
                                       SearchStage::last) >
-                 kFarAboveLimit * formulation_.decay_ratio_limit(SearchStage::last);
+             kFarAboveLimit * formulation_.decay_ratio_limit(SearchStage::last);
+    };
+    // Stores the root if it needs no more points.
+    const auto store_final_root = [&](const ClosureEquations& equations,
+                                      const QuadraturePointCounts& points, double change,
+                                      bool is_last) {
+      const bool is_resolved = change < refinement.tolerance;
+      const bool is_hopeless = !is_resolved && !is_last && is_far_from_decayed(equations);
+      if (!is_resolved && !is_last && !is_hopeless) return false;
+      store_root(equations, result, level, points, change);
+      root_.is_refinement_omitted = is_hopeless;
+      return true;
     };
     for (int left = kMaxRefinements; result.converged; --left) {
       const QuadraturePointCounts finer = refined_size(size);
       StartingPoint fine{equations_of(at.equations.basis(), level, finer), result.a};
       if (estimated) {
         const double change = change_on_finer_points(fine.equations, at.equations, result.a);
-        if (left == 0 || is_good_enough(change, at.equations)) {
-          return store_root(at.equations, result, level, size, change);
-        }
+        if (store_final_root(at.equations, size, change, left == 0)) return true;
       }
       result = solve(fine, SearchStage::last);
       if (!estimated && result.converged) {
         const double change = step_norm(result.a - fine.a, covariance_at(fine.equations, result.a));
-        if (left == 1 || is_good_enough(change, fine.equations)) {
-          return store_root(fine.equations, result, level, finer, change);
-        }
+        if (store_final_root(fine.equations, finer, change, left == 1)) return true;
       }
       at = std::move(fine);
       size = finer;
@@ -228,14 +234,14 @@ class RootSearch {
   }
 
   // If Newton's method fails, the end of a homotopy is a second starting point, unless another
-  // level has a root or several homotopies have failed at this order.
+  // level has a root or several homotopies have failed in this pass over the levels.
   NewtonResult solve(const StartingPoint& start, SearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
     if (result.converged) return result;
     if (homotopies_left_ == 0) {
-      store_failure(start, result, "");
+      store_failure(start, result);
       return result;
     }
     --homotopies_left_;
@@ -249,20 +255,24 @@ class RootSearch {
       iterations_ += result.iterations;
     }
     if (!result.converged) {
-      store_failure(start, result,
-                    end_reached ? ": a homotopy led to no root"
-                                : fmt::format(": a homotopy ended at {:.0f} % of its path",
-                                              100 * homotopy_curve.point_with_largest_t().t));
+      last_homotopy_ = end_reached ? ": a homotopy led to no root"
+                                   : fmt::format(": a homotopy ended at {:.0f} % of its path",
+                                                 100 * homotopy_curve.point_with_largest_t().t);
+      store_failure(start, result);
     }
     return result;
   }
 
-  void store_failure(const StartingPoint& start, const NewtonResult& result,
-                     const std::string& homotopy) {
+  void store_failure(const StartingPoint& start, const NewtonResult& result) {
     root_.newton = result;
     root_.failure = fmt::format(
         "Newton's method failed at order {} after {} iterations (least residual {:.1e}){}",
-        start.equations.basis().order(), result.iterations, result.residual, homotopy);
+        start.equations.basis().order(), result.iterations, result.residual, last_homotopy_);
+  }
+
+  void begin_pass_over_levels() {
+    homotopies_left_ = kMostHomotopies;
+    last_homotopy_.clear();
   }
 
   ClosureDensity closure_density_of(const ClosureEquations& equations, const VectorXd& a,
@@ -285,7 +295,7 @@ class RootSearch {
     return step_norm(step, coarse.covariance(density));
   }
 
-  bool store_root(const ClosureEquations& equations, const NewtonResult& result, double level,
+  void store_root(const ClosureEquations& equations, const NewtonResult& result, double level,
                   const QuadraturePointCounts& size, double quadrature_change) {
     const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(result.a);
     root_.newton = result;
@@ -299,7 +309,6 @@ class RootSearch {
     root_.condition = condition_number(jacobian, covariance);
     root_.rightmost_eigenvalue = rightmost_eigenvalue(jacobian, covariance);
     root_.rate_of_change_unit = unit_;
-    return true;
   }
 
   const ClosureFormulation& formulation_;
@@ -308,6 +317,8 @@ class RootSearch {
   base::Deadline deadline_;
   RootSearchResult root_;
   int iterations_ = 0, homotopies_ = 0, homotopies_left_ = 0;
+  std::string
+      last_homotopy_;  // outcome of the last homotopy of the pass, for the reason of failure
   bool deadline_reported_ = false;
 };
 

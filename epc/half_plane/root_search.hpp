@@ -22,6 +22,8 @@ struct RootSearchResult {
   QuadraturePointCounts quadrature{};
   /// Standard deviation of the change of the exponent Q_n by additional quadrature points.
   double quadrature_change = 0;
+  /// Whether the quadrature was not refined because the density is far from decayed.
+  bool is_refinement_omitted = false;
   /// Result of Newton's method at the requested order, or at the order that failed, with the number
   /// of iterations of all orders.
   numerics::NewtonResult newton;

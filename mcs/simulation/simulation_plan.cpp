@@ -30,7 +30,7 @@ constexpr double kErrorOfOneDecayTime = 2.5;
 // factor of the default time with splitting, since splitting multiplies the work
 constexpr double kTailsShare = 1.0 / 32;
 // factor of the default time with control variates, with L1 errors over smooth bins of 3e-6 to 1e-5
-// in the cases of the paper: a quarter of the errors of finite volumes or less
+// in the cases of the paper: a third of the errors of finite volumes or less
 constexpr double kControlledShare = 1.0 / 32;
 
 // Limits of the number of impulses and flights in all streams. One processor simulates 2e7 to 3e7

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/files/file_transaction.hpp"
 #include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
@@ -77,7 +79,9 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
   }
   std::vector<std::vector<std::string>> warnings_of_pictures(pictures.size());
   try {
-    base::parallel_for(pictures.size(), base::kOneThreadPerProcessor, [&](std::size_t k) {
+    constexpr int kMostAtOnce = 4;
+    const int at_once = std::min(kMostAtOnce, base::available_processors());
+    base::parallel_for(pictures.size(), at_once, [&](std::size_t k) {
       if (base::stop_requested()) return;
       warnings_of_pictures[k] = draw_formats(gnuplot, figures, pictures[k].stem, options);
     });

@@ -73,7 +73,7 @@ class RunOfTheProgram(unittest.TestCase):
             self.assertEqual(one, other, at)
 
     def test_agrees_with_the_package(self):
-        # The width of bounds depends on the time limit of one second.
+        # The width of bounds depends on their time limit.
         for key in ("system", "impulse", "comparisons", "budget", "reference", "limits"):
             self.assert_same(self.summary["cases"][0][key], self.run_.case.record[key], key)
         for one, other in zip(self.summary["cases"][0]["solutions"], self.run_.solutions.values()):
