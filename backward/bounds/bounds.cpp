@@ -55,16 +55,17 @@ struct Refinement {
   std::vector<NextGrid> next;    ///< next grid of each functional
 };
 
-// Returns the grid after `last`. A grid is skipped if the requested half-width probably needs two
-// levels and the time suffices.
+// Returns the grid after `last`. The second grid is skipped if the requested half-width probably
+// needs the third, and the time suffices. Of the finest grids each has the narrowest bounds of some
+// functional.
 NextGrid grid_after(const NextGrid& last, double seconds_of_last, const FunctionalBounds& bound,
                     const Options& options, double seconds_left) {
   constexpr double kWidthRatio = 3;  // between successive grids; 2 to 5 in the cases of the paper
   const double requested = requested_half_width(bound, options);
   const double seconds = kGridCostRatio * seconds_of_last;
-  const auto grids = spline_grid_sequence(width_limiting_feature(bound.functional));
-  const bool skips = requested > 0 && bound.value.half_width() > kWidthRatio * requested &&
-                     last.level + 2 < grids.size() && kGridCostRatio * seconds <= seconds_left;
+  const bool skips = last.level == 0 && requested > 0 &&
+                     bound.value.half_width() > kWidthRatio * requested &&
+                     kGridCostRatio * seconds <= seconds_left;
   return skips ? NextGrid{last.level + 2, 2, kGridCostRatio * seconds}
                : NextGrid{last.level + 1, 1, seconds};
 }

@@ -20,7 +20,9 @@ using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMaxRefinements = 4;
-constexpr int kMostHomotopies = 2;  // in one pass over the confinement levels
+// Number of homotopies in one pass over the confinement levels, unless the equations are few and a
+// homotopy takes at most some tenths of a second
+constexpr int kMostHomotopies = 2, kFewEquations = 50;
 
 // Multiplies the number of quadrature points in the plane by more than 2.
 QuadraturePointCounts refined_size(const QuadraturePointCounts& size) {
@@ -166,7 +168,8 @@ class RootSearch {
                                       const QuadraturePointCounts& points, double change,
                                       bool is_last) {
       const bool is_resolved = change < refinement.tolerance;
-      const bool is_hopeless = !is_resolved && !is_last && is_far_from_decayed(equations);
+      const bool is_hopeless =
+          estimated && !is_resolved && !is_last && is_far_from_decayed(equations);
       if (!is_resolved && !is_last && !is_hopeless) return false;
       store_root(equations, result, level, points, change);
       root_.is_refinement_omitted = is_hopeless;
@@ -233,14 +236,14 @@ class RootSearch {
             .polish = last};
   }
 
-  // If Newton's method fails, the end of a homotopy is a second starting point, unless another
-  // level has a root or several homotopies have failed in this pass over the levels.
+  // If Newton's method fails, the end of a homotopy is a second starting point. With many equations
+  // it is not, if another level has a root or several homotopies have failed in this pass.
   NewtonResult solve(const StartingPoint& start, SearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
     if (result.converged) return result;
-    if (homotopies_left_ == 0) {
+    if (homotopies_left_ <= 0 && start.equations.size() > kFewEquations) {
       store_failure(start, result);
       return result;
     }

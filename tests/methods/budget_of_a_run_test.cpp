@@ -39,7 +39,7 @@ results::CaseResult case_1(bool controlled) {
   const auto axes = compare::comparison_axes(problem);
   const auto simulation =
       builtin_registry()
-          .select_methods("mcs", {{"time", 200000.0}, {"controlled", controlled}})
+          .select_methods("mcs", {{"time", controlled ? 3e6 : 2e5}, {"controlled", controlled}})
           .front();
   auto solutions = without_simulation();
   solutions.push_back(solve_with_method(simulation, problem, {axes, {}}));
