@@ -320,8 +320,7 @@ class RootSearch {
   base::Deadline deadline_;
   RootSearchResult root_;
   int iterations_ = 0, homotopies_ = 0, homotopies_left_ = 0;
-  std::string
-      last_homotopy_;  // outcome of the last homotopy of the pass, for the reason of failure
+  std::string last_homotopy_;  // outcome of the last homotopy, for the reason of failure
   bool deadline_reported_ = false;
 };
 
