@@ -41,8 +41,8 @@ Words case_keys(const Words& words) {
   for (const auto& word : words) {
     if (problem::find_built_in_case(word) == nullptr && !word.ends_with(".ini")) continue;
     try {
-      const problem::Problem loaded = problem::load_case(
-          word, {}, problem::CaseNaming::from_file, problem::TimeSection::allowed);
+      const problem::Problem loaded = problem::load_case(word, {}, problem::CaseNaming::from_file,
+                                                         problem::TimeSection::allowed);
       for (const auto& [name, value] : loaded.system.named_constants()) {
         keys.push_back("parameters." + name + '=');
       }
