@@ -24,11 +24,9 @@ constexpr double kMostBytes = 256e6;  // limit on the memory of the velocity lat
 // Returns more cells for longer simulations, since the fit of 80 x 176 cells takes as long as the
 // simulation of about 1e7 samples. With checkpoints the number does not depend on the simulated
 // time, so that a longer simulation can resume from a shorter one.
-ControlSplineCells choose_cells(const problem::Problem& problem, const Options& options) {
-  if (options.cells) return *options.cells;
-  if (!options.simulation.checkpoint.empty() || !options.simulation.resume.empty()) return {};
+ControlSplineCells choose_cells(const mcs::SimulationPlan& plan, const mcs::Options& options) {
+  if (!options.checkpoint.empty() || !options.resume.empty()) return {};
   constexpr double kFewSamples = 2e5, kManySamples = 1e7;
-  const mcs::SimulationPlan plan = mcs::make_simulation_plan(problem, options.simulation);
   const double samples =
       static_cast<double>(plan.rounds) * static_cast<double>(plan.samples_per_round) * plan.streams;
   if (samples < kFewSamples) return {.y = 40, .v = 88};
@@ -60,18 +58,19 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
         "impulses");
   }
   const base::Stopwatch stopwatch;
-  const DepositLayout layout = make_deposit_layout(problem, choose_cells(problem, options));
-  if (lattice_bytes(layout.grid) * options.simulation.streams > kMostBytes) {
-    return solve_plain(problem, options, "impulses this small need too much memory");
-  }
   mcs::Options simulation = options.simulation;
   simulation.controlled = true;
-  simulation.deposit = layout.grid;
   simulation.step = simulation.step.value_or(kStep);
-  const double interval = mcs::make_simulation_plan(problem, simulation).sampling_interval;
+  const mcs::SimulationPlan plan = mcs::make_simulation_plan(problem, simulation);
+  const DepositLayout layout =
+      make_deposit_layout(problem, options.cells.value_or(choose_cells(plan, simulation)));
+  if (lattice_bytes(layout.grid) * simulation.streams > kMostBytes) {
+    return solve_plain(problem, options, "impulses this small need too much memory");
+  }
+  simulation.deposit = layout.grid;
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
-  auto setup =
-      std::async(policy, [&] { return make_control_variate_setup(problem, layout, interval); });
+  auto setup = std::async(
+      policy, [&] { return make_control_variate_setup(problem, layout, plan.sampling_interval); });
   // With one thread the fit precedes the simulation: a stop request during the simulation then does
   // not wait for the fit.
   if (policy == std::launch::deferred) setup.wait();

@@ -42,7 +42,8 @@ const Description<Options>& description() {
           .with_choices(names_of_equations())
           .add("time", &Options::time,
                {"T",
-                "simulated time over all streams (default: 1.6e6 decay times, or about a minute)"},
+                "simulated time over all streams (default: 1.6e6 decay times, a 32nd of them with "
+                "--controlled or --tails, or about a minute)"},
                positive_numbers())
           .add("samples", &Options::samples,
                {"N", "simulate until E[y'^2] is as precise as from N independent samples"},

@@ -31,7 +31,7 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
   const int cases_at_once = std::clamp(static_cast<int>(cases.size()), 1, threads);
   base::parallel_for(cases.size(), cases_at_once, [&](std::size_t k) {
     poll();
-    constexpr double kSeconds = 1;  // of all processors: the third grid of most problems
+    constexpr double kSeconds = 1;  // time of all processors in which most problems reach grid 3
     cases[k].bounds = guaranteed_bounds(cases[k].problem, {.relative_half_width = 1e-5,
                                                            .seconds = kSeconds * cases_at_once,
                                                            .threads = threads / cases_at_once});

@@ -6,8 +6,10 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -171,29 +173,31 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
   SolutionTable run(problems, methods, listener, estimators, case_listener);
   // The first closure of a problem computes the residual-based error estimator, for which the other
   // closures of the problem wait. Meanwhile other processors compute solutions that do not use it.
+  const auto is_closure = [&](std::size_t m) {
+    return methods[m].identity.role == transform::SolutionRole::closure;
+  };
+  std::vector<std::size_t> order(methods.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto first_closure =
+      std::stable_partition(order.begin(), order.end(), std::not_fn(is_closure));
+  if (first_closure != order.end()) std::rotate(order.begin(), first_closure, first_closure + 1);
   // Blocks of problems are completed in turn, so that a stop request loses few problems.
   const auto block = static_cast<std::size_t>(base::number_of_threads(thread_count));
-  std::vector<SolveTask> single_threaded, all_processors;
+  std::vector<SolveTask> single_threaded;
   for (std::size_t begin = 0; begin < problems.size(); begin += block) {
-    std::vector<SolveTask> others, closures;
-    for (std::size_t p = begin; p < std::min(begin + block, problems.size()); ++p) {
-      bool has_closure = false;
-      for (std::size_t m = 0; m < methods.size(); ++m) {
-        const bool is_closure = methods[m].identity.role == transform::SolutionRole::closure;
-        auto& tasks = methods[m].uses_all_processors ? all_processors
-                      : !is_closure                  ? others
-                      : has_closure                  ? closures
-                                                     : single_threaded;
-        tasks.push_back({p, m});
-        has_closure = has_closure || is_closure;
-      }
+    const std::size_t end = std::min(begin + block, problems.size());
+    for (const std::size_t m : order) {
+      if (methods[m].uses_all_processors) continue;
+      for (std::size_t p = begin; p < end; ++p) single_threaded.push_back({p, m});
     }
-    single_threaded.insert(single_threaded.end(), others.begin(), others.end());
-    single_threaded.insert(single_threaded.end(), closures.begin(), closures.end());
   }
   base::parallel_for(single_threaded.size(), thread_count,
                      [&](std::size_t t) { run.solve(single_threaded[t]); });
-  for (const SolveTask& task : all_processors) run.solve(task);
+  for (std::size_t p = 0; p < problems.size(); ++p) {
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      if (methods[m].uses_all_processors) run.solve({p, m});
+    }
+  }
   return run.cases();
 }
 

@@ -45,8 +45,8 @@ struct StopReason {
 // The next grid of a functional in its sequence of grids.
 struct NextGrid {
   std::size_t level = 0;
-  std::size_t step = 0;  ///< number of levels from the last grid: 2 if a grid is skipped
-  double seconds = 0;    ///< expected computing time; 0 for the first grid
+  bool skips_a_grid = false;
+  double seconds = 0;  ///< expected computing time; 0 for the first grid
 };
 
 struct Refinement {
@@ -66,8 +66,8 @@ NextGrid grid_after(const NextGrid& last, double seconds_of_last, const Function
   const bool skips = last.level == 0 && requested > 0 &&
                      bound.value.half_width() > kWidthRatio * requested &&
                      kGridCostRatio * seconds <= seconds_left;
-  return skips ? NextGrid{last.level + 2, 2, kGridCostRatio * seconds}
-               : NextGrid{last.level + 1, 1, seconds};
+  return skips ? NextGrid{last.level + 2, true, kGridCostRatio * seconds}
+               : NextGrid{last.level + 1, false, seconds};
 }
 
 using FunctionalIndices = std::vector<std::size_t>;
@@ -152,19 +152,19 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
       double seconds = 0;
       for (const std::size_t i : indices) seconds = std::max(seconds, result.next[i].seconds);
       const double expected = stopwatch.seconds() + seconds;
-      // Ends the refinement, or returns to a grid that was skipped.
-      const auto end_at_grid = [&result, &ended = indices](const StopReason& end) {
+      const auto end_or_return_to_skipped_grid = [&result,
+                                                  &ended = indices](const StopReason& end) {
         for (const std::size_t i : ended) {
           NextGrid& next = result.next[i];
-          if (next.step == 2) {
-            next = {next.level - 1, 1, next.seconds / kGridCostRatio};
+          if (next.skips_a_grid) {
+            next = {next.level - 1, false, next.seconds / kGridCostRatio};
           } else {
             result.ends[i] = end;
           }
         }
       };
       if (seconds > 0 && expected > options.seconds) {
-        end_at_grid({StopReason::Cause::time, expected});
+        end_or_return_to_skipped_grid({StopReason::Cause::time, expected});
         continue;
       }
       std::vector<Functional> functionals;
@@ -177,7 +177,7 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
             bounds_from_grid(problem, tau, grid, functionals, threads_of(options), &report);
       } catch (const FitFailure& broken) {
         // the fit would also fail on finer grids
-        end_at_grid({StopReason::Cause::fit, 0, broken.what()});
+        end_or_return_to_skipped_grid({StopReason::Cause::fit, 0, broken.what()});
         continue;
       }
       record.unknowns = report.unknowns;

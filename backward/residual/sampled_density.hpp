@@ -35,8 +35,9 @@ struct AxisQuadrature {
   Eigen::MatrixXd integrals_with_density(const Eigen::MatrixXd& functions) const {
     return functions.transpose() * weighted;
   }
-  /// The same for functions with a small support, such as splines
-  RowMajorSparseMatrix local_integrals_with_density(const Eigen::MatrixXd& functions) const {
+  /// Returns integrals_with_density() as a sparse matrix, for functions with a small support, such as
+  /// splines.
+  RowMajorSparseMatrix sparse_integrals_with_density(const Eigen::MatrixXd& functions) const {
     return RowMajorSparseMatrix(functions.transpose().sparseView()) * weighted;
   }
 };

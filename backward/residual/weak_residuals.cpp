@@ -150,9 +150,10 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
   const GeneratorFactors y = displacement_generator_factors(problem_.system, y_, p.y.points);
   const GeneratorFactors v = velocity_generator_factors(
       problem_, v_, p.v.points, interpolated_spline_means_after_impulse(p.v.points));
-  // All functions of y have a small support. Functions of v have one, except after impulses.
+  // All functions of y have a small support. The means of functions of v after an impulse have a
+  // large support.
   const auto integrated_over_y = [&](const Eigen::MatrixXd& functions) -> Eigen::MatrixXd {
-    return p.y.local_integrals_with_density(functions) * p.samples;
+    return p.y.sparse_integrals_with_density(functions) * p.samples;
   };
   Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_.size(), v_.size());
   for (std::size_t term = 0; term < y.size(); ++term) {
@@ -173,10 +174,10 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
   }
   const Eigen::MatrixXd cells =
       integrated_over_y(cell_indicators(p.y.points, y_.breaks())) *
-      p.v.local_integrals_with_density(cell_indicators(p.v.points, v_.breaks())).transpose();
+      p.v.sparse_integrals_with_density(cell_indicators(p.v.points, v_.breaks())).transpose();
   const Eigen::MatrixXd means =
       integrated_over_y(spline_values(y_, p.y.points).value) *
-      p.v.local_integrals_with_density(spline_values(v_, p.v.points).value).transpose();
+      p.v.sparse_integrals_with_density(spline_values(v_, p.v.points).value).transpose();
   return {.mass = mass,
           .moments = {.y1 = moment(1, 0),
                       .y2 = moment(2, 0),

@@ -125,8 +125,8 @@ numerics::SolutionCurve follow_homotopy(const GalerkinSystem& equations, const V
     return equations.jacobian(equations.evaluate_density(a));
   };
   // The options of the path are in units of the coefficients of basis functions with a variance of
-  // about 1. In 120 random problems 30 of 32 paths to a root had at most 60 points, and most of the
-  // other paths ended at the limit.
+  // about 1. In 120 random problems with a limit of 120 points 30 of 32 paths to a root had at most
+  // 60 points; 68 of the other 174 paths ended at the limit.
   return numerics::trace_solution_curve(numerics::newton_homotopy(residual, jacobian, start), start,
                                         {.tolerance = 0,
                                          .correction_tolerance = 1e-6,

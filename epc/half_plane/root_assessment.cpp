@@ -95,8 +95,8 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
 void set_status(const RootSearchResult& root, double quadrature_tolerance,
                 const std::string& inadmissible_reason, Result& result) {
   auto& [solution, summary] = result;
-  const bool is_inadmissible_anyway = root.is_refinement_omitted && !inadmissible_reason.empty();
-  if (!is_inadmissible_anyway && !(root.quadrature_change < quadrature_tolerance)) {
+  const bool is_known_inadmissible = root.is_refinement_omitted && !inadmissible_reason.empty();
+  if (!is_known_inadmissible && !(root.quadrature_change < quadrature_tolerance)) {
     solution = {};
     solution.status = Status::not_converged;
     solution.reason = fmt::format(

@@ -20,8 +20,8 @@ using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMaxRefinements = 4;
-// Number of homotopies in one pass over the confinement levels, unless the equations are few and a
-// homotopy takes at most some tenths of a second
+// Largest number of homotopies in one pass over the confinement levels. Systems of at most
+// kFewEquations equations have no limit, since their homotopies take tenths of a second.
 constexpr int kMostHomotopies = 2, kFewEquations = 50;
 
 // Multiplies the number of quadrature points in the plane by more than 2.
@@ -163,29 +163,23 @@ class RootSearch {
                                       SearchStage::last) >
              kFarAboveLimit * formulation_.decay_ratio_limit(SearchStage::last);
     };
-    // Stores the root if it needs no more points.
-    const auto store_final_root = [&](const ClosureEquations& equations,
-                                      const QuadraturePointCounts& points, double change,
-                                      bool is_last) {
-      const bool is_resolved = change < refinement.tolerance;
-      const bool is_hopeless =
-          estimated && !is_resolved && !is_last && is_far_from_decayed(equations);
-      if (!is_resolved && !is_last && !is_hopeless) return false;
-      store_root(equations, result, level, points, change);
-      root_.is_refinement_omitted = is_hopeless;
-      return true;
-    };
     for (int left = kMaxRefinements; result.converged; --left) {
       const QuadraturePointCounts finer = refined_size(size);
       StartingPoint fine{equations_of(at.equations.basis(), level, finer), result.a};
       if (estimated) {
         const double change = change_on_finer_points(fine.equations, at.equations, result.a);
-        if (store_final_root(at.equations, size, change, left == 0)) return true;
+        const bool is_final = change < refinement.tolerance || left == 0;
+        root_.is_refinement_omitted = !is_final && is_far_from_decayed(at.equations);
+        if (is_final || root_.is_refinement_omitted) {
+          return store_root(at.equations, result, level, size, change);
+        }
       }
       result = solve(fine, SearchStage::last);
       if (!estimated && result.converged) {
         const double change = step_norm(result.a - fine.a, covariance_at(fine.equations, result.a));
-        if (store_final_root(fine.equations, finer, change, left == 1)) return true;
+        if (change < refinement.tolerance || left == 1) {
+          return store_root(fine.equations, result, level, finer, change);
+        }
       }
       at = std::move(fine);
       size = finer;
@@ -236,8 +230,8 @@ class RootSearch {
             .polish = last};
   }
 
-  // If Newton's method fails, the end of a homotopy is a second starting point. With many equations
-  // it is not, if another level has a root or several homotopies have failed in this pass.
+  // If Newton's method fails, the end of a homotopy is a second starting point. Large systems follow
+  // no homotopy if another level has a root or kMostHomotopies have failed in this pass.
   NewtonResult solve(const StartingPoint& start, SearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
@@ -298,7 +292,7 @@ class RootSearch {
     return step_norm(step, coarse.covariance(density));
   }
 
-  void store_root(const ClosureEquations& equations, const NewtonResult& result, double level,
+  bool store_root(const ClosureEquations& equations, const NewtonResult& result, double level,
                   const QuadraturePointCounts& size, double quadrature_change) {
     const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(result.a);
     root_.newton = result;
@@ -312,6 +306,7 @@ class RootSearch {
     root_.condition = condition_number(jacobian, covariance);
     root_.rightmost_eigenvalue = rightmost_eigenvalue(jacobian, covariance);
     root_.rate_of_change_unit = unit_;
+    return true;
   }
 
   const ClosureFormulation& formulation_;

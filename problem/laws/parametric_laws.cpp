@@ -96,9 +96,9 @@ namespace {
 
 constexpr double kDefaultSkewness = 1, kMinSkewness = 0.01, kMaxSkewness = 2;
 
-// Boost's default policy computes in long double, which takes ten times as long. Quadrature
-// evaluates the density up to millions of times.
-using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+// Boost's default policy computes in long double, which takes ten times as long. Quadrature rules
+// evaluate the density millions of times.
+using DoublePrecision = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 // Returns the value of the gamma variable G that gives Y = y.
 double standardised_variate(const GammaLaw& law, double y) {
@@ -133,13 +133,14 @@ double GammaLaw::standardised_moment(int n) const {
 double GammaLaw::density(double y) const {
   const double g = standardised_variate(*this, y);
   if (g < 0) return 0;
-  return boost::math::gamma_p_derivative(shape(), g, InDouble()) * std::sqrt(shape()) / deviation;
+  return boost::math::gamma_p_derivative(shape(), g, DoublePrecision()) * std::sqrt(shape()) /
+         deviation;
 }
 
 double GammaLaw::cumulative_probability(double y) const {
   const double g = std::max(standardised_variate(*this, y), 0.0);
-  return skewness > 0 ? boost::math::gamma_p(shape(), g, InDouble())
-                      : boost::math::gamma_q(shape(), g, InDouble());
+  return skewness > 0 ? boost::math::gamma_p(shape(), g, DoublePrecision())
+                      : boost::math::gamma_q(shape(), g, DoublePrecision());
 }
 
 std::vector<double> GammaLaw::density_breakpoints() const {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <future>
 #include <iterator>
 
 #include "base/files/file_transaction.hpp"
+#include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "report/figure/gnuplot.hpp"
@@ -127,25 +127,29 @@ void draw_picture(const std::string& gnuplot, const fs::path& script, const fs::
 }
 
 std::vector<std::string> draw_formats(const std::string& gnuplot, const fs::path& figures,
-                                      const std::string& stem, const FigureOptions& options) {
-  // Draws the picture in one format; returns a warning if gnuplot drew no picture.
-  const auto attempt = [&](FigureFormat format) -> std::vector<std::string> {
-    try {
-      draw_picture(gnuplot, figures / (stem + ".gp"),
-                   figures / fmt::format("{}.{}", stem, name(format)), options.width);
-    } catch (const GnuplotMissing&) {
-      throw;
-    } catch (const std::runtime_error& error) {
-      return {error.what()};
-    }
-    return {};
-  };
-  std::vector<std::future<std::vector<std::string>>> others;
-  for (std::size_t k = 1; k < options.formats.size(); ++k) {
-    others.push_back(std::async(std::launch::async, attempt, options.formats[k]));
-  }
-  auto warnings = attempt(options.formats.front());
-  for (auto& other : others) std::ranges::move(other.get(), std::back_inserter(warnings));
+                                      const std::vector<std::string>& stems,
+                                      const FigureOptions& options) {
+  // More simultaneous processes could exceed the time limit of a picture on a busy machine.
+  constexpr int kMostProcesses = 4;
+  const std::size_t formats = options.formats.size();
+  std::vector<std::string> warnings(stems.size() * formats);
+  base::parallel_for(
+      warnings.size(), std::min(kMostProcesses, base::available_processors()), [&](std::size_t k) {
+        if (base::stop_requested()) return;
+        const std::string& stem = stems[k / formats];
+        try {
+          draw_picture(gnuplot, figures / (stem + ".gp"),
+                       figures / fmt::format("{}.{}", stem, name(options.formats[k % formats])),
+                       options.width);
+        } catch (const GnuplotMissing&) {
+          throw;
+        } catch (const std::runtime_error& error) {
+          warnings[k] = error.what();
+        }
+      });
+  // After a stop request a missing picture gives no warning, since the user requested the stop.
+  if (base::stop_requested()) return {};
+  std::erase(warnings, "");
   return warnings;
 }
 
@@ -155,9 +159,7 @@ std::vector<std::string> write_pictures(const fs::path& figures, const std::stri
   fs::create_directories(figures);
   base::write_file_atomically(figures / (stem + ".gp"), script);
   try {
-    if (base::stop_requested()) return {};
-    auto warnings = draw_formats(gnuplot, figures, stem, options);
-    return base::stop_requested() ? std::vector<std::string>() : warnings;
+    return draw_formats(gnuplot, figures, {stem}, options);
   } catch (const GnuplotMissing& missing) {
     return {fmt::format("no picture: {}; install gnuplot, then run `cd {} && gnuplot {}.gp`",
                         missing.what(), figures.string(), stem)};

@@ -22,12 +22,13 @@ struct GnuplotMissing : std::runtime_error {
 void draw_picture(const std::string& gnuplot, const std::filesystem::path& script,
                   const std::filesystem::path& picture, FigureWidth width = FigureWidth::screen);
 
-/// Runs gnuplot on the script STEM.gp once for each file format in the figure options. The pictures
-/// are written to the directory of the script.
-/// @return a warning for each picture that was not drawn
+/// Runs gnuplot on each script STEM.gp once for each file format in the figure options, in several
+/// processes at once. The pictures are written to the directory of the scripts.
+/// @return a warning for each picture that was not drawn; empty after a stop request
 /// @throws GnuplotMissing
 std::vector<std::string> draw_formats(const std::string& gnuplot,
-                                      const std::filesystem::path& figures, const std::string& stem,
+                                      const std::filesystem::path& figures,
+                                      const std::vector<std::string>& stems,
                                       const FigureOptions& options);
 
 /// Writes the script STEM.gp into a directory, and draws its pictures in each file format of the

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "base/files/file_transaction.hpp"
-#include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
 #include "report/budget/figure.hpp"
 #include "report/figure/convergence_figure.hpp"
@@ -74,27 +73,20 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
   fs::create_directories(figures);
   remove_pictures(directory, run);
   for (const auto& picture : others) remove_script_and_pictures(figures, picture.stem);
+  std::vector<std::string> stems;
   for (const auto& [stem, script] : pictures) {
     base::write_file_atomically(figures / (stem + ".gp"), script);
+    stems.push_back(stem);
   }
-  std::vector<std::vector<std::string>> warnings_of_pictures(pictures.size());
   try {
-    constexpr int kMostAtOnce = 4;
-    const int at_once = std::min(kMostAtOnce, base::available_processors());
-    base::parallel_for(pictures.size(), at_once, [&](std::size_t k) {
-      if (base::stop_requested()) return;
-      warnings_of_pictures[k] = draw_formats(gnuplot, figures, pictures[k].stem, options);
-    });
-    for (const auto& own : warnings_of_pictures) {
-      warnings.insert(warnings.end(), own.begin(), own.end());
+    for (auto& warning : draw_formats(gnuplot, figures, stems, options)) {
+      warnings.push_back(std::move(warning));
     }
   } catch (const GnuplotMissing& missing) {
     warnings.push_back(
         fmt::format("no pictures: {}; install gnuplot, then run `fpkcheck report {}`",
                     missing.what(), directory.string()));
   }
-  // After a stop request the missing last picture gives no warning, since the user requested the
-  // stop.
   return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 

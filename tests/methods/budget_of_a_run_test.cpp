@@ -46,7 +46,7 @@ results::CaseResult case_1(bool controlled) {
   return results::make_case_result(problem, axes, std::move(solutions));
 }
 
-// A simulation with control variates is exact to 1e-6. Hence the budget has no sampling part, and
+// A simulation with control variates has an L1 error of about 2e-6. Hence the budget has no sampling part, and
 // the simulation measures the discretisation.
 TEST(BudgetOfARun, EndsWithTheMeasuredDiscretisation) {
   const auto one = case_1(true);

@@ -60,7 +60,10 @@ TEST(ControlSplines, AreNarrowerAtTheWallUnlessTheMotionIsOffTheWall) {
   ASSERT_GT(problem::static_deflection(pushed),
             4 * problem::equivalent_linearisation(pushed).displacement_deviation);
   const auto off_wall = control_splines(pushed, cells, CellWidths::narrower_at_walls);
-  EXPECT_NEAR(off_wall.y.breaks()[2], 2 * off_wall.y.breaks()[1], 1e-12);
+  constexpr int kEvenCells = 30;  // of 40, up to five deviations from the deflection
+  for (int k = 2; k <= kEvenCells; ++k) {
+    EXPECT_NEAR(off_wall.y.breaks()[k], k * off_wall.y.breaks()[1], 1e-12);
+  }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/files/file_transaction.hpp"
-#include "base/process/stop_request.hpp"
 #include "report/figure/drawing.hpp"
 #include "workflows/sweep/report/figure/figures.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"
@@ -70,22 +69,17 @@ std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures
   for (const char* stem : {kDistances, kMoments, kMap, kScatter}) {
     report::remove_script_and_pictures(figures, stem);
   }
+  std::vector<std::string> stems;
   for (const auto& picture : pictures) {
     base::write_file_atomically(figures / (picture.stem + ".gp"), picture.script);
+    stems.push_back(picture.stem);
   }
-  std::vector<std::string> warnings;
   try {
-    for (const auto& picture : pictures) {
-      if (base::stop_requested()) return {};
-      const auto own = report::draw_formats(gnuplot, figures, picture.stem, options);
-      warnings.insert(warnings.end(), own.begin(), own.end());
-    }
+    return report::draw_formats(gnuplot, figures, stems, options);
   } catch (const report::GnuplotMissing& missing) {
-    warnings.push_back(fmt::format(
-        "no pictures: {} (install gnuplot, then the same command draws them)", missing.what()));
+    return {fmt::format("no pictures: {} (install gnuplot, then the same command draws them)",
+                        missing.what())};
   }
-  // After a stop request, a missing picture gives no warning.
-  return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 
 }  // namespace fpkcheck::sweep
