@@ -29,6 +29,12 @@ struct StartState {
 std::optional<StartState> passage_start(const problem::Problem& transformed, double barrier,
                                         const std::optional<StartState>& given);
 
+/// Mean passage times T(y, y') of the starts below a barrier, as averages over cells.
+struct MeanTimeMap {
+  std::vector<double> y_edges, v_edges;  ///< increasing
+  std::vector<double> averages;          ///< row-major, shape (ny, nv)
+};
+
 /// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Passage times
 /// from a point belong to a StartState, or to a start at rest on the wall or at the equilibrium;
 /// stationary ones to the stationary law below the barrier. Absent values are not computed by the
@@ -47,6 +53,7 @@ struct Passage {
   std::vector<double> times = {};
   /// Probabilities P(tau > t) at the times; empty if not computed
   std::vector<ValueWithError> survival_from_point = {}, survival_from_stationary = {};
+  std::optional<MeanTimeMap> mean_times = {};  ///< mean times from all starts below the barrier
   bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
   std::string details = {};          ///< grid or simulated time, for tables
 };

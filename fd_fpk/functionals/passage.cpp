@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <complex>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -217,18 +219,40 @@ Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
   return errors;
 }
 
+// Returns the mean times from the starts in all cells below the barrier, in physical coordinates.
+// @pre the wall frame is not mirrored
+transform::MeanTimeMap mean_time_map(const PassageProblem& passage, const Grid& below,
+                                     const ReducedResolvent& model) {
+  const problem::WallFrame& frame = passage.problem.frame;
+  assert(!frame.mirrored);
+  transform::MeanTimeMap map{.y_edges = {}, .v_edges = below.x2.faces(), .averages = {}};
+  for (const double x : below.x1.faces()) map.y_edges.push_back(frame.physical_y(x));
+  // The integral of the survival probability times the areas over all times is the vector
+  // (0 - L^T)^-1 areas.
+  const Eigen::VectorXd times = model.solution(0).cwiseQuotient(below.cell_areas());
+  map.averages.assign(times.begin(), times.end());
+  return map;
+}
+
+// Values on one grid, and the mean times in its cells.
+struct PassageOnGrid {
+  LevelValues level;
+  transform::MeanTimeMap mean_times;
+};
+
 // Returns the values on one grid. The Krylov space grows until the values of two successive spaces
 // agree.
-LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
-                            const std::vector<double>& times, double shift,
-                            const base::Deadline& deadline) {
+PassageOnGrid passage_on_grid(const PassageProblem& passage, double refinement,
+                              const std::vector<double>& times, double shift,
+                              const base::Deadline& deadline) {
   constexpr int kStep = 10, kMost = 120;
   const problem::Problem& problem = passage.problem;
   const Options options = with_refined_cells(passage.options, refinement);
   const int order = transport_order(options);
-  LevelValues level;
+  PassageOnGrid result;
+  LevelValues& level = result.level;
   const auto grids = make_grids(passage, options, level.failure);
-  if (!grids) return level;
+  if (!grids) return result;
   const auto& [below, whole] = *grids;
   level.nx = below.nx();
   level.nv = below.nv();
@@ -236,7 +260,7 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
   const Discretisation of_whole =
       with_excitation_of(problem, options, {.grid = whole, .excitation = {}});
   level.failure = check_well_posedness(problem, options, of_whole).ill_posed_reason;
-  if (!level.failure.empty()) return level;
+  if (!level.failure.empty()) return result;
   const FokkerPlanckOperator op_whole = fokker_planck_operator(problem, options, of_whole);
   Preconditioner for_whole(problem.system, passage.scales.slowest_decay_rate, of_whole.excitation,
                            options.impact, whole, order);
@@ -244,13 +268,13 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
       null_vector(op_whole, for_whole, initial_gaussian(whole, passage.scales), deadline);
   if (!stationary.averages) {
     level.failure = stationary.failure;
-    return level;
+    return result;
   }
   constexpr double kLargestResidual = 1e-8;  // in frequencies of the oscillator
   if (!(op_whole.stationarity_residual(*stationary.averages) <
         kLargestResidual * passage.scales.frequency)) {
     level.failure = "GMRES did not find the stationary density; use another grid";
-    return level;
+    return result;
   }
   const Eigen::VectorXd p = stationary.averages->head(below.size());
   const Eigen::VectorXd areas = below.cell_areas();
@@ -273,7 +297,7 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
   while (!agree && model.size() < kMost) {
     if (!model.extend(kStep, deadline)) {
       level.failure = model.failure_reason();
-      return level;
+      return result;
     }
     Eigen::VectorXd values =
         passage_values(model, from_point, from_stationary, times, passage.waiting_rate);
@@ -286,20 +310,21 @@ LevelValues passage_on_grid(const PassageProblem& passage, double refinement,
         "the Krylov space of {} vectors does not determine the passage; choose a barrier that is "
         "crossed more often, or omit short times",
         kMost);
-    return level;
+    return result;
   }
   const bool is_from_point_valid = !passage.start || last(kFromPoint) > 0;
   if (!(last(kHazard) > 0 && last(kFromStationary) > 0 && is_from_point_valid)) {
     level.failure =
         "the operator below the barrier has a growing mode: the cells do not resolve the motion "
         "there; choose a barrier farther from the wall, or use mcs";
-    return level;
+    return result;
   }
   // Rice's rate is the flux of the stationary density through the barrier.
   last(kRiceRate) = wall_speed_moment(below, p, order, 1, AxisEnd::right);
   last(kProbabilityBelow) = probability;
   level.values = last;
-  return level;
+  result.mean_times = mean_time_map(passage, below, model);
+  return result;
 }
 
 // Returns the box of the stationary density, enlarged for the motion that reaches the barrier or
@@ -396,7 +421,7 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   const double shift = kShift * scales.velocity_deviation / scales.displacement_deviation;
   if (times.empty()) {
     constexpr double kCoarse = 0.5;
-    const LevelValues coarse = passage_on_grid(below, kCoarse, {}, shift, deadline);
+    const LevelValues coarse = passage_on_grid(below, kCoarse, {}, shift, deadline).level;
     if (coarse.values.size() == 0) {
       passage.reason = coarse.failure;
       return passage;
@@ -404,11 +429,23 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
     times = automatic_times(coarse.values(kFromStationary));
   }
   const double target = kPassageTargetFraction * options.accuracy;
-  const ConvergedValues converged = converge_on_grids(
-      [&](double refinement) { return passage_on_grid(below, refinement, times, shift, deadline); },
-      kObservedOrder, target, passage_magnitudes, deadline);
+  // The map of the finest grid; two threads evaluate the first two grids.
+  std::mutex map_mutex;
+  double finest = 0;
+  const auto evaluate = [&](double refinement) {
+    PassageOnGrid result = passage_on_grid(below, refinement, times, shift, deadline);
+    const std::lock_guard lock(map_mutex);
+    if (result.level.values.size() > 0 && refinement > finest) {
+      finest = refinement;
+      passage.mean_times = std::move(result.mean_times);
+    }
+    return std::move(result.level);
+  };
+  const ConvergedValues converged =
+      converge_on_grids(evaluate, kObservedOrder, target, passage_magnitudes, deadline);
   passage.seconds = stopwatch.seconds();
   if (converged.values.size() == 0) {
+    passage.mean_times.reset();
     passage.reason = converged.failure;
     return passage;
   }

@@ -63,6 +63,13 @@ Eigen::VectorXcd ReducedResolvent::transfer(const Eigen::VectorXd& w, const Eige
   return values;
 }
 
+Eigen::VectorXd ReducedResolvent::solution(double s) const {
+  const Eigen::MatrixXd h = hessenberg_.topLeftCorner(size_, size_);
+  const Eigen::MatrixXd matrix =
+      Eigen::MatrixXd::Identity(size_, size_) - (system_.shift() - s) * h;
+  return basis_.leftCols(size_) * matrix.partialPivLu().solve(norm_ * h.col(0));
+}
+
 ReducedResolvent::Modes ReducedResolvent::modes(const Eigen::VectorXd& w,
                                                 std::optional<int> size) const {
   const int n = size.value_or(size_);

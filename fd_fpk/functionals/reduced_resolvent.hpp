@@ -39,6 +39,9 @@ class ReducedResolvent {
   /// Szyld, SIAM Journal on Scientific Computing 25 (2003) 454).
   Eigen::VectorXcd transfer(const Eigen::VectorXd& w, const Eigen::VectorXcd& s);
 
+  /// Returns the vector (s - L)^-1 b at a real s, with the accuracy of transfer().
+  Eigen::VectorXd solution(double s) const;
+
   /// Eigenvalues a of the reduced model of L, and coefficients c of the decaying modes in
   /// <w, exp(L t) b> = sum c exp(a t).
   struct Modes {

@@ -105,6 +105,12 @@ inline constexpr std::pair<double, const char*> kDivergingColours[] = {
     {0, "#053061"},   {0.2, "#2166ac"}, {0.4, "#92c5de"}, {0.5, "#ffffff"},
     {0.6, "#f4a582"}, {0.8, "#b2182b"}, {1, "#67001f"}};
 
+/// Positions and colours of a sequential colour scale with white for 0. The colours differ
+/// most among small values.
+inline constexpr std::pair<double, const char*> kSequentialColours[] = {
+    {0, "#FFFFFF"},   {0.04, "#E4F0EE"}, {0.12, "#A9DAC9"}, {0.3, "#45B29D"},
+    {0.5, "#2A788E"}, {0.75, "#3B4A8C"}, {1, "#3A0F4F"}};
+
 /// A panel of a figure. On the report page, panels with the same id are the rows of one plot, from
 /// the lowest row.
 struct FigurePanel {

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <vector>
 
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "general_oscillators.hpp"
 #include "paper_cases.hpp"
+#include "problem/case_file.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -70,6 +74,28 @@ TEST(Passage, StartsAtAGivenState) {
   const Passage down = solve_passage(p, white, 1, {10}, transform::StartState{0.5, -2});
   EXPECT_NEAR(up.mean_from_point->value, 0.279, 0.01);
   EXPECT_NEAR(down.mean_from_point->value, 1.98, 0.2);
+}
+
+// The wall at y = -0.3 shifts the map, and the interval of y differs from the interval of y'.
+TEST(MeanTimeMap, HasTheMeanTimeOfAStartInItsCell) {
+  std::istringstream ini(
+      "[system]\ndamping = 0.3\nstiffness = 1\n[wall]\nleft = -0.3\nleft_restitution = 1\n"
+      "[noise]\nintensity = 0.3\n");
+  const problem::Problem p = problem::read_case(ini, "test", "test.ini");
+  const Options white{.equation = DensityEquation::white, .accuracy = 0.1};
+  const transform::StartState start{-0.1, -1};
+  const Passage passage = solve_passage(p, white, 1, {10}, start);
+  ASSERT_EQ(passage.status, Status::ok) << passage.reason;
+  const auto& map = passage.mean_times.value();
+  EXPECT_NEAR(map.y_edges.front(), -0.3, 1e-12);
+  EXPECT_NEAR(map.y_edges.back(), 1, 1e-12);
+  const auto cell = [](const std::vector<double>& edges, double x) {
+    return static_cast<std::size_t>(std::ranges::upper_bound(edges, x) - edges.begin() - 1);
+  };
+  const std::size_t index =
+      cell(map.y_edges, start.y) * (map.v_edges.size() - 1) + cell(map.v_edges, start.ydot);
+  const double value = passage.mean_from_point->value;
+  EXPECT_NEAR(map.averages.at(index), value, 0.05 * value);
 }
 
 TEST(Passage, RefusesABarrierOutsideTheWalls) {

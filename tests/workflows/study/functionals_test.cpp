@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -114,6 +115,42 @@ TEST(PassageReport, HasTheKeysOfTheContract) {
   EXPECT_EQ(one.at("error").at("hazard"), 0.01);
   EXPECT_EQ(one.at("survival").at(1).at("from_stationary"), 0.8);
   EXPECT_TRUE(one.at("survival").at(1).at("from_rest").is_null());
+}
+
+// The cells of the map are of unequal size, and their values differ in y and in y'.
+TEST(PassageFigure, HasAMapOfTheMeanTimes) {
+  PassageStudy study{tests::paper_case(1), {}, {}};
+  study.options.displacement = 1.5;
+  study.passages = {{.id = "fd-kf",
+                     .status = Status::ok,
+                     .times = {1, 2},
+                     .survival_from_stationary = {{0.9, 0.01}, {0.8, 0.02}},
+                     .mean_times = transform::MeanTimeMap{.y_edges = {0, 0.5, 1.5},
+                                                          .v_edges = {-2, 1, 1.5, 2},
+                                                          .averages = {1, 2, 3, 4, 5, -0.1}}}};
+  const report::Figure figure = study::figure(study);
+  ASSERT_EQ(figure.panels.size(), 2u);
+  const report::FigureHeatMap& map = figure.panels[1].map.value();
+  const auto value_at = [&](double y, double v) {
+    const std::size_t rows = map.values.size() / map.columns;
+    const auto part = [](double x, const std::array<double, 2>& range, std::size_t count) {
+      return static_cast<std::size_t>((x - range[0]) / (range[1] - range[0]) *
+                                      static_cast<double>(count));
+    };
+    return map.values.at(part(v, map.y_range, rows) * map.columns +
+                         part(y, map.x_range, map.columns));
+  };
+  EXPECT_EQ(value_at(0.4, 0.9), 1);
+  EXPECT_EQ(value_at(0.4, 1.1), 2);
+  EXPECT_EQ(value_at(0.4, 1.9), 3);
+  EXPECT_EQ(value_at(0.6, -1), 4);
+  EXPECT_EQ(value_at(1.4, 1.4), 5);
+  EXPECT_EQ(value_at(1.4, 1.6), 0);  // not negative
+  EXPECT_EQ(map.colour_axis.to, 5);
+  // A point with one end of an interval would have a wrong error bar, and no line.
+  const auto& points = figure.panels[0].series.at(0).points;
+  EXPECT_TRUE(std::ranges::all_of(
+      points, [](const report::FigurePoint& point) { return std::isnan(point.lower); }));
 }
 
 TEST(SensitivityStudy, JudgesClosuresByTheirErrorsWithoutEffectOnTheExitCode) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "base/text/sanitise.hpp"
 #include "fd_fpk/functionals/passage.hpp"
 #include "mcs/passage.hpp"
+#include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
 #include "report/table.hpp"
 #include "report/text/wrap_text.hpp"
@@ -283,6 +285,54 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
   return text;
 }
 
+namespace {
+
+// Returns the panel of the mean times from all starts below the barrier.
+report::FigurePanel mean_time_panel(const Passage& passage) {
+  const transform::MeanTimeMap& map = *passage.mean_times;
+  // A picture of 800 x 300 pixels resolves these cells, which are of equal size.
+  constexpr std::size_t kColumns = 200, kRows = 100;
+  const auto range = [](const std::vector<double>& edges) {
+    return std::array{edges.front(), edges.back()};
+  };
+  const std::array y_range = range(map.y_edges), v_range = range(map.v_edges);
+  // Returns the cells of the grid at the centres of equal cells.
+  const auto cells_at_centres = [](const std::vector<double>& edges, std::size_t count) {
+    std::vector<std::size_t> cells;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double centre = std::lerp(edges.front(), edges.back(),
+                                      (static_cast<double>(k) + 0.5) / static_cast<double>(count));
+      cells.push_back(
+          static_cast<std::size_t>(std::ranges::upper_bound(edges, centre) - edges.begin() - 1));
+    }
+    return cells;
+  };
+  const auto y_cells = cells_at_centres(map.y_edges, kColumns),
+             v_cells = cells_at_centres(map.v_edges, kRows);
+  std::vector<double> values;
+  for (const std::size_t j : v_cells) {
+    for (const std::size_t i : y_cells) {
+      // Near the jump of T the averages of the finite volumes may be slightly negative.
+      values.push_back(std::max(0.0, map.averages[i * (map.v_edges.size() - 1) + j]));
+    }
+  }
+  const double longest = *std::ranges::max_element(values);
+  return {.title = fmt::format(
+              "mean time to the passage, start at ({{/:Italic y}}, {{/:Italic y}}'), {}",
+              report::escape_enhanced_text(passage.id)),
+          .x = {"{/:Italic y}", y_range[0], y_range[1]},
+          .y = {"{/:Italic y}'", v_range[0], v_range[1]},
+          .map = report::FigureHeatMap{.x_range = y_range,
+                                       .y_range = v_range,
+                                       .columns = kColumns,
+                                       .values = std::move(values),
+                                       .colour_axis = {"mean time {/:Italic T}", 0, longest},
+                                       .colours = {std::begin(report::kSequentialColours),
+                                                   std::end(report::kSequentialColours)}}};
+}
+
+}  // namespace
+
 report::Figure figure(const PassageStudy& study) {
   std::vector<report::FigureSeries> series;
   const auto methods = select_methods(study.options, SelectableMethods::with_characteristics);
@@ -293,16 +343,17 @@ report::Figure figure(const PassageStudy& study) {
         p.id, method == methods.end()
                   ? transform::PlotStyle{.colour = "#D55E00", .dash = "(6,3)", .symbol = ""}
                   : method->identity.plot_style);
-    one.points.push_back({.x = 0, .y = 1, .lower = 1, .upper = 1});
-    for (std::size_t k = 0; k < p.times.size(); ++k) {
-      const auto& [value, error] = p.survival_from_stationary[k];
-      report::FigurePoint point{.x = p.times[k], .y = value};
+    const auto add = [&](double time, const ValueWithError& survival) {
+      const auto [value, error] = survival;
+      report::FigurePoint point{.x = time, .y = value};
       if (p.has_standard_errors) {
         point.lower = value - 2 * error;
         point.upper = value + 2 * error;
       }
       one.points.push_back(point);
-    }
+    };
+    add(0, {1, 0});
+    for (std::size_t k = 0; k < p.times.size(); ++k) add(p.times[k], p.survival_from_stationary[k]);
     series.push_back(std::move(one));
   }
   if (series.empty()) return {};
@@ -312,7 +363,14 @@ report::Figure figure(const PassageStudy& study) {
       .x = report::linear_axis("{/:Italic t}", series, &report::FigurePoint::x),
       .y = report::logarithmic_axis("survival probability", series, &report::FigurePoint::y),
       .series = series};
-  return {.title = report::problem_title(study.problem), .panels = {panel}, .columns = 1};
+  report::Figure figure{
+      .title = report::problem_title(study.problem), .panels = {panel}, .columns = 1};
+  const auto with_map = std::ranges::find_if(
+      study.passages, [](const Passage& p) { return p.mean_times.has_value(); });
+  if (with_map != study.passages.end()) {
+    figure.panels.push_back(mean_time_panel(*with_map));
+  }
+  return figure;
 }
 
 }  // namespace fpkcheck::study

@@ -43,7 +43,8 @@ bool has_converged(const PassageStudy& study);
 std::string json(const PassageStudy& study, const std::string& command);
 std::string csv(const PassageStudy& study);
 std::string table(const PassageStudy& study, const report::TextFormat& format);
-/// Returns a figure of the survival probabilities.
+/// Returns a figure of the survival probabilities, and of the mean times over all starts if a method
+/// computes them.
 report::Figure figure(const PassageStudy& study);
 
 }  // namespace fpkcheck::study

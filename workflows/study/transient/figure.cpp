@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,13 +59,7 @@ report::FigurePanel density_panel(const DensityOverTime& density, const std::str
       .columns = static_cast<std::size_t>(steps + 1),
       .values = {},
       .colour_axis = {fmt::format("{{/:Italic p}}({}, {{/:Italic t}})", symbol), 0, largest},
-      .colours = {{0, "#FFFFFF"},
-                  {0.04, "#E4F0EE"},
-                  {0.12, "#A9DAC9"},
-                  {0.3, "#45B29D"},
-                  {0.5, "#2A788E"},
-                  {0.75, "#3B4A8C"},
-                  {1, "#3A0F4F"}}};
+      .colours = {std::begin(report::kSequentialColours), std::end(report::kSequentialColours)}};
   for (int h = 0; h < kPixelRows; ++h) {
     const double x = from + (to - from) * (h + 0.5) / kPixelRows;
     for (int c = 0; c <= steps; ++c) {
