@@ -263,6 +263,46 @@ factor = -1.5
   }
 }
 
+// The mean time in which x'' = xi, of intensity 2D = 1, leaves (-1, 1) from rest at x (J. Masoliver,
+// J. M. Porra, Phys. Rev. Lett. 75, 189 (1995)):
+//   (L^2/D)^(1/3) (4/3)^(1/6) / Gamma(7/3) [X(1-X)]^(1/6) (F(X) + F(1-X)),
+//   F(X) = 2F1(1, -1/3; 7/6; X),  X = 1/2 + x/2,  L = 2,
+// where the values of F + F were computed with 50 digits. An elastic wall at y = 0 gives y = |x|.
+// The motion beyond the barrier, up to a second wall, has no effect.
+TEST(PassageExactly, IsTheExitOfTheRandomAccelerationProcess) {
+  std::istringstream ini(R"([system]
+damping = 0
+stiffness = 0
+[noise]
+intensity = 1
+[wall]
+left = 0
+left_restitution = 1
+right = 2
+right_restitution = 0.5
+)");
+  const problem::Problem problem = problem::read_case(ini, "test", "test.ini");
+  PassageOptions options;
+  options.displacement = 1;
+  options.times = "10";
+  options.methods = "fd-white,mcs-white";
+  options.time = 3e5;
+  options.max_seconds = 60;
+  constexpr double kHalf = 2.311956, kQuarter = 2.156103;  // X = 1/2, and X = 1/4 or 3/4
+  options.start = "0.5,0";
+  const PassageStudy study = study_passage(problem, options, {});
+  const auto &fd = study.passages.at(0), &simulated = study.passages.at(1);
+  ASSERT_EQ(fd.status, Status::ok) << fd.reason;
+  EXPECT_NEAR(fd.mean_from_point->value, kQuarter, 1e-3 * kQuarter);
+  EXPECT_NEAR(simulated.mean_from_point->value, kQuarter, 3.5 * simulated.mean_from_point->error);
+  options.start = {};
+  options.methods = "mcs-white";
+  const PassageStudy at_rest = study_passage(problem, options, {});
+  const auto& mean = *at_rest.passages.at(0).mean_from_point;
+  EXPECT_NEAR(mean.value, kHalf, 3.5 * mean.error);
+  EXPECT_LT(mean.error, 0.01 * kHalf);
+}
+
 // Problems of several kinds: rest in contact with the wall, a barrier in the other of two wells, a
 // law with a skewness and a mean in a system without a wall, and a hazard near the rate of impulses.
 TEST(PassageByCharacteristics, AgreesWithTheSimulation) {
