@@ -211,10 +211,10 @@ void null_vector_by_gmres(benchmark::State& state) {
   const CaseOnGrid problem_on_grid(state.range(0));
   const FokkerPlanckOperator op = problem_on_grid.op();
   const Eigen::VectorXd start =
-      initial_gaussian(problem_on_grid.grid(), problem::scales(problem_on_grid.problem));
+      initial_gaussian(problem_on_grid.grid(), problem::motion_scales(problem_on_grid.problem));
   for (auto _ : state) {
     Preconditioner preconditioner = problem_on_grid.preconditioner();
-    const NullVector null = null_vector(op, preconditioner, start);
+    const NullVector null = find_null_vector(op, preconditioner, start);
     state.counters["krylov_iterations"] = static_cast<double>(null.iterations);
     state.counters["factor_entries"] = static_cast<double>(preconditioner.factor_entry_count());
   }
@@ -227,11 +227,11 @@ void null_vector_by_whole_factors(benchmark::State& state) {
   const CaseOnGrid problem_on_grid(state.range(0));
   const FokkerPlanckOperator op = problem_on_grid.op();
   const Eigen::VectorXd start =
-      initial_gaussian(problem_on_grid.grid(), problem::scales(problem_on_grid.problem));
+      initial_gaussian(problem_on_grid.grid(), problem::motion_scales(problem_on_grid.problem));
   const double frequency =
       std::sqrt(problem::equivalent_linearisation(problem_on_grid.problem).stiffness);
   for (auto _ : state) {
-    const NullVector null = null_vector_by_inverse_iteration(op, start, frequency);
+    const NullVector null = find_null_vector_by_inverse_iteration(op, start, frequency);
     if (!null.averages) state.SkipWithError(null.failure.c_str());
   }
 }

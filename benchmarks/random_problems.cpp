@@ -90,7 +90,7 @@ struct MethodResult {
 
 mcs::Options reference_options(const problem::Problem& problem, const compare::ComparisonAxes& axes,
                                const Settings& settings) {
-  const auto scales = problem::scales(problem);
+  const auto scales = problem::motion_scales(problem);
   const double decay_times = 1.6e6 / scales.slowest_decay_rate;
   const double events = problem.impulses.arrival_rate() + scales.frequency;
   const auto has_ended = [start = std::chrono::steady_clock::now(), limit = settings.seconds] {
@@ -167,7 +167,7 @@ MethodResult compare_with_reference(const SimulationReference& simulation_refere
                       .reason = solution.reason};
   if (!result.density || !simulation_reference.is_simulated()) return result;
   const auto distance_to_reference = [&](StateVariable variable, const Marginal& judged) {
-    return transform::l1(transform::marginal(solution, variable, judged.edges), judged) +
+    return transform::l1_distance(transform::marginal(solution, variable, judged.edges), judged) +
            compare::rest_atom_l1_distance(solution.atoms, simulation_reference.atoms, variable);
   };
   result.y_l1 = distance_to_reference(StateVariable::y, simulation_reference.y);
@@ -177,7 +177,7 @@ MethodResult compare_with_reference(const SimulationReference& simulation_refere
 
 void print_parameters(const problem::Problem& problem) {
   fmt::print("{}: {:.3g} impulses per decay time, {}\n", problem.name,
-             problem::impulses_per_decay_time(problem, problem::scales(problem)),
+             problem::impulses_per_decay_time(problem, problem::motion_scales(problem)),
              problem::parameters_text(problem));
   std::fflush(stdout);
 }
@@ -271,7 +271,7 @@ void print_domain(const methods::Method& method, std::size_t m,
       int all = 0, ok = 0;
       for (std::size_t p = 0; p < problems.size(); ++p) {
         const double rate =
-            problem::impulses_per_decay_time(problems[p], problem::scales(problems[p]));
+            problem::impulses_per_decay_time(problems[p], problem::motion_scales(problems[p]));
         const double r = problems[p].system.restitution();
         if (rate < rates[i] || rate >= rates[i + 1]) continue;
         if (r < restitutions[j] || r >= restitutions[j + 1]) continue;
@@ -394,7 +394,7 @@ int run(const Settings& settings) {
   std::vector<std::vector<MethodResult>> answers;
   for (const int number : problem_numbers(settings)) {
     problems.push_back(make_problem(number, settings));
-    if (problem::features(problems.back()).collapse) {  // no solver and no reference
+    if (problem::problem_features(problems.back()).collapse) {  // no solver and no reference
       problems.pop_back();
       continue;
     }

@@ -79,11 +79,13 @@ Comparison judged(const problem::Problem& problem, const Solution& solution,
   Comparison result;
   for (const auto variable : transform::kVariables) {
     const auto& edges = compare::comparison_bin_edges(axes, variable);
-    const double l1 = transform::l1(transform::marginal(solution, variable, edges),
-                                    transform::marginal(reference_solution, variable, edges));
-    const double own = transform::l1(*reference_solution.error, variable);
+    const double l1 =
+        transform::l1_distance(transform::marginal(solution, variable, edges),
+                               transform::marginal(reference_solution, variable, edges));
+    const double own = transform::l1_error_of_marginal(*reference_solution.error, variable);
     result.l1 = std::max(result.l1, l1);
-    result.ratio = std::max(result.ratio, (l1 - own) / transform::l1(*solution.error, variable));
+    result.ratio = std::max(
+        result.ratio, (l1 - own) / transform::l1_error_of_marginal(*solution.error, variable));
   }
   if (problem.system.restitution() == 1 &&
       solution.identity.role == transform::SolutionRole::equation) {

@@ -46,8 +46,8 @@ State runge_kutta(const problem::System& s, const State& x, double h) {
 double runge_kutta_loop(const problem::Problem& problem, double time, unsigned seed) {
   std::mt19937_64 engine(seed);
   std::exponential_distribution<double> waiting(problem.impulses.arrival_rate());
-  std::normal_distribution<double> amplitude(problem.impulses.law().mean(),
-                                             problem.impulses.law().deviation());
+  std::normal_distribution<double> amplitude(problem.impulses.amplitude_law().mean(),
+                                             problem.impulses.amplitude_law().deviation());
   State x{0.5, 0};
   double time_to_impulse = waiting(engine), sum = 0;
   for (double t = 0; t < time;) {
@@ -91,7 +91,7 @@ SimulationResult simulation_loop(const problem::Problem& problem, double time, u
                                  const simd::SimdVariant& lanes, bool records) {
   const mcs::BinFinder y(uniform_edges(0, 5)), v(uniform_edges(-5, 5));
   const mcs::MotionParameters motion{
-      .oscillator = mcs::make_oscillator(problem, problem::scales(problem)),
+      .oscillator = mcs::make_oscillator(problem, problem::motion_scales(problem)),
       .step = kStep,
       .sampling_interval = 0.23,  // about 25 samples per period
       .y_bins = &y,
@@ -112,7 +112,7 @@ SimulationResult simulation_loop(const problem::Problem& problem, double time, u
                        .record = mcs::StreamStatistics(y, v)});
     pointers.push_back(&streams.back());
   }
-  mcs::advance(motion, pointers, time / kStreams, lanes);
+  mcs::advance_all_streams(motion, pointers, time / kStreams, lanes);
   SimulationResult result{0, 0};
   double samples = 0;
   for (const mcs::Stream& stream : streams) {
@@ -181,7 +181,7 @@ std::pair<double, double> error_per_time(const problem::Problem& problem,
 }
 
 void errors(const problem::Problem& problem, const State& deviation) {
-  const mcs::Oscillator oscillator = mcs::make_oscillator(problem, problem::scales(problem));
+  const mcs::Oscillator oscillator = mcs::make_oscillator(problem, problem::motion_scales(problem));
   const auto [rms, largest] = error_per_time(problem, oscillator, deviation, [&](const State& x) {
     return std::pair{runge_kutta(problem.system, x, kRungeKuttaStep), kRungeKuttaStep};
   });

@@ -77,7 +77,7 @@ std::set<std::string> distinguishing_options(const methods::Solver& solver) {
 std::string method_command(const std::string& id, const std::string& words,
                            const methods::SolverRegistry& registry) {
   // The validity map has results of `fd` from the direct solver, which makes no time steps.
-  const auto method = registry.method_by_id(id, {{"stepper", std::string("direct")}});
+  const auto method = registry.find_method_by_id(id, {{"stepper", std::string("direct")}});
   const auto* solver = method ? registry.find_solver(method->identity.method) : nullptr;
   if (solver == nullptr) return fmt::format("fpkcheck run {} --methods {}", words, id);
   const auto distinguishing = distinguishing_options(*solver);
@@ -91,7 +91,7 @@ std::string method_command(const std::string& id, const std::string& words,
     if (*usual == option && !distinguishing.contains(option.name)) continue;
     const auto* word = std::get_if<std::string>(&option.value);
     command += fmt::format(" --{} {}", parameter->flag,
-                           word != nullptr ? *word : base::text_of(option.value));
+                           word != nullptr ? *word : base::value_as_text(option.value));
   }
   return command;
 }

@@ -90,7 +90,7 @@ int bounds_command(const CommandCall& call) {
                          .budget = {},
                          .curves = {},
                          .joints = {},
-                         .bounds = methods::guaranteed_bounds(problem, options)});
+                         .bounds = methods::compute_guaranteed_bounds(problem, options)});
     throw_if_interrupted();
     const auto& bounds = *run.cases.back().bounds;
     const bool found = bounds.reason.empty() && !bounds.each.empty();

@@ -72,7 +72,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));
     }
-    if (!names.insert(results::file_stem(problems.back().name)).second) {
+    if (!names.insert(results::case_file_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
           "two cases are called {} or similarly: their files would have the same name; rename one",
           base::in_quotes(problems.back().name)));

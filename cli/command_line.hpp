@@ -13,7 +13,8 @@ namespace fpkcheck::cli {
 struct CommonArguments {
   std::vector<std::string> cases;
   std::vector<std::string> overrides;  ///< values of the option --set, as texts "key=value"
-  /// Whether cases may have the section [time], for commands that compute densities over time
+  /// Whether cases may have the section [time]. Only commands that compute densities over time
+  /// accept this section.
   problem::TimeSection time_section = problem::TimeSection::refused;
   std::optional<std::string> out;
   bool quiet = false;

@@ -31,7 +31,7 @@ Words method_names(const methods::SolverRegistry& registry) {
 }
 
 // Returns the keys of case files, with the named constants of the case among the words.
-Words case_keys(const Words& words) {
+Words case_key_candidates(const Words& words) {
   Words keys;
   for (const auto* section : problem::case_section_descriptions()) {
     for (const auto& parameter : section->parameters()) {
@@ -71,7 +71,7 @@ Words option_choices(const std::string& flag, const std::string& command,
   return choices;
 }
 
-Words append_to_list(const std::string& word, Words items) {
+Words prepend_earlier_list_items(const std::string& word, Words items) {
   const auto comma = word.rfind(',');
   if (comma == std::string::npos) return items;
   for (auto& item : items) item = word.substr(0, comma + 1) + item;
@@ -81,10 +81,10 @@ Words append_to_list(const std::string& word, Words items) {
 Words option_values(const OptionHelp& option, const Words& words, const CommandHelp& command,
                     const methods::SolverRegistry& registry) {
   const auto& word = words.back();
-  if (option.name == "--methods") return append_to_list(word, method_names(registry));
+  if (option.name == "--methods") return prepend_earlier_list_items(word, method_names(registry));
   if (option.name == "--formulations")
-    return append_to_list(word, study::closure_formulations(registry));
-  if (option.name == "--set") return case_keys(words);
+    return prepend_earlier_list_items(word, study::closure_formulations(registry));
+  if (option.name == "--set") return case_key_candidates(words);
   if (option.placeholder.starts_with("FILE")) return {kFileNamesCandidate};
   if (option.placeholder == "DIR") return {kDirectoryNamesCandidate};
   return option_choices(option.name, command.name, registry);

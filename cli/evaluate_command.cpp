@@ -45,7 +45,7 @@ struct PhasePoint {
 
 constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 
-std::string read_text(const fs::path& file, const char* hint) {
+std::string read_text_file(const fs::path& file, const char* hint) {
   auto text = base::read_input_file(file, kMaxTextBytes);
   if (!text) {
     throw InputError(
@@ -56,7 +56,7 @@ std::string read_text(const fs::path& file, const char* hint) {
 
 std::vector<PhasePoint> read_points(std::istream& in, const std::string& name) {
   const auto table = methods::read_number_table(in, name);
-  if (table.columns() != 2) table.fail(0, "three columns: must be two, y and y'");
+  if (table.columns() != 2) table.throw_row_error(0, "three columns: must be two, y and y'");
   std::vector<PhasePoint> points;
   for (const auto& row : table.rows) points.push_back({row[0], row[1]});
   return points;
@@ -64,7 +64,7 @@ std::vector<PhasePoint> read_points(std::istream& in, const std::string& name) {
 
 std::vector<PhasePoint> load_points(const std::string& name) {
   if (name == "-") return read_points(std::cin, "standard input");
-  std::istringstream in(read_text(name, "a file with the columns y and y'"));
+  std::istringstream in(read_text_file(name, "a file with the columns y and y'"));
   return read_points(in, name);
 }
 
@@ -97,7 +97,8 @@ methods::ClosedFormFile read_closed_form(const std::string& text, const std::str
   return file;
 }
 
-std::string format_csv(const std::vector<PhasePoint>& points, const std::vector<double>& values) {
+std::string densities_csv_text(const std::vector<PhasePoint>& points,
+                               const std::vector<double>& values) {
   std::string text = "y,v,p\n";
   for (std::size_t k = 0; k < points.size(); ++k) {
     fmt::format_to(std::back_inserter(text), "{},{},{}\n", points[k].y, points[k].v, values[k]);
@@ -105,8 +106,9 @@ std::string format_csv(const std::vector<PhasePoint>& points, const std::vector<
   return text;
 }
 
-std::string format_json(const std::vector<PhasePoint>& points, const std::vector<double>& values,
-                        const std::string& file, const methods::ClosedFormFile& form) {
+std::string densities_json_text(const std::vector<PhasePoint>& points,
+                                const std::vector<double>& values, const std::string& file,
+                                const methods::ClosedFormFile& form) {
   nlohmann::ordered_json json{{"file", file}, {"case", nullptr}, {"solution", nullptr}};
   if (form.solution) {
     json["case"] = form.problem->name;
@@ -149,9 +151,9 @@ int evaluate_command(const CommandCall& call) {
   if (fs::is_directory(file, ignored)) file /= "summary.json";
   const std::string where = base::sanitise(file.string());
   const auto form =
-      read_closed_form(read_text(file, "the summary.json of a run, or a closed form"), where,
+      read_closed_form(read_text_file(file, "the summary.json of a run, or a closed form"), where,
                        words.size() == 2 ? std::optional(words[1]) : std::nullopt, case_name);
-  if (!epc::is_normalised(form.form)) {
+  if (!epc::can_be_normalised(form.form)) {
     throw InputError(fmt::format(
         "{} has neither \"C\" nor \"support\"; add \"support\" to normalise the form", where));
   }
@@ -165,8 +167,8 @@ int evaluate_command(const CommandCall& call) {
   const auto points = at ? load_points(*at) : make_grid_points(density, where);
   std::vector<double> values;
   for (const auto& [y, v] : points) values.push_back(y < density.y_min ? 0 : density.value(y, v));
-  print_output(json ? format_json(points, values, file.string(), form)
-                    : format_csv(points, values));
+  print_output(json ? densities_json_text(points, values, file.string(), form)
+                    : densities_csv_text(points, values));
   if (!quiet && form.solution && !form.solution->is_ok()) {
     print_message(fmt::format("{} is {}: {}", form.solution->id(), name(form.solution->status),
                               form.solution->reason));

@@ -112,7 +112,7 @@ OptionHelp option_help(const po::option_description& option) {
 std::string wrap_usage(const std::string& usage, std::size_t width) {
   std::string result;
   std::vector<std::string> block;
-  const auto put = [&] {
+  const auto append_wrapped_block = [&] {
     result += wrap_block(block, width);
     block.clear();
   };
@@ -122,10 +122,10 @@ std::string wrap_usage(const std::string& usage, std::size_t width) {
         !block.empty() && !line.empty() && line != block.front() &&
         indentation(line) == (indentation(block.front()) == 0 ? 0 : text_column(block.front())) &&
         !block.front().starts_with("usage:");
-    if (!continues) put();
+    if (!continues) append_wrapped_block();
     block.push_back(line);
   }
-  put();
+  append_wrapped_block();
   return result;
 }
 

@@ -47,7 +47,7 @@ using base::ParameterType;
 using base::Value;
 using base::Values;
 
-void set_value(Values& values, const std::string& name, const Value& value) {
+void set_option_value(Values& values, const std::string& name, const Value& value) {
   const auto own = std::ranges::find(values, name, &NamedParameterValue::name);
   if (own != values.end()) {
     own->value = value;
@@ -56,25 +56,25 @@ void set_value(Values& values, const std::string& name, const Value& value) {
   }
 }
 
-std::string default_text(const Value& value) {
+std::string default_value_text(const Value& value) {
   const auto* word = std::get_if<std::string>(&value);
-  return word != nullptr ? *word : base::text_of(value);
+  return word != nullptr ? *word : base::value_as_text(value);
 }
 
-void add_option(const Parameter& parameter, const Value* usual, Values& values,
+void add_option(const Parameter& parameter, const Value* default_value, Values& values,
                 po::options_description& options) {
   const std::string label = "--" + parameter.flag;
   if (parameter.type == ParameterType::flag) {
     options.add_options()(parameter.flag.c_str(),
                           po::bool_switch()->notifier([&values, parameter](bool given) {
-                            if (given) set_value(values, parameter.name, true);
+                            if (given) set_option_value(values, parameter.name, true);
                           }),
                           parameter.help.c_str());
     return;
   }
   auto* semantic = po::value<std::string>()->value_name(parameter.placeholder);
-  if (usual != nullptr && !base::is_unset(*usual)) {
-    semantic->default_value(default_text(*usual));
+  if (default_value != nullptr && !base::is_unset(*default_value)) {
+    semantic->default_value(default_value_text(*default_value));
   }
   semantic->notifier([&values, parameter, label](const std::string& text) {
     const Value value = base::parse_value(parameter, text, label);
@@ -82,7 +82,7 @@ void add_option(const Parameter& parameter, const Value* usual, Values& values,
       throw InputError(fmt::format("{} {} (must be {})", label, base::sanitise(text),
                                    parameter.requirement_text()));
     }
-    set_value(values, parameter.name, value);
+    set_option_value(values, parameter.name, value);
   });
   options.add_options()(parameter.flag.c_str(), semantic, parameter.help.c_str());
 }
@@ -94,8 +94,10 @@ po::options_description make_command_line_options(const base::DescriptionBase& d
   po::options_description options;
   for (const auto& parameter : description.parameters()) {
     if (parameter.flag.empty()) continue;
-    const auto usual = std::ranges::find(values, parameter.name, &NamedParameterValue::name);
-    add_option(parameter, usual == values.end() ? nullptr : &usual->value, values, options);
+    const auto default_value =
+        std::ranges::find(values, parameter.name, &NamedParameterValue::name);
+    add_option(parameter, default_value == values.end() ? nullptr : &default_value->value, values,
+               options);
   }
   return options;
 }
@@ -128,7 +130,7 @@ namespace po = boost::program_options;
 using report::FigureFormat;
 using report::FigureWidth;
 
-std::vector<FigureFormat> parse_formats(const std::string& list) {
+std::vector<FigureFormat> parse_figure_formats(const std::string& list) {
   std::vector<FigureFormat> formats;
   for (const auto& item : parse_comma_separated_list("--figures", list)) {
     const auto format = base::enum_from_name<FigureFormat>(item);
@@ -141,7 +143,7 @@ std::vector<FigureFormat> parse_formats(const std::string& list) {
   return formats;
 }
 
-FigureWidth parse_width(const std::string& text) {
+FigureWidth parse_figure_width(const std::string& text) {
   const auto width = base::enum_from_name<FigureWidth>(text);
   if (!width || *width == FigureWidth::screen) {
     throw InputError(
@@ -157,11 +159,11 @@ po::options_description make_figure_options(report::FigureOptions& figures) {
   options.add_options()  //
       ("figures",
        po::value<std::string>()->value_name("LIST")->notifier(
-           [&figures](const std::string& list) { figures.formats = parse_formats(list); }),
+           [&figures](const std::string& list) { figures.formats = parse_figure_formats(list); }),
        "formats of the figures, separated by commas: png (default), svg, pdf, tex (for LaTeX)")  //
       ("figure-width",
        po::value<std::string>()->value_name("MM")->notifier(
-           [&figures](const std::string& text) { figures.width = parse_width(text); }),
+           [&figures](const std::string& text) { figures.width = parse_figure_width(text); }),
        "width of the figures in mm: 85 or 170, one or two columns of a printed page (default: size "
        "for a screen)");
   return options;

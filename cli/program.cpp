@@ -89,13 +89,13 @@ std::vector<Command> all_commands(const methods::SolverRegistry& registry) {
   return all;
 }
 
-std::string join_names(const std::vector<Command>& all) {
+std::string join_command_names(const std::vector<Command>& all) {
   std::vector<std::string> names;
   for (const auto& command : all) names.push_back(command.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void print_overview(const std::vector<Command>& all) {
+void print_command_overview(const std::vector<Command>& all) {
   fmt::print(
       R"(fpkcheck - stationary densities of oscillators with or without impacts, under
            random impulses, white noise or both, by independent methods
@@ -130,8 +130,8 @@ accuracy, or a check failed; 2 bad input; 130 after Ctrl-C; 143 after SIGTERM.
 }
 
 // Returns the help of all commands, where each subject of `study` counts as a command.
-std::vector<CommandHelp> collect_help(const std::vector<Command>& all,
-                                      const methods::SolverRegistry& registry) {
+std::vector<CommandHelp> collect_command_help(const std::vector<Command>& all,
+                                              const methods::SolverRegistry& registry) {
   std::vector<CommandHelp> result;
   const auto add = [&](const Command& command, const std::string& subject) {
     Arguments help_arguments{"--help"};
@@ -152,7 +152,7 @@ int call_named_command(const Arguments& arguments, const methods::SolverRegistry
   const auto all = all_commands(registry);
   if (arguments.empty()) {
     throw InputError(
-        fmt::format("no command; use one of {} (--help explains them)", join_names(all)));
+        fmt::format("no command; use one of {} (--help explains them)", join_command_names(all)));
   }
   const std::string& name = arguments.front();
   if (name == "help" && arguments.size() > 1) {
@@ -161,7 +161,7 @@ int call_named_command(const Arguments& arguments, const methods::SolverRegistry
     return call_named_command(help_arguments, registry);
   }
   if (name == "--help" || name == "-h" || name == "help") {
-    print_overview(all);
+    print_command_overview(all);
     return kSuccess;
   }
   if (name == "--version") {
@@ -171,13 +171,14 @@ int call_named_command(const Arguments& arguments, const methods::SolverRegistry
   // The completion script and the build use the following undocumented options.
   if (name == "--complete") {
     const Arguments words{arguments.begin() + 1, arguments.end()};
-    for (const auto& word : completion_candidates(collect_help(all, registry), registry, words)) {
+    for (const auto& word :
+         completion_candidates(collect_command_help(all, registry), registry, words)) {
       fmt::print("{}\n", word);
     }
     return kSuccess;
   }
   if (name == "--manual") {
-    fmt::print("{}", manual_page(collect_help(all, registry)));
+    fmt::print("{}", manual_page(collect_command_help(all, registry)));
     return kSuccess;
   }
   const auto command = std::ranges::find(all, name, &Command::name);
@@ -186,7 +187,7 @@ int call_named_command(const Arguments& arguments, const methods::SolverRegistry
       throw InputError(fmt::format("{}: {}", base::in_quotes(name), text));
     }
     throw InputError(fmt::format("{} is not a command; use one of {} (--help explains them)",
-                                 base::in_quotes(name), join_names(all)));
+                                 base::in_quotes(name), join_command_names(all)));
   }
   std::string command_line = "fpkcheck";
   for (const auto& argument : arguments) command_line += " " + argument;
@@ -223,7 +224,7 @@ int run_program(const Arguments& arguments, const methods::SolverRegistry& regis
   }
   claim_shutdown();
   print_message(exit_message());
-  return signal_exit_code(base::stop_signal());
+  return signal_exit_code(base::requested_stop_signal());
 }
 
 }  // namespace fpkcheck::cli

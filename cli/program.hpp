@@ -41,9 +41,10 @@ int bounds_command(const CommandCall& call);
 int reference_command(const CommandCall& call);
 int study_command(const CommandCall& call);
 int passage_command(const CommandCall& call);
-/// Whether the arguments of the command `run` contain --until.
+/// Returns whether the arguments of the command `run` contain --until.
 bool requests_density_over_time(const CommandCall& call);
-/// The command `run --until T`.
+/// Runs the command `run --until T`, which computes densities over time.
+/// @return an ExitCode
 int density_over_time_command(const CommandCall& call);
 int spectrum_command(const CommandCall& call);
 int sensitivity_command(const CommandCall& call);
@@ -65,12 +66,12 @@ struct StudySubject {
 };
 const std::vector<StudySubject>& study_subjects();
 
-/// Each function study_NAME() runs the subject NAME of the command `study`.
+/// Each function study_NAME_command() runs the subject NAME of the command `study`.
 /// @param call call of the command, with the arguments after the name of the subject
 /// @return an ExitCode
 /// @throws InputError for invalid input or usage, before anything is solved or written
-int study_grid(const CommandCall& call);
-int study_order(const CommandCall& call);
-int study_regularisation(const CommandCall& call);
+int study_grid_command(const CommandCall& call);
+int study_order_command(const CommandCall& call);
+int study_regularisation_command(const CommandCall& call);
 
 }  // namespace fpkcheck::cli

@@ -64,7 +64,7 @@ int reference_command(const CommandCall& call) {
   }
   for (const auto& problem : problems) study::validate(problem, options);
   const OutputDirectory directory(common.out);
-  std::vector<study::Reference> references;
+  std::vector<study::CaseReference> references;
   for (const auto& problem : problems) {
     if (!common.quiet) print_message(fmt::format("reference of {} ...", problem.name));
     references.push_back(study::compute_reference(problem, options));

@@ -10,8 +10,8 @@
 namespace fpkcheck::cli {
 namespace {
 
-void write_files(const std::filesystem::path& directory, const study::StudyReport& output,
-                 const report::FigureOptions& options) {
+void write_study_files(const std::filesystem::path& directory, const study::StudyReport& output,
+                       const report::FigureOptions& options) {
   const base::ExitBlocker in_hand;
   base::FileTransaction files;
   files.add(directory / (output.file_stem + ".json"), output.json + '\n');
@@ -21,21 +21,21 @@ void write_files(const std::filesystem::path& directory, const study::StudyRepor
   set_exit_message("all files were written except the figure");
   if (output.figure_script.empty()) return;
   report::remove_script_and_pictures(directory / "figures", output.file_stem);
-  for (const auto& warning : report::write_pictures(directory / "figures", output.file_stem,
-                                                    output.figure_script, options, "gnuplot")) {
+  for (const auto& warning : report::write_script_and_draw(
+           directory / "figures", output.file_stem, output.figure_script, options, "gnuplot")) {
     print_message(warning);
   }
 }
 
 }  // namespace
 
-void ReportOfOneCase::write(const study::StudyReport& output) const {
+void ReportOfOneCase::write_output_files(const study::StudyReport& output) const {
   if (common.json) {
     print_output(output.json + '\n');
   } else if (!common.quiet) {
     print_output(output.text);
   }
-  if (common.out) write_files(*common.out, output, common.figures);
+  if (common.out) write_study_files(*common.out, output, common.figures);
   if (common.quiet || common.json) return;
   const std::string figure = output.figure_script.empty()
                                  ? " and .csv"

@@ -13,14 +13,17 @@
 
 namespace fpkcheck::cli {
 
-/// A command that computes something for one case and writes a table, JSON, CSV and a figure.
+/// Arguments and output of a command that solves one case. The output is a table or JSON on
+/// standard output, and with --out JSON, CSV and a figure as files.
 class ReportOfOneCase {
  public:
   explicit ReportOfOneCase(const CommandCall& call) : call_(call) {}
 
   CommonArguments common;
 
-  /// @return false if the help was printed
+  /// Parses the arguments of the command into `common` and into the variables of the options.
+  /// @param own options of the command, without the common options
+  /// @return false if the help was printed because of --help
   bool parse(const char* usage, const boost::program_options::options_description& own,
              const char* out_help) {
     return parse_arguments(call_.arguments, usage, add_common_options(own, common, out_help),
@@ -41,8 +44,8 @@ class ReportOfOneCase {
                             [&](const methods::RunProgress& progress) { line.rewrite(progress); });
     throw_if_interrupted();
     line.erase();
-    write(study::make_study_report(result, call_.command_line, terminal_format(),
-                                   common.figures.width));
+    write_output_files(study::make_study_report(result, call_.command_line, terminal_format(),
+                                                common.figures.width));
     if (has_converged(result)) return kSuccess;
     if (common.quiet) {
       print_message(
@@ -53,7 +56,7 @@ class ReportOfOneCase {
   }
 
  private:
-  void write(const study::StudyReport& output) const;
+  void write_output_files(const study::StudyReport& output) const;
 
   const CommandCall& call_;
   base::Stopwatch stopwatch_;

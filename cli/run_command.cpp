@@ -100,7 +100,7 @@ int run_command(const CommandCall& call) {
     // External densities come first in the order of increasing trust, because their accuracy is
     // unknown.
     auto from_files =
-        methods::external_methods(against, call.registry, load_cases(common).front().name);
+        methods::read_external_methods(against, call.registry, load_cases(common).front().name);
     methods.insert(methods.begin(), std::make_move_iterator(from_files.begin()),
                    std::make_move_iterator(from_files.end()));
   }

@@ -14,7 +14,7 @@
 #include "report/supplement.hpp"
 #include "results/saved_run.hpp"
 #include "workflows/check/baseline.hpp"
-#include "workflows/check/check.hpp"
+#include "workflows/check/compare_runs.hpp"
 #include "workflows/paper/judge_claims.hpp"
 #include "workflows/paper/supplement.hpp"
 
@@ -37,8 +37,8 @@ examples:
   fpkcheck check baseline/summary.json --out changed        (keep the new run, too)
 )";
 
-void write_files(const std::filesystem::path& directory, const results::Run& run,
-                 const std::string& json) {
+void write_check_files(const std::filesystem::path& directory, const results::Run& run,
+                       const std::string& json) {
   const base::ExitBlocker in_hand;
   base::FileTransaction files;
   results::add_summary_and_curves(files, directory, run);
@@ -93,7 +93,7 @@ int check_command(const CommandCall& call) {
   throw_if_interrupted();
   progress.erase();
 
-  auto result = check::check(baseline.run, run, tolerances, baseline.has_marginals);
+  auto result = check::compare_runs(baseline.run, run, tolerances, baseline.has_marginals);
   result.notes = baseline.notes;
   const auto json = check::check_result_json(result, call.command_line, paths.front());
   if (common.json) {
@@ -101,7 +101,7 @@ int check_command(const CommandCall& call) {
   } else if (!common.quiet) {
     print_output(check::check_result_table(result, terminal_format()));
   }
-  if (common.out) write_files(*common.out, run, json);
+  if (common.out) write_check_files(*common.out, run, json);
   if (!common.quiet && !common.json) {
     print_output(fmt::format(
         "{}{:.1f} s.\n",
@@ -147,7 +147,7 @@ int report_command(const CommandCall& call) {
   for (const auto& case_result : run.cases) {
     for (const auto& solution : case_result.solutions) identities.push_back(solution.identity);
   }
-  report::require_available_curves(figures.curves, identities);
+  report::require_requested_curves_exist(figures.curves, identities);
   const base::ExitBlocker in_hand;
   const auto format = terminal_format();
   const auto supplement =

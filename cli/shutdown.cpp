@@ -104,8 +104,8 @@ sem_t signal_received;
   while (true) pause();
 }
 
-// Writes a line to standard error by write(2), since another thread may block while that thread
-// holds the locks of stdio.
+// Writes a line to standard error by write(2) instead of stdio, since a blocked thread may hold the
+// locks of stdio.
 void write_line_without_stdio(const std::string& line) {
   const std::string text = (stderr_is_interactive() ? "\r\033[K" : "") + line + '\n';
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
@@ -129,7 +129,7 @@ void shut_down_process() {
     }
   }
   write_line_without_stdio("fpkcheck: " + exit_message());
-  _exit(signal_exit_code(base::stop_signal()));
+  _exit(signal_exit_code(base::requested_stop_signal()));
 }
 
 void run_watchdog() {
@@ -171,7 +171,8 @@ void set_exit_message(const std::string& message) {
 
 std::string exit_message() {
   const std::lock_guard lock(shutdown_state().mutex);
-  return fmt::format("{}; {}", base::stop_signal() == SIGTERM ? "terminated" : "interrupted",
+  return fmt::format("{}; {}",
+                     base::requested_stop_signal() == SIGTERM ? "terminated" : "interrupted",
                      shutdown_state().message);
 }
 

@@ -85,13 +85,13 @@ class FinishedCases {
   std::vector<results::CaseResult> cases_;
 };
 
-std::string join_names(const std::vector<std::string>& names) {
+std::string join_case_names(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
 // Returns a text on the cause of the stop and the missing results.
-std::string stop_summary(const std::vector<results::CaseResult>& cases,
-                         const std::vector<problem::Problem>& problems, bool with_backward) {
+std::string interruption_text(const std::vector<results::CaseResult>& cases,
+                              const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
   for (const auto& problem : problems) {
     const auto found = std::ranges::find(cases, problem.name, &results::CaseResult::name);
@@ -101,11 +101,12 @@ std::string stop_summary(const std::vector<results::CaseResult>& cases,
       unbounded.push_back(problem.name);
     }
   }
-  std::string text = fmt::format("This run was stopped by {} before its end.",
-                                 base::stop_signal() == SIGTERM ? "SIGTERM" : "Ctrl-C (SIGINT)");
-  if (!missing.empty()) text += fmt::format(" Missing: {}.", join_names(missing));
+  std::string text =
+      fmt::format("This run was stopped by {} before its end.",
+                  base::requested_stop_signal() == SIGTERM ? "SIGTERM" : "Ctrl-C (SIGINT)");
+  if (!missing.empty()) text += fmt::format(" Missing: {}.", join_case_names(missing));
   if (!unbounded.empty()) {
-    text += fmt::format(" Without bounds and error estimates: {}.", join_names(unbounded));
+    text += fmt::format(" Without bounds and error estimates: {}.", join_case_names(unbounded));
   }
   return text;
 }
@@ -127,7 +128,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   const auto problems = load_cases(common);
   std::vector<transform::SolutionIdentity> identities;
   for (const auto& method : methods) identities.push_back(method.identity);
-  report::require_available_curves(common.figures.curves, identities);
+  report::require_requested_curves_exist(common.figures.curves, identities);
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
@@ -136,7 +137,8 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   std::atomic<bool> solved = false;
   const auto stopped_run = [&] {
     results::Run stopped{results::current_program(command_line), finished.cases_in_order(problems)};
-    if (!solved) stopped.stopped = stop_summary(stopped.cases, problems, options.with_backward);
+    if (!solved)
+      stopped.stopped = interruption_text(stopped.cases, problems, options.with_backward);
     return stopped;
   };
   std::optional<ShutdownHook> hook;
@@ -183,7 +185,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
     print_output((supplement.json.empty() ? results::run_summary_text(run) : supplement.json) +
                  '\n');
   } else if (!common.quiet) {
-    print_output(report::terminal_text(run, supplement.report, terminal_format()));
+    print_output(report::terminal_report_text(run, supplement.report, terminal_format()));
   }
   if (stopped) return kFailure;  // the caller sets the exit code of the signal
 

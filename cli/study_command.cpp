@@ -26,7 +26,7 @@ std::string study_usage() {
   return text;
 }
 
-std::string subject_list() {
+std::string study_subject_list_text() {
   std::string text;
   const auto& all = study_subjects();
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -44,12 +44,12 @@ const std::vector<StudySubject>& study_subjects() {
       {"grid",
        "grid convergence of the finite volumes: observed orders, limits, and error against cost "
        "for all methods",
-       study_grid},
+       study_grid_command},
       {"order", "convergence of the closures in the order of their polynomial: limit and cost",
-       study_order},
+       study_order_command},
       {"regularisation",
        "the series truncated after the fourth derivative, over the velocity step: growth rates",
-       study_regularisation}};
+       study_regularisation_command}};
   return subjects;
 }
 
@@ -62,13 +62,14 @@ int study_command(const CommandCall& call) {
   const auto subject_argument =
       std::ranges::find_if(arguments, [](const auto& a) { return !a.starts_with('-'); });
   if (subject_argument == arguments.end() || subject_argument != arguments.begin()) {
-    throw InputError(fmt::format(
-        "study without a subject; use study SUBJECT CASE with {} (see --help)", subject_list()));
+    throw InputError(
+        fmt::format("study without a subject; use study SUBJECT CASE with {} (see --help)",
+                    study_subject_list_text()));
   }
   const auto subject = std::ranges::find(study_subjects(), *subject_argument, &StudySubject::name);
   if (subject == study_subjects().end()) {
     throw InputError(fmt::format("{} is not a subject of study; use {} (see --help)",
-                                 base::in_quotes(*subject_argument), subject_list()));
+                                 base::in_quotes(*subject_argument), study_subject_list_text()));
   }
   return subject->run({{subject_argument + 1, arguments.end()}, call.command_line, call.registry});
 }

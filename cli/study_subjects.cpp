@@ -32,7 +32,7 @@ examples:
 
 }  // namespace
 
-int study_grid(const CommandCall& call) {
+int study_grid_command(const CommandCall& call) {
   namespace po = boost::program_options;
   ReportOfOneCase study_call(call);
   study::GridStudyOptions options;
@@ -91,7 +91,7 @@ examples:
 
 }  // namespace
 
-int study_order(const CommandCall& call) {
+int study_order_command(const CommandCall& call) {
   namespace po = boost::program_options;
   ReportOfOneCase study_call(call);
   std::string formulation_list, order_list;
@@ -140,7 +140,7 @@ examples:
 
 }  // namespace
 
-int study_regularisation(const CommandCall& call) {
+int study_regularisation_command(const CommandCall& call) {
   ReportOfOneCase study_call(call);
   if (!study_call.parse(kRegularisationUsage, {},
                         "write study-regularisation.json and .csv to DIR (default: no files)"))

@@ -117,7 +117,7 @@ int extract_thread_count(base::Values& given) {
   return threads;
 }
 
-sweep::Axis parse_varied_key(const std::string& text) {
+sweep::SweepAxis parse_varied_key(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) {
     throw InputError(
@@ -125,7 +125,7 @@ sweep::Axis parse_varied_key(const std::string& text) {
                     "system.restitution=0.5:1:11",
                     base::sanitise(text)));
   }
-  return sweep::parse_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
+  return sweep::parse_sweep_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
 // Adds the method options of the plan to `given`, unless the command line sets the same options.
@@ -153,16 +153,16 @@ void add_plan_options(const std::vector<base::IniSetting>& lines,
 }
 
 // Options on the command line take precedence over the plan file.
-sweep::Plan make_sweep_plan(const SweepArguments& arguments,
-                            const methods::SolverRegistry& registry) {
+sweep::SweepPlan make_sweep_plan(const SweepArguments& arguments,
+                                 const methods::SolverRegistry& registry) {
   if (arguments.common.cases.size() != 1) {
     throw InputError("a sweep takes one case or plan; name it");
   }
   const auto text = sweep::read_plan(arguments.common.cases.front(), arguments.common.overrides);
-  sweep::Plan plan{.base = text.base, .axes = text.axes};
+  sweep::SweepPlan plan{.base = text.base, .axes = text.axes};
   for (const auto& one : arguments.vary) {
     auto axis = parse_varied_key(one);
-    const auto same = std::ranges::find(plan.axes, axis.key, &sweep::Axis::key);
+    const auto same = std::ranges::find(plan.axes, axis.key, &sweep::SweepAxis::key);
     if (same != plan.axes.end() &&
         same - plan.axes.begin() < static_cast<std::ptrdiff_t>(text.axes.size())) {
       *same = std::move(axis);
@@ -181,7 +181,7 @@ sweep::Plan make_sweep_plan(const SweepArguments& arguments,
   plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
   plan.marginals = arguments.marginals;
   sweep::require_known_constants(plan.base, plan.axes);
-  plan.points = sweep::make_points(plan.axes, plan.design, plan.sobol_points);
+  plan.points = sweep::make_plan_points(plan.axes, plan.design, plan.sobol_points);
 
   base::Values given = arguments.given;
   add_plan_options(text.options, registry, given);
@@ -192,16 +192,16 @@ sweep::Plan make_sweep_plan(const SweepArguments& arguments,
   return plan;
 }
 
-void write_results(const SweepArguments& arguments, const sweep::SweepResults& results,
-                   const CommandCall& call, double seconds) {
+void write_sweep_results(const SweepArguments& arguments, const sweep::SweepResults& results,
+                         const CommandCall& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
   const base::ExitBlocker in_hand;
   sweep::write_sweep_tables(directory, results, call.command_line);
   set_exit_message("sweep.csv and sweep.nc were written, but not report.html");
   if (arguments.common.json) {
-    print_output(sweep::json(results, call.command_line) + '\n');
+    print_output(sweep::sweep_json_text(results, call.command_line) + '\n');
   } else if (!arguments.common.quiet) {
-    print_output(sweep::table(results, terminal_format()));
+    print_output(sweep::sweep_table_text(results, terminal_format()));
   }
   for (const auto& warning :
        sweep::write_report(directory, results, call.command_line, arguments.common.figures)) {
@@ -224,36 +224,36 @@ int merge_shards(const SweepArguments& arguments, const CommandCall& call,
   auto merged = sweep::merge_journals(directories, call.registry);
   const OutputDirectory directory(arguments.common.out);
   for (const auto& remark : merged.remarks) print_message(remark);
-  write_results(arguments, merged.results, call, stopwatch.seconds());
+  write_sweep_results(arguments, merged.results, call, stopwatch.seconds());
   return merged.results.is_complete() ? kSuccess : kFailure;
 }
 
 // The forecast uses the times of the points in the journal of an earlier sweep of this plan.
-std::vector<sweep::PointResult> load_solved_points(const sweep::Plan& plan,
+std::vector<sweep::PointResult> load_solved_points(const sweep::SweepPlan& plan,
                                                    const std::filesystem::path& journal) {
   std::error_code ignored;
   if (!std::filesystem::exists(journal, ignored)) return {};
   return sweep::read_journal(journal, plan).points;
 }
 
-int print_forecast(const SweepArguments& arguments, const sweep::Plan& plan, int threads) {
+int print_forecast(const SweepArguments& arguments, const sweep::SweepPlan& plan, int threads) {
   for (const int ranks : arguments.ranks) {
     if (ranks < 1) throw InputError(fmt::format("--ranks {} (must be 1 or more)", ranks));
   }
-  const auto found = sweep::forecast(
+  const auto found = sweep::forecast_solve_times(
       plan, load_solved_points(plan, std::filesystem::path(*arguments.common.out) / "journal"),
       threads);
   throw_if_interrupted();
-  print_output(sweep::forecast_text(plan, found, static_cast<std::size_t>(threads), arguments.ranks,
-                                    terminal_format()));
+  print_output(sweep::solve_time_forecast_text(plan, found, static_cast<std::size_t>(threads),
+                                               arguments.ranks, terminal_format()));
   return kSuccess;
 }
 
 // Runs a sweep. Only the process that writes the journal (under MPI the first rank) shows progress
 // and writes results.
-int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
-              int threads, base::Communicator* ranks, const CommandCall& call,
-              const base::Stopwatch& stopwatch) {
+int run_sweep(const SweepArguments& arguments, const sweep::SweepPlan& plan,
+              const sweep::Shard& shard, int threads, base::Communicator* ranks,
+              const CommandCall& call, const base::Stopwatch& stopwatch) {
   const CommonArguments& common = arguments.common;
   ProgressLine line(common.quiet);
   const int workers = threads * (ranks == nullptr ? 1 : ranks->size());
@@ -298,8 +298,8 @@ int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sw
     }
     return kSuccess;
   }
-  write_results(arguments, sweep::make_sweep_results(plan, progress->points()), call,
-                stopwatch.seconds());
+  write_sweep_results(arguments, sweep::make_sweep_results(plan, progress->solved_points()), call,
+                      stopwatch.seconds());
   return kSuccess;
 }
 
@@ -319,7 +319,7 @@ int sweep_command(const CommandCall& call) {
   }
   if (!common.out) common.out = kDefaultSweepDirectory;
   if (arguments.merge) return merge_shards(arguments, call, stopwatch);
-  const int threads = base::number_of_threads(extract_thread_count(arguments.given));
+  const int threads = base::resolve_thread_count(extract_thread_count(arguments.given));
   const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::Shard{};
   const auto plan = make_sweep_plan(arguments, call.registry);
   if (arguments.dry_run) return print_forecast(arguments, plan, threads);

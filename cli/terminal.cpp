@@ -17,8 +17,8 @@ namespace fpkcheck::cli {
 
 void prepare_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The function open() returns the lowest free descriptor. This is `stream`, since all
-    // descriptors below are open.
+    // The function open() returns the lowest free descriptor. The lowest free descriptor is
+    // `stream`, since all smaller descriptors are open.
     if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", O_RDWR) != stream) std::abort();
   }
   std::signal(SIGPIPE, SIG_IGN);

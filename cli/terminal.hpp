@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "methods/run_cases.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 
 namespace fpkcheck::cli {
 

@@ -32,15 +32,15 @@ std::optional<double> critical_l1_distance(const Solution& first, const Solution
     const auto& sampling = over_smooth_bins ? best_sampling_error(*solution) : solution->sampling;
     const auto most = sampling ? sampling_l1_quantile_99(*sampling, variable) : std::nullopt;
     sampling_l1 = std::hypot(sampling_l1, most.value_or(0));
-    if (solution->error) stated += l1(*solution->error, variable);
+    if (solution->error) stated += l1_error_of_marginal(*solution->error, variable);
     if (most || solution->error) ++estimate_count;
   }
   if (estimate_count < (over_smooth_bins ? 2 : 1)) return std::nullopt;
   return critical_sampling_l1_distance(sampling_l1) + transform::kErrorSafetyFactor * stated;
 }
 
-bool has_agreement(const Solution& first, const Solution& second,
-                   std::span<const PairDistances> pairs) {
+bool solutions_agree(const Solution& first, const Solution& second,
+                     std::span<const PairDistances> pairs) {
   return std::ranges::all_of(transform::kVariables, [&](StateVariable variable) {
     const PairDistances* pair = find_pair_distances(pairs, first.id(), second.id(), variable);
     if (pair == nullptr || !std::isfinite(pair->distances.l1)) return true;

@@ -23,8 +23,8 @@ inline constexpr double kAgreementSignificance = 1e-3;
 double critical_sampling_l1_distance(double quantile_99);
 
 /// Returns the 99 % quantile of the L1 sampling error of a marginal density. If only the expected
-/// L1 error is known, the result is twice the expected error, since single runs nearly reach such
-/// errors. The result is empty if both the quantile and the expected error are unknown.
+/// L1 error is known, the result is twice the expected error, which the errors of single runs
+/// nearly reach. The result is empty if both the quantile and the expected error are unknown.
 std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sampling,
                                               transform::StateVariable variable);
 
@@ -40,9 +40,9 @@ std::optional<double> critical_l1_distance(const transform::Solution& first,
                                            transform::StateVariable variable,
                                            bool over_smooth_bins);
 
-/// Returns whether the errors of two solutions explain their L1 distances in p(y) and in p(y'). The
-/// result is `true` if a distance or an error estimate is missing.
-bool has_agreement(const transform::Solution& first, const transform::Solution& second,
-                   std::span<const PairDistances> pairs);
+/// Returns whether the L1 distances of two solutions in p(y) and in p(y') are at most their
+/// critical L1 distances. The result is `true` if a distance or an error estimate is missing.
+bool solutions_agree(const transform::Solution& first, const transform::Solution& second,
+                     std::span<const PairDistances> pairs);
 
 }  // namespace fpkcheck::compare

@@ -27,15 +27,15 @@ const Solution* select_reference(std::span<const Solution> solutions) {
   return best;
 }
 
-std::optional<ReferenceConfirmation> confirmation_of(const Solution& reference,
-                                                     std::span<const Solution> solutions,
-                                                     std::span<const PairDistances> pairs) {
+std::optional<ReferenceConfirmation> find_reference_confirmation(
+    const Solution& reference, std::span<const Solution> solutions,
+    std::span<const PairDistances> pairs) {
   const Solution* second = nullptr;
   for (const auto& solution : solutions) {
     if (&solution != &reference && is_solution_of_full_problem(solution)) second = &solution;
   }
   if (second == nullptr) return std::nullopt;
-  return ReferenceConfirmation{second->id(), has_agreement(reference, *second, pairs)};
+  return ReferenceConfirmation{second->id(), solutions_agree(reference, *second, pairs)};
 }
 
 // Returns whether the L1 distances of p(y) and p(y') from the reference are at most its error
@@ -48,8 +48,8 @@ bool is_within_reference_error(const Assessment& assessment, const SolutionAsses
          within(solution.ydot, assessment.reference_ydot_l1);
 }
 
-Agreement agreement_of(const Assessment& assessment, const Solution& solution,
-                       const SolutionAssessment& assessed) {
+Agreement classify_agreement(const Assessment& assessment, const Solution& solution,
+                             const SolutionAssessment& assessed) {
   if (assessed.id == assessment.reference) return Agreement::reference;
   if (!solution.has_density() || solution.status == transform::Status::inadmissible)
     return Agreement::no_density;
@@ -65,9 +65,9 @@ void rank_closures(std::span<const Solution> solutions, Assessment& assessment) 
   std::vector<SolutionAssessment*> closures;
   for (std::size_t k = 0; k < solutions.size(); ++k) {
     auto& assessed = assessment.solutions[k];
-    const bool closure =
+    const bool is_ranked =
         solutions[k].identity.role == SolutionRole::closure && solutions[k].is_ok();
-    if (closure && assessed.y && assessed.ydot) closures.push_back(&assessed);
+    if (is_ranked && assessed.y && assessed.ydot) closures.push_back(&assessed);
   }
   std::ranges::stable_sort(closures, {}, [](const auto* closure) { return l1_sum(*closure); });
   int rank = 0;
@@ -77,7 +77,7 @@ void rank_closures(std::span<const Solution> solutions, Assessment& assessment) 
 }  // namespace
 
 double l1_error_estimate(const Solution& solution, StateVariable variable) {
-  if (solution.error) return l1(*solution.error, variable);
+  if (solution.error) return l1_error_of_marginal(*solution.error, variable);
   if (const auto& sampling = best_sampling_error(solution)) {
     return expected_l1_error(*sampling, variable).value_or(kUnknownError);
   }
@@ -148,7 +148,7 @@ Assessment assess_solutions(std::span<const Solution> solutions,
     assessment.reference = reference->id();
     assessment.reference_y_l1 = known(StateVariable::y);
     assessment.reference_ydot_l1 = known(StateVariable::ydot);
-    assessment.confirmation = confirmation_of(*reference, solutions, pairs);
+    assessment.confirmation = find_reference_confirmation(*reference, solutions, pairs);
   }
   for (const auto& solution : solutions) {
     SolutionAssessment assessed{.id = solution.id()};
@@ -157,11 +157,11 @@ Assessment assess_solutions(std::span<const Solution> solutions,
       assessed.ydot =
           l1_distance_between(pairs, assessed.id, assessment.reference, StateVariable::ydot);
     }
-    assessed.agreement = agreement_of(assessment, solution, assessed);
+    assessed.agreement = classify_agreement(assessment, solution, assessed);
     assessment.solutions.push_back(std::move(assessed));
   }
   rank_closures(solutions, assessment);
-  assessment.limiting_errors = limiting_errors(budget, solutions, pairs);
+  assessment.limiting_errors = find_limiting_errors(budget, solutions, pairs);
   return assessment;
 }
 

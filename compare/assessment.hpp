@@ -21,8 +21,9 @@ namespace fpkcheck::compare {
 /// limit kCloseL1 equals the default accuracy required of closures.
 inline constexpr double kCloseL1 = 0.02;
 
-/// Returns the L1 error estimate of a marginal density. The estimate comes from the method, or else
-/// from the expected sampling error. Without these two the result is infinity.
+/// Returns the L1 error estimate of a marginal density. The result is the error estimate of the
+/// method, or the expected sampling error if the method has no error estimate. If both are missing,
+/// the result is infinity.
 double l1_error_estimate(const transform::Solution& solution, transform::StateVariable variable);
 double l1_error_estimate(const transform::Solution& solution);
 
@@ -53,8 +54,8 @@ constexpr std::span<const base::EnumEntry<Agreement>> enumerator_names(Agreement
 }
 constexpr std::string_view name(Agreement agreement) { return base::name_of(agreement); }
 
-/// The agreement of one solution with the reference of its case. An external solution with only one
-/// marginal density is assessed by this marginal density.
+/// The agreement of one solution with the reference of its case. For an external solution with only
+/// one marginal density, this marginal density determines the agreement.
 struct SolutionAssessment {
   std::string id = {};
   Agreement agreement = Agreement::absent;
@@ -76,7 +77,7 @@ struct SolutionAssessment {
 /// contradicts the reference.
 struct ReferenceConfirmation {
   std::string id;
-  /// Whether the errors explain the distances from the reference (has_agreement()).
+  /// Whether the solution agrees with the reference within the errors of both (solutions_agree()).
   bool has_agreement;
 
   bool operator==(const ReferenceConfirmation&) const = default;

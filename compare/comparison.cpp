@@ -38,9 +38,9 @@ PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
       smooth_reference != nullptr &&
       (from == smooth_reference->id() || to == smooth_reference->id()) &&
       !with_sampling_error.contains(from == smooth_reference->id() ? to : from);
-  if (!is_over_smooth_bins) return {from, to, variable, distances(one, other)};
+  if (!is_over_smooth_bins) return {from, to, variable, compute_distances(one, other)};
   const auto& compared = smooth[to == smooth_reference->id() ? a : b].marginal;
-  return {from, to, variable, distances(smooth[a].marginal, smooth[b].marginal),
+  return {from, to, variable, compute_distances(smooth[a].marginal, smooth[b].marginal),
           l1_standard_error(compared,
                             *transform::find_smooth_bin_estimate(*smooth_reference, variable))};
 }
@@ -114,8 +114,8 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
     std::ranges::move(merged, std::back_inserter(over_uniform_bins));
     std::ranges::copy(smooth, std::back_inserter(result.smooth));
   }
-  result.budget = error_budget(axes, solutions,
-                               smooth_reference == nullptr ? over_uniform_bins : result.smooth);
+  result.budget = compute_error_budget(
+      axes, solutions, smooth_reference == nullptr ? over_uniform_bins : result.smooth);
   clip_negative_densities(solutions, result.marginals);
   clip_negative_densities(solutions, result.smooth);
   return result;

@@ -50,7 +50,7 @@ std::vector<double> make_divided_bins(double end, bool symmetric, int divisions)
   return edges;
 }
 
-std::vector<double> undivided_edges(const std::vector<double>& edges, int divisions) {
+std::vector<double> remove_divisions(const std::vector<double>& edges, int divisions) {
   const auto zero = std::ranges::find(edges, 0.0) - edges.begin();
   std::vector<double> even;
   for (std::ptrdiff_t k = 0; k < std::ssize(edges); ++k) {
@@ -63,7 +63,7 @@ std::vector<double> undivided_edges(const std::vector<double>& edges, int divisi
 }  // namespace
 
 ComparisonAxes comparison_axes(const problem::Problem& problem) {
-  const auto scales = problem::scales(problem);
+  const auto scales = problem::motion_scales(problem);
   const bool divided = has_unbounded_marginals(problem, scales);
   const int divisions = divided ? kDivisions : 0;
   return {divided ? make_divided_bins(scales.y_high, false, divisions)
@@ -77,8 +77,8 @@ const std::vector<double>& comparison_bin_edges(const ComparisonAxes& axes,
 }
 
 ComparisonAxes undivided_axes(const ComparisonAxes& axes) {
-  return {undivided_edges(axes.y_edges, axes.divisions),
-          undivided_edges(axes.v_edges, axes.divisions)};
+  return {remove_divisions(axes.y_edges, axes.divisions),
+          remove_divisions(axes.v_edges, axes.divisions)};
 }
 
 transform::Marginal merge_divided_bins(const ComparisonAxes& axes,

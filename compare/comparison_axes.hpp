@@ -7,8 +7,8 @@
 
 namespace fpkcheck::compare {
 
-/// The bins in which the marginal densities of a problem are compared. All bins have the same
-/// width, except the bins at 0, which may be divided. Distances are computed over undivided bins,
+/// The bins in which the marginal densities of a problem are compared. All bins have equal widths,
+/// but the bins at 0 may be divided into narrower bins. Distances are computed over undivided bins,
 /// since no error estimate holds for features of a density narrower than a bin.
 struct ComparisonAxes {
   /// Increasing edges of the bins of y, for the paper's problems from the wall y = 0.

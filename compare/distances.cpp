@@ -59,7 +59,7 @@ bool has_narrow_confidence_interval(const Marginal& m, std::size_t bin) {
   return m.upper[bin] - m.lower[bin] <= 2 * kMaxRelativeHalfWidth * m.density[bin];
 }
 
-Distances distances(const Marginal& a, const Marginal& b) {
+Distances compute_distances(const Marginal& a, const Marginal& b) {
   require_same_bins(a, b);
   if (!is_finite(a) || !is_finite(b)) {
     return {kNotANumber, kNotANumber, kNotANumber, kNotANumber, kNotANumber, {}};

@@ -33,8 +33,7 @@ struct Distances {
 };
 
 /// Returns whether the 95 % confidence interval of a bin is within +-50 % of the density in the
-/// bin. The result is `true` for a marginal density without confidence intervals, which counts as
-/// exact.
+/// bin. The result is `true` for a marginal density without confidence intervals.
 bool has_narrow_confidence_interval(const transform::Marginal& marginal, std::size_t bin);
 
 /// Computes the distances of the marginal density a from the reference marginal density b. The
@@ -45,6 +44,6 @@ bool has_narrow_confidence_interval(const transform::Marginal& marginal, std::si
 /// sampling noise would dominate the distance there. All distances are NaN if an average of a or b
 /// is not finite.
 /// @throws std::invalid_argument if the bins differ or the sizes of a marginal are inconsistent
-Distances distances(const transform::Marginal& a, const transform::Marginal& b);
+Distances compute_distances(const transform::Marginal& a, const transform::Marginal& b);
 
 }  // namespace fpkcheck::compare

@@ -53,7 +53,7 @@ ErrorBudgetPart make_error_budget_part(StateVariable variable, const ChainModel&
   ErrorBudgetPart part{.approximations = to.approximations,
                        .from = from.id,
                        .to = to.id,
-                       .l1 = distances(from.marginal, to.marginal).l1,
+                       .l1 = compute_distances(from.marginal, to.marginal).l1,
                        .tail = tail_distance(from.marginal, to.marginal, bins)};
   if (from.discretisation_error && to.discretisation_error) {
     part.uncertainty = *from.discretisation_error + *to.discretisation_error;
@@ -73,7 +73,7 @@ ErrorBudgetRow make_error_budget_row(const Solution& closure, StateVariable vari
   ErrorBudgetRow row{.solution = closure.id(),
                      .variable = variable,
                      .reference = last.id,
-                     .total = distances(first.marginal, last.marginal).l1,
+                     .total = compute_distances(first.marginal, last.marginal).l1,
                      .total_tail = tail_distance(first.marginal, last.marginal, bins),
                      .tail_from = kTailFrom,
                      .tail_to = kTailTo,
@@ -132,14 +132,14 @@ const ErrorBudgetPart* ErrorBudgetRow::find(std::string_view part) const {
   return found == parts.end() ? nullptr : &*found;
 }
 
-std::vector<ErrorBudgetRow> error_budget(const ComparisonAxes& axes,
-                                         std::span<const Solution> solutions,
-                                         std::span<const SolutionMarginal> marginals) {
+std::vector<ErrorBudgetRow> compute_error_budget(const ComparisonAxes& axes,
+                                                 std::span<const Solution> solutions,
+                                                 std::span<const SolutionMarginal> marginals) {
   std::vector<ErrorBudgetRow> budget;
   for (const auto& solution : solutions) {
     if (solution.identity.role != SolutionRole::closure) continue;
     for (const auto variable : transform::kVariables) {
-      const auto chain = model_chain(axes, solutions, marginals, solution, variable);
+      const auto chain = make_model_chain(axes, solutions, marginals, solution, variable);
       if (!chain.empty()) budget.push_back(make_error_budget_row(solution, variable, chain));
     }
   }
@@ -156,8 +156,8 @@ std::vector<const ErrorBudgetRow*> ClosureErrorBudget::rows() const {
   return both;
 }
 
-std::vector<ClosureErrorBudget> closure_error_budgets(std::span<const ErrorBudgetRow> budget,
-                                                      std::span<const Solution> solutions) {
+std::vector<ClosureErrorBudget> group_budget_by_closure(std::span<const ErrorBudgetRow> budget,
+                                                        std::span<const Solution> solutions) {
   std::vector<ClosureErrorBudget> closures;
   for (const auto& row : budget) {
     auto found = std::ranges::find(closures, row.solution, &ClosureErrorBudget::solution);

@@ -84,9 +84,9 @@ struct ErrorBudgetRow {
 /// budget has only one part, from the closure to a simulation.
 /// @param marginals marginal densities of the solutions, all over uniform bins or all over smooth
 ///        bins
-std::vector<ErrorBudgetRow> error_budget(const ComparisonAxes& axes,
-                                         std::span<const transform::Solution> solutions,
-                                         std::span<const SolutionMarginal> marginals);
+std::vector<ErrorBudgetRow> compute_error_budget(const ComparisonAxes& axes,
+                                                 std::span<const transform::Solution> solutions,
+                                                 std::span<const SolutionMarginal> marginals);
 
 struct ClosureErrorBudget {
   std::string solution;
@@ -103,7 +103,7 @@ struct ClosureErrorBudget {
 
 /// Groups the rows of an error budget by closure. Pointers in the result refer to elements of
 /// `budget`.
-std::vector<ClosureErrorBudget> closure_error_budgets(
+std::vector<ClosureErrorBudget> group_budget_by_closure(
     std::span<const ErrorBudgetRow> budget, std::span<const transform::Solution> solutions);
 
 /// Returns the distinct names of all parts of error budgets, in the order of the model chain.

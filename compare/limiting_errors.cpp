@@ -25,24 +25,24 @@ struct ComparedSolutions {
   std::span<const PairDistances> pairs;
 };
 
-bool has_reference_disagreement(const ErrorBudgetRow& row, const ComparedSolutions& compared) {
+bool references_disagree(const ErrorBudgetRow& row, const ComparedSolutions& compared) {
   const ErrorBudgetPart& last = row.parts.back();
   if (last.approximations != std::vector{Approximation::sampling}) return false;
   const std::string from = last.from.substr(0, last.from.find(kGridLimitSuffix));
   const Solution* one = transform::find_solution(compared.solutions, from);
   const Solution* other = transform::find_solution(compared.solutions, last.to);
-  return one != nullptr && other != nullptr && !has_agreement(*one, *other, compared.pairs);
+  return one != nullptr && other != nullptr && !solutions_agree(*one, *other, compared.pairs);
 }
 
 bool is_within_reference_error(const ClosureErrorBudget& budget,
                                const ComparedSolutions& compared) {
   return std::ranges::all_of(budget.rows(), [&](const ErrorBudgetRow* row) {
-    return !has_reference_disagreement(*row, compared) && row->total <= reference_error(*row);
+    return !references_disagree(*row, compared) && row->total <= reference_error(*row);
   });
 }
 
-void add_to_groups(const ClosureErrorBudget& budget, const ComparedSolutions& compared,
-                   std::vector<LimitingErrorGroup>& groups) {
+void add_closure_to_groups(const ClosureErrorBudget& budget, const ComparedSolutions& compared,
+                           std::vector<LimitingErrorGroup>& groups) {
   std::map<std::string, double> parts;
   double sum = 0;
   for (const ErrorBudgetRow* row : budget.rows()) {
@@ -64,15 +64,15 @@ void add_to_groups(const ClosureErrorBudget& budget, const ComparedSolutions& co
 
 }  // namespace
 
-LimitingErrors limiting_errors(std::span<const ErrorBudgetRow> budget,
-                               std::span<const Solution> solutions,
-                               std::span<const PairDistances> pairs) {
+LimitingErrors find_limiting_errors(std::span<const ErrorBudgetRow> budget,
+                                    std::span<const Solution> solutions,
+                                    std::span<const PairDistances> pairs) {
   const ComparedSolutions compared{solutions, pairs};
   LimitingErrors errors;
-  for (const auto& closure : closure_error_budgets(budget, solutions))
-    add_to_groups(closure, compared, errors.groups);
+  for (const auto& closure : group_budget_by_closure(budget, solutions))
+    add_closure_to_groups(closure, compared, errors.groups);
   errors.has_reference_disagreement = std::ranges::any_of(
-      budget, [&](const ErrorBudgetRow& row) { return has_reference_disagreement(row, compared); });
+      budget, [&](const ErrorBudgetRow& row) { return references_disagree(row, compared); });
   return errors;
 }
 

@@ -26,14 +26,14 @@ struct LimitingErrorGroup {
 struct LimitingErrors {
   /// Groups of closures; empty without an error budget.
   std::vector<LimitingErrorGroup> groups = {};
-  /// Whether the finite-volume solution and the simulation disagree: has_agreement() is false.
+  /// Whether the finite-volume solution and the simulation disagree: solutions_agree() is false.
   bool has_reference_disagreement = false;
 
   bool operator==(const LimitingErrors&) const = default;
 };
 
-LimitingErrors limiting_errors(std::span<const ErrorBudgetRow> budget,
-                               std::span<const transform::Solution> solutions,
-                               std::span<const PairDistances> pairs);
+LimitingErrors find_limiting_errors(std::span<const ErrorBudgetRow> budget,
+                                    std::span<const transform::Solution> solutions,
+                                    std::span<const PairDistances> pairs);
 
 }  // namespace fpkcheck::compare

@@ -27,8 +27,8 @@ const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const
   return nullptr;
 }
 
-/// Builds the chain of models. The next model of the chain includes the approximations of a model
-/// that has no solution.
+/// Builds the chain of models. If a model has no solution, the builder adds the approximations of
+/// this model to the next model of the chain.
 class ModelChainBuilder {
  public:
   ModelChainBuilder(const ComparisonAxes& axes, std::span<const Solution> solutions,
@@ -105,7 +105,7 @@ class ModelChainBuilder {
 
   std::optional<double> discretisation_error(const Solution& s) const {
     if (!s.extrapolation) return std::nullopt;
-    return distances(transform::marginal(s, variable_, edges_), grid_limit_marginal(s)).l1;
+    return compute_distances(transform::marginal(s, variable_, edges_), grid_limit_marginal(s)).l1;
   }
 
   void append_model(ChainModel node) {
@@ -128,9 +128,10 @@ class ModelChainBuilder {
 
 }  // namespace
 
-std::vector<ChainModel> model_chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
-                                    std::span<const SolutionMarginal> marginals,
-                                    const Solution& closure, StateVariable variable) {
+std::vector<ChainModel> make_model_chain(const ComparisonAxes& axes,
+                                         std::span<const Solution> solutions,
+                                         std::span<const SolutionMarginal> marginals,
+                                         const Solution& closure, StateVariable variable) {
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
   const DensityEquation equation = closure.identity.equation.value_or(DensityEquation::kf);

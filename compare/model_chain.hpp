@@ -22,8 +22,8 @@ struct ChainModel {
   /// Approximations of the previous model that this model avoids; empty for the closure.
   std::vector<Approximation> approximations;
   transform::Marginal marginal;
-  /// L1 distance of the model from the Richardson limit of its grids. The error is 0 for a model
-  /// without a grid, and empty if unknown.
+  /// L1 distance of the model from the Richardson limit of its grids. The distance is 0 for a model
+  /// without a grid, and empty if the Richardson limit is unknown.
   std::optional<double> discretisation_error;
   std::optional<transform::SamplingError> sampling = {};  ///< sampling error of a simulation
   /// Estimates over smooth bins, if the model is the smooth reference; null for other models.
@@ -48,10 +48,10 @@ struct ChainModel {
 /// @param closure one of the solutions
 /// @return at least two models; an empty list if the closure has no marginal density, or if no
 /// solution of the full jump integral exists
-std::vector<ChainModel> model_chain(const ComparisonAxes& axes,
-                                    std::span<const transform::Solution> solutions,
-                                    std::span<const SolutionMarginal> marginals,
-                                    const transform::Solution& closure,
-                                    transform::StateVariable variable);
+std::vector<ChainModel> make_model_chain(const ComparisonAxes& axes,
+                                         std::span<const transform::Solution> solutions,
+                                         std::span<const SolutionMarginal> marginals,
+                                         const transform::Solution& closure,
+                                         transform::StateVariable variable);
 
 }  // namespace fpkcheck::compare

@@ -30,7 +30,8 @@ struct PairDistances {
   std::optional<double> l1_standard_error = {};
 };
 
-/// Returns the distances between two solutions, whose order is irrelevant; null if missing.
+/// Returns the distances between two solutions in one variable, for either order of the two ids.
+/// The result is null if `pairs` has no such distances.
 const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
                                          std::string_view first, std::string_view second,
                                          transform::StateVariable variable);

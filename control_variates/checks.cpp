@@ -17,12 +17,13 @@ constexpr double kNormalQuantile = 3.9;
 constexpr double kFlightTolerance = 1e-5;
 constexpr double kRounding = 1e-12;
 
-struct Sums {
+// Sums of the deposits and of the samples over all streams.
+struct SumsOverStreams {
   double samples = 0, time = 0, impacts = 0;
   std::array<double, mcs::kPowers.size()> powers{};
   std::array<double, 3> acceleration{}, wall{}, impulses{};
 
-  explicit Sums(std::span<const mcs::StreamDeposit> streams) {
+  explicit SumsOverStreams(std::span<const mcs::StreamDeposit> streams) {
     const auto add = [](auto& to, const auto& what) {
       for (std::size_t k = 0; k < to.size(); ++k) to[k] += what[k];
     };
@@ -36,29 +37,30 @@ struct Sums {
       add(impulses, stream.sums.impulses);
     }
   }
-  double mean(int p, int q) const {
+  double moment(int p, int q) const {
     if (p + q == 0) return 1;
     const auto at = std::ranges::find(mcs::kPowers, std::pair{p, q}) - mcs::kPowers.begin();
     return powers[static_cast<std::size_t>(at)] / samples;
   }
 };
 
-void check_flights(const problem::System& system, const Sums& sums, SimulationChecks& checks) {
+void check_flights(const problem::System& system, const SumsOverStreams& sums,
+                   SimulationChecks& checks) {
   const auto& of_system = system.coefficients();
   const auto defect = [&, c = of_system.damping, k = of_system.stiffness, mu = of_system.cubic](
                           int p, int q, double acceleration) {
-    const double mean = acceleration / sums.samples + c * sums.mean(p, q + 1) +
-                        k * sums.mean(p + 1, q) + mu * sums.mean(p + 3, q);
-    return mean / (c * std::sqrt(sums.mean(0, 2) * sums.mean(2 * p, 2 * q)));
+    const double mean = acceleration / sums.samples + c * sums.moment(p, q + 1) +
+                        k * sums.moment(p + 1, q) + mu * sums.moment(p + 3, q);
+    return mean / (c * std::sqrt(sums.moment(0, 2) * sums.moment(2 * p, 2 * q)));
   };
   checks.momentum = defect(0, 0, sums.acceleration[0]);
   checks.virial = defect(1, 0, sums.acceleration[1]);
   checks.power = defect(0, 1, sums.acceleration[2]);
 }
 
-void check_impulses(const problem::ImpulseTrain& train, const Sums& sums,
+void check_impulses(const problem::ImpulseTrain& train, const SumsOverStreams& sums,
                     SimulationChecks& checks) {
-  const auto& law = train.law();
+  const auto& law = train.amplitude_law();
   const double expected = train.arrival_rate() * sums.time, n = sums.impulses[0];
   checks.rate = (n - expected) / std::sqrt(expected);
   if (n == 0) return;
@@ -70,7 +72,7 @@ void check_impulses(const problem::ImpulseTrain& train, const Sums& sums,
   checks.mean_square = (sums.impulses[2] / n - square) / scale;
 }
 
-Eigen::MatrixXd polynomial_coefficients(const DepositLayout& deposit_layout) {
+Eigen::MatrixXd spline_coefficients_of_monomials(const DepositLayout& deposit_layout) {
   const Eigen::Index nv = deposit_layout.v.size();
   Eigen::MatrixXd all(deposit_layout.y.size() * nv, static_cast<Eigen::Index>(mcs::kPowers.size()));
   for (std::size_t n = 0; n < mcs::kPowers.size(); ++n) {
@@ -110,14 +112,14 @@ SimulationChecks check_simulation(const ControlVariateSetup& setup,
                                   const Eigen::MatrixXd& generator,
                                   std::span<const mcs::StreamDeposit> streams,
                                   const FunctionalEstimates& estimates) {
-  const Sums sums(streams);
+  const SumsOverStreams sums(streams);
   SimulationChecks result;
-  result.generator =
-      hotelling_test(polynomial_coefficients(setup.deposit_layout).transpose() * generator);
+  result.generator = hotelling_test(
+      spline_coefficients_of_monomials(setup.deposit_layout).transpose() * generator);
   check_flights(setup.problem.system, sums, result);
   if (sums.impacts > 0) {
     result.restitution = sums.wall[1] / sums.wall[0] - setup.problem.system.restitution();
-    result.wall_distance = sums.wall[2] / sums.impacts / std::sqrt(sums.mean(2, 0));
+    result.wall_distance = sums.wall[2] / sums.impacts / std::sqrt(sums.moment(2, 0));
   }
   check_impulses(setup.problem.impulses, sums, result);
   for (const auto& [controlled, plain] : estimates.moments) {

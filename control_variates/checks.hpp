@@ -18,10 +18,12 @@ struct HotellingTest {
   int dimensions = 0;
   double p_value = 1;
 };
+/// Tests whether a random vector has zero mean.
 /// @param values samples, of shape (dimensions, streams). At most half as many dimensions as
 ///   streams are used.
 HotellingTest hotelling_test(const Eigen::MatrixXd& values);
 
+/// Comparisons of a simulation with identities that an exact simulation satisfies.
 struct SimulationChecks {
   /// Test of E[L B] = 0 for the generator L and the 14 polynomials B = y^p y'^q, 1 <= p + q <= 4. A
   /// nonzero mean shows an error in the simulated flights, impacts or impulses.
@@ -51,6 +53,8 @@ struct SimulationChecks {
   std::vector<std::string> failed_deterministic_checks() const;
 };
 
+/// Computes all checks of a simulation.
+/// @param generator means of generator_means()
 SimulationChecks check_simulation(const ControlVariateSetup& setup,
                                   const Eigen::MatrixXd& generator,
                                   std::span<const mcs::StreamDeposit> streams,

@@ -18,7 +18,7 @@ constexpr double kLatticePointsPerDeviation = 8;
 // Extension of the velocity lattice beyond the splines, in standard deviations of the impulses.
 constexpr double kLatticeExtension = 4;
 
-std::vector<double> lattice(const mcs::DepositGrid& grid) {
+std::vector<double> lattice_velocities(const mcs::DepositGrid& grid) {
   std::vector<double> v;
   for (int q = 0; q < grid.lattice_points; ++q) {
     v.push_back(grid.lattice_begin + q * grid.lattice_spacing);
@@ -26,13 +26,13 @@ std::vector<double> lattice(const mcs::DepositGrid& grid) {
   return v;
 }
 
-double one(double) { return 1; }
+double constant_one(double) { return 1; }
 
-std::function<double(double)> power(int n) {
+std::function<double(double)> power_function(int n) {
   return [n](double x) { return std::pow(x, n); };
 }
 
-std::function<double(double)> smooth_bin(const transform::SmoothBins& bins, int b) {
+std::function<double(double)> smooth_bin_function(const transform::SmoothBins& bins, int b) {
   return [bins, b](double x) {
     return transform::cardinal_cubic_spline((x - bins.first) / bins.spacing - b);
   };
@@ -40,11 +40,13 @@ std::function<double(double)> smooth_bin(const transform::SmoothBins& bins, int 
 
 }  // namespace
 
-std::vector<backward::SeparableFunction> EstimatedFunctionals::integrands() const {
+std::vector<backward::SeparableFunction> EstimatedFunctionals::functional_integrands() const {
   std::vector<backward::SeparableFunction> all;
-  for (const auto& [p, q] : kMoments) all.push_back({power(p), power(q)});
-  for (int b = 0; b < y_bins.count; ++b) all.push_back({smooth_bin(y_bins, b), one});
-  for (int b = 0; b < v_bins.count; ++b) all.push_back({one, smooth_bin(v_bins, b)});
+  for (const auto& [p, q] : kMoments) all.push_back({power_function(p), power_function(q)});
+  for (int b = 0; b < y_bins.count; ++b)
+    all.push_back({smooth_bin_function(y_bins, b), constant_one});
+  for (int b = 0; b < v_bins.count; ++b)
+    all.push_back({constant_one, smooth_bin_function(v_bins, b)});
   return all;
 }
 
@@ -82,7 +84,8 @@ DepositLayout make_deposit_layout(const problem::Problem& problem,
                           .count = static_cast<int>((deflection + kBinExtent * s1) / y_bin),
                           .from = 0};
   p.functionals.v_bins = {.first = -v_half * v_bin, .spacing = v_bin, .count = 2 * v_half + 1};
-  const double s = problem.impulses.law().deviation(), spacing = s / kLatticePointsPerDeviation;
+  const double s = problem.impulses.amplitude_law().deviation(),
+               spacing = s / kLatticePointsPerDeviation;
   const int half = static_cast<int>(std::ceil((p.v.end() + kLatticeExtension * s) / spacing));
   p.grid = {.y_knots = p.y.knots(),
             .v_knots = p.v.knots(),
@@ -91,11 +94,11 @@ DepositLayout make_deposit_layout(const problem::Problem& problem,
             .lattice_points = 2 * half + 1,
             .y_bins = p.functionals.y_bins,
             .v_bins = p.functionals.v_bins};
-  for (const auto& [amplitude, probability] : problem.impulses.law().atoms()) {
-    p.grid.shifts.push_back({amplitude, probability});
+  for (const auto& [amplitude, probability] : problem.impulses.amplitude_law().atoms()) {
+    p.grid.velocity_jumps.push_back({amplitude, probability});
   }
-  // For discrete impulse laws the deposits use `shifts` instead of the lattice.
-  if (!p.grid.shifts.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;
+  // For discrete impulse laws the deposits use `velocity_jumps` instead of the lattice.
+  if (!p.grid.velocity_jumps.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;
   return p;
 }
 
@@ -105,12 +108,13 @@ ControlVariateSetup make_control_variate_setup(const problem::Problem& problem,
   const auto control = backward::control_function_fit(problem, deposit_layout.y, deposit_layout.v,
                                                       1 / sampling_interval);
   auto functions =
-      backward::fit_control_functions(control, deposit_layout.functionals.integrands());
+      backward::fit_control_functions(control, deposit_layout.functionals.functional_integrands());
   return {.problem = problem,
           .deposit_layout = deposit_layout,
           .control = std::move(functions.coefficients),
           .after_impulse = backward::spline_means_after_impulse(
-              deposit_layout.v, problem.impulses.law(), lattice(deposit_layout.grid)),
+              deposit_layout.v, problem.impulses.amplitude_law(),
+              lattice_velocities(deposit_layout.grid)),
           .backward_means = std::move(functions.means)};
 }
 

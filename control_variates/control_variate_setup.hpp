@@ -13,6 +13,7 @@
 
 namespace fpkcheck::control_variates {
 
+/// Exponents of a moment E[y^p y'^q].
 struct MomentExponents {
   int p, q;
 };
@@ -24,7 +25,8 @@ struct EstimatedFunctionals {
   transform::SmoothBins y_bins, v_bins;
 
   int size() const { return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count; }
-  std::vector<backward::SeparableFunction> integrands() const;
+  /// Returns the function f of each functional E[f].
+  std::vector<backward::SeparableFunction> functional_integrands() const;
   /// Returns the sample mean of each functional in one stream, without control variates.
   std::vector<double> stream_means(const mcs::StreamDeposit& stream) const;
 };
@@ -37,7 +39,8 @@ struct ControlSplineCells {
 
 /// Layout of the sums that the simulation deposits. The layout depends on the problem and on the
 /// cells of the control functions.
-///  - Splines: the default splines of the control functions (backward/control/control_function_fit.hpp).
+///  - Splines: the default splines of the control functions
+///    (backward/control/control_function_fit.hpp).
 ///  - Velocity lattice: spacing of an eighth of the standard deviation of the impulses.
 ///  - Smooth bins: spacing of 0.15 standard deviations of y and 0.3 standard deviations of y'. Each
 ///    bin is four spacings wide, and the bins extend to 7 standard deviations.
@@ -48,6 +51,7 @@ struct DepositLayout {
 };
 DepositLayout make_deposit_layout(const problem::Problem& problem, const ControlSplineCells& cells);
 
+/// Control functions and tables that turn deposited sums into estimates.
 struct ControlVariateSetup {
   problem::Problem problem;
   DepositLayout deposit_layout;

@@ -11,13 +11,13 @@ namespace {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Table = Eigen::Map<const RowMajor>;
 
-mcs::Estimate estimate_over_streams(const Eigen::VectorXd& values) {
+mcs::MeanEstimate mean_over_streams(const Eigen::VectorXd& values) {
   const auto n = static_cast<double>(values.size());
   const double mean = values.mean();
   return {mean, std::sqrt((values.array() - mean).square().sum() / (n - 1) / n)};
 }
 
-mcs::Estimate scale_estimate(const mcs::Estimate& e, double factor) {
+mcs::MeanEstimate scale_estimate(const mcs::MeanEstimate& e, double factor) {
   return {e.mean * factor, e.standard_error * factor};
 }
 
@@ -28,7 +28,7 @@ Eigen::MatrixXd error_contributions(const Eigen::MatrixXd& values) {
   return (values.colwise() - values.rowwise().mean()) / std::sqrt((n - 1) * n);
 }
 
-mcs::L1SamplingError bins_sampling_l1(const Eigen::MatrixXd& errors) {
+mcs::L1SamplingError l1_error_over_bins(const Eigen::MatrixXd& errors) {
   mcs::BinErrors bins;
   for (const auto& row : errors.rowwise()) bins.emplace_back(row.begin(), row.end());
   return mcs::l1_sampling_error(bins);
@@ -42,12 +42,12 @@ BinEstimates bin_estimates(const transform::SmoothBins& bins, const Eigen::Matri
   BinEstimates result{.bins = bins,
                       .averages = {},
                       .covariance = errors * errors.transpose(),
-                      .controlled_l1 = bins_sampling_l1(errors),
-                      .plain_l1 = bins_sampling_l1(error_contributions(plain))};
+                      .controlled_l1 = l1_error_over_bins(errors),
+                      .plain_l1 = l1_error_over_bins(error_contributions(plain))};
   for (int b = 0; b < bins.count; ++b) {
-    const double per_weight = 1 / transform::bin_weight(bins, b);
-    result.averages.push_back({scale_estimate(estimate_over_streams(controlled.row(b)), per_weight),
-                               scale_estimate(estimate_over_streams(plain.row(b)), per_weight)});
+    const double per_weight = 1 / transform::smooth_bin_weight(bins, b);
+    result.averages.push_back({scale_estimate(mean_over_streams(controlled.row(b)), per_weight),
+                               scale_estimate(mean_over_streams(plain.row(b)), per_weight)});
     result.covariance.row(b) *= per_weight;
     result.covariance.col(b) *= per_weight;
   }
@@ -86,8 +86,7 @@ FunctionalEstimates estimate_functionals(const ControlVariateSetup& setup,
   const Eigen::MatrixXd controlled = plain + setup.control.transpose() * generator;
   std::vector<ControlledAndPlainEstimate> moments;
   for (Eigen::Index f = 0; f < std::ssize(kMoments); ++f) {
-    moments.push_back(
-        {estimate_over_streams(controlled.row(f)), estimate_over_streams(plain.row(f))});
+    moments.push_back({mean_over_streams(controlled.row(f)), mean_over_streams(plain.row(f))});
   }
   const auto bins = [&](const transform::SmoothBins& of, Eigen::Index first) {
     return bin_estimates(of, controlled.middleRows(first, of.count),

@@ -13,7 +13,7 @@ namespace fpkcheck::control_variates {
 
 /// Two estimates of an expectation: with control variates (`controlled`) and without (`plain`).
 struct ControlledAndPlainEstimate {
-  mcs::Estimate controlled, plain;
+  mcs::MeanEstimate controlled, plain;
 };
 
 /// Estimates of the averages of a marginal density over smooth bins.

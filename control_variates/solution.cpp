@@ -63,7 +63,7 @@ void set_status(const SimulationChecks& checks, Solution& solution) {
       fmt::join(wrong, ", "));
 }
 
-transform::SmoothBinEstimate find_smooth_bin_estimate(const BinEstimates& bins,
+transform::SmoothBinEstimate make_smooth_bin_estimate(const BinEstimates& bins,
                                                       double confidence_interval_factor) {
   std::vector<double> averages, lower, upper;
   for (const auto& [controlled, plain] : bins.averages) {
@@ -82,7 +82,7 @@ transform::SmoothBinEstimate find_smooth_bin_estimate(const BinEstimates& bins,
 
 }  // namespace
 
-Result estimate_and_check(const ControlVariateSetup& setup, mcs::Result simulation) {
+Result estimate_and_check_simulation(const ControlVariateSetup& setup, mcs::Result simulation) {
   const auto streams = std::exchange(simulation.summary.deposits, {});
   const Eigen::MatrixXd generator = generator_means(setup, streams);
   FunctionalEstimates estimates = estimate_functionals(setup, generator, streams);
@@ -104,8 +104,8 @@ Solution make_solution(Result&& result) {
   }
   const double factor = estimates.confidence_interval_factor;
   solution.smooth_estimates = {
-      {StateVariable::y, find_smooth_bin_estimate(estimates.y, factor)},
-      {StateVariable::ydot, find_smooth_bin_estimate(estimates.v, factor)}};
+      {StateVariable::y, make_smooth_bin_estimate(estimates.y, factor)},
+      {StateVariable::ydot, make_smooth_bin_estimate(estimates.v, factor)}};
   const auto &y = estimates.y.controlled_l1, &v = estimates.v.controlled_l1;
   solution.smooth_sampling = transform::SamplingError{
       .y = y.expected, .ydot = v.expected, .y_99 = y.quantile_99, .ydot_99 = v.quantile_99};

@@ -20,7 +20,7 @@ struct Result {
 
 /// Computes estimates and checks from the deposited sums of a simulation.
 /// @pre the simulation used setup.deposit_layout.grid
-Result estimate_and_check(const ControlVariateSetup& setup, mcs::Result simulation);
+Result estimate_and_check_simulation(const ControlVariateSetup& setup, mcs::Result simulation);
 
 /// Returns the solution with moments and smooth bins estimated by control variates. The estimates
 /// without control variates and the results of the checks become metrics.

@@ -23,8 +23,9 @@ constexpr double kMostBytes = 256e6;  // limit on the memory of the velocity lat
 
 // Returns more cells for longer simulations, since the fit of 80 x 176 cells takes as long as the
 // simulation of about 1e7 samples. With checkpoints the number does not depend on the simulated
-// time, so that a longer simulation can resume from a shorter one.
-ControlSplineCells choose_cells(const mcs::SimulationPlan& plan, const mcs::Options& options) {
+// time, so that a longer simulation can resume from the checkpoint of a shorter simulation.
+ControlSplineCells choose_spline_cells(const mcs::SimulationPlan& plan,
+                                       const mcs::Options& options) {
   if (!options.checkpoint.empty() || !options.resume.empty()) return {};
   constexpr double kFewSamples = 2e5, kManySamples = 1e7;
   const double samples =
@@ -37,8 +38,9 @@ double lattice_bytes(const mcs::DepositGrid& grid) {
   return static_cast<double>(sizeof(double)) * grid.y_spline_count() * grid.lattice_points;
 }
 
-transform::Solution solve_plain(const problem::Problem& problem, const Options& options,
-                                const std::string& reason) {
+transform::Solution solve_without_control_variates(const problem::Problem& problem,
+                                                   const Options& options,
+                                                   const std::string& reason) {
   mcs::Options plain = options.simulation;
   plain.controlled = false;
   return annotate_plain_solution(mcs::solve(problem, plain).solution, reason);
@@ -48,11 +50,11 @@ transform::Solution solve_plain(const problem::Problem& problem, const Options& 
 
 transform::Solution solve(const problem::Problem& problem, const Options& options) {
   if (options.simulation.equation != mcs::DensityEquation::kf || options.simulation.tails) {
-    return solve_plain(problem, options,
-                       "control functions exist for impulses without splitting only");
+    return solve_without_control_variates(
+        problem, options, "control functions exist for impulses without splitting only");
   }
   if (!problem::has_equivalent_linearisation(problem) || !problem.frame.is_identity()) {
-    return solve_plain(
+    return solve_without_control_variates(
         problem, options,
         "control functions exist only for one left wall at the equilibrium, constant damping and "
         "impulses");
@@ -63,9 +65,10 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   simulation.step = simulation.step.value_or(kStep);
   const mcs::SimulationPlan plan = mcs::make_simulation_plan(problem, simulation);
   const DepositLayout layout =
-      make_deposit_layout(problem, options.cells.value_or(choose_cells(plan, simulation)));
+      make_deposit_layout(problem, options.cells.value_or(choose_spline_cells(plan, simulation)));
   if (lattice_bytes(layout.grid) * simulation.streams > kMostBytes) {
-    return solve_plain(problem, options, "impulses this small need too much memory");
+    return solve_without_control_variates(problem, options,
+                                          "impulses this small need too much memory");
   }
   simulation.deposit = layout.grid;
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
@@ -75,7 +78,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   // not wait for the fit.
   if (policy == std::launch::deferred) setup.wait();
   if (simulation.progress) {
-    simulation.progress = [&](const mcs::Progress& at) {
+    simulation.progress = [&](const mcs::SimulationProgress& at) {
       const bool fitted = setup.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
       options.simulation.progress({.fraction = fitted ? at.fraction : 0});
     };
@@ -86,9 +89,9 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     solution = std::move(simulated.solution);
   } else {
     try {
-      // get() may throw FitFailure; the result `simulated` must not be moved before
+      // Since setup.get() may throw FitFailure, `simulated` is moved only after setup.get().
       const ControlVariateSetup fitted = setup.get();
-      solution = make_solution(estimate_and_check(fitted, std::move(simulated)));
+      solution = make_solution(estimate_and_check_simulation(fitted, std::move(simulated)));
     } catch (const backward::FitFailure& why) {
       solution = annotate_plain_solution(std::move(simulated.solution), why.what());
     }

@@ -153,8 +153,8 @@ std::optional<problem::Problem> problem_in_coordinates(const problem::WallFrame&
 }
 
 // Returns the integral of the density of a closed form without a constant C, including the atom.
-double mass_of(const ClosedForm& form, const problem::Problem* problem,
-               const SmoothDensity& density) {
+double integrate_with_atom(const ClosedForm& form, const problem::Problem* problem,
+                           const SmoothDensity& density) {
   if (form.frame.variables != ExponentCoordinates::contact) {
     return transform::quadrature_marginals(density, density.y_max, density.v_max,
                                            transform::QuadraturePanelSpacing::graded)
@@ -170,7 +170,7 @@ bool has_support(const ClosedFormParameters& frame) {
 
 }  // namespace
 
-bool is_normalised(const ClosedForm& form) {
+bool can_be_normalised(const ClosedForm& form) {
   return form.frame.log_constant || has_support(form.frame);
 }
 
@@ -192,7 +192,7 @@ SmoothDensity density_of_closed_form(const ClosedForm& form, const problem::Prob
   if (frame.log_constant || frame.deviations || !bounded) {
     return on_physical_axes(std::move(result));
   }
-  const double mass = mass_of(whole, form_problem, result);
+  const double mass = integrate_with_atom(whole, form_problem, result);
   if (!(mass > 0) || !std::isfinite(mass)) {
     throw InputError(
         fmt::format("the integral over the support is {:g} (must be positive and finite)", mass));

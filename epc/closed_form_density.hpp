@@ -16,7 +16,8 @@ namespace fpkcheck::epc {
 transform::SmoothDensity density_of_closed_form(const ClosedForm& form,
                                                 const problem::Problem* problem);
 
-/// Whether the closed form has a constant C, or a support by which its density is normalised.
-bool is_normalised(const ClosedForm& form);
+/// Returns whether the closed form has a constant C, or a support over which its density can be
+/// normalised.
+bool can_be_normalised(const ClosedForm& form);
 
 }  // namespace fpkcheck::epc

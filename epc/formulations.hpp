@@ -33,9 +33,10 @@ namespace moment {
 /// half_plane::set_status() checks further conditions.
 Result solve(const problem::Problem& problem, const Options& options);
 
-/// Computes the density over time by half_plane::evolve().
-half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                                    const half_plane::EvolutionRequest& request);
+/// Computes the density over time by half_plane::solve_evolution().
+half_plane::ClosureEvolution solve_evolution(const problem::Problem& problem,
+                                             const Options& options,
+                                             const half_plane::EvolutionRequest& request);
 
 }  // namespace moment
 
@@ -49,9 +50,10 @@ namespace polar {
 /// requires that the density decays to 1e-4 of its peak at the confinement level.
 Result solve(const problem::Problem& problem, const Options& options);
 
-/// Computes the density over time by half_plane::evolve().
-half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                                    const half_plane::EvolutionRequest& request);
+/// Computes the density over time by half_plane::solve_evolution().
+half_plane::ClosureEvolution solve_evolution(const problem::Problem& problem,
+                                             const Options& options,
+                                             const half_plane::EvolutionRequest& request);
 
 }  // namespace polar
 

@@ -11,14 +11,14 @@ namespace {
 
 using namespace base;
 
-AdmissibleRange order_range(Formulation formulation) {
+AdmissibleRange allowed_orders(Formulation formulation) {
   return even_integers_between(2, max_closure_order(formulation))
       .with_appended_reason(
           "a polynomial of odd degree rises in some direction; rounding limits the order");
 }
 
 void require_order(const Options& options) {
-  const AdmissibleRange range = order_range(options.formulation);
+  const AdmissibleRange range = allowed_orders(options.formulation);
   if (range.contains(options.order)) return;
   throw InputError(fmt::format("epc order = {} (must be {})", options.order, range.requirement));
 }
@@ -66,7 +66,7 @@ const Description<Options>& description() {
       Description<O>("epc ")
           .add("order", &O::order,
                {"N", "order n of the closure, even: 2 .. 12; for moment 2 .. 16"},
-               order_range(Formulation::moment))
+               allowed_orders(Formulation::moment))
           .add("formulation", &O::formulation, {"F", "gaussian, moment or polar, see above"})
           .add("monomials", &O::monomials,
                {"SET",

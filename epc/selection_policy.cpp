@@ -19,7 +19,7 @@ bool starts_from_linearisation(const problem::Problem& problem) {
 // The paper's weights have the deviations of equivalent linearisation. With weights widened by the
 // static deflection, the root search fails at order 6 for r = 0.9 and a mean impulse of 0.2.
 StandardDeviations gaussian_weight_deviations(const problem::Problem& problem) {
-  const problem::MotionScales scales = problem::scales(problem);
+  const problem::MotionScales scales = problem::motion_scales(problem);
   const double centre = problem::has_equivalent_linearisation(problem) ? 0 : scales.centre;
   return {std::hypot(scales.displacement_deviation, centre), scales.velocity_deviation};
 }

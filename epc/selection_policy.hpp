@@ -7,9 +7,9 @@
 /// problem. The file selection_policy.cpp states the reason for each choice.
 namespace fpkcheck::epc {
 
-/// Whether the formulation `moment` starts from the Gaussian density of equivalent linearisation at
-/// order 2. Otherwise the formulation `moment` starts from the density of energy averaging at order
-/// 4.
+/// Returns whether the formulation `moment` starts from the Gaussian density of equivalent
+/// linearisation at order 2. Otherwise the formulation `moment` starts from the density of energy
+/// averaging at order 4.
 bool starts_from_linearisation(const problem::Problem& problem);
 
 /// Returns the standard deviations of the Gaussian weights of paper (25)-(26): the deviations of

@@ -26,7 +26,7 @@ struct MomentDerivatives {
 MomentDerivatives moment_derivatives(const problem::Problem& transformed, const Options& options,
                                      const std::vector<problem::ParameterDerivative>& parameters) {
   MomentDerivatives result;
-  // Returns the moments of a problem, or those of an earlier problem after a failure.
+  // Returns the moments of the closure of a problem, and stores the first failure.
   const auto moments_of = [&](const problem::Problem& problem, const std::string& changed) {
     const Result closure = solve(problem, options);
     const auto& solution = closure.solution;

@@ -78,7 +78,7 @@ std::string gaussian_unsupported_reason(const problem::Problem& problem,
 
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
   if (options.formulation == Formulation::polar) {
-    std::string why = problem::polynomial_required_reason(problem);
+    std::string why = problem::polynomial_method_unsupported_reason(problem);
     if (!why.empty()) return why;
   }
   if (problem::has_equivalent_linearisation(problem)) return "";
@@ -86,7 +86,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
     return "the closures do not support impulse.factor; use fd or mcs";
   }
   if (std::string why = force_jump_reason(problem, options); !why.empty()) return why;
-  const problem::ProblemFeatures features = problem::features(problem);
+  const problem::ProblemFeatures features = problem::problem_features(problem);
   switch (options.formulation) {
     case Formulation::gaussian:
       return gaussian_unsupported_reason(problem, features, options);

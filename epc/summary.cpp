@@ -14,10 +14,10 @@ using transform::MetricKind;
 using transform::value_from_count;
 using transform::value_from_optional;
 
-base::Value word(std::string_view text) { return std::string(text); }
+base::Value text_value(std::string_view text) { return std::string(text); }
 
-// Whether the last digits of the solution depend on the path of the root search. At high orders of
-// the formulation `moment` the path of the root search determines the quadrature points.
+// Returns whether the last digits of the solution depend on the path of the root search. At high
+// orders of the formulation `moment` the path of the root search determines the quadrature points.
 bool is_path_dependent(const Summary& summary) {
   constexpr int kSettledOrder = 8;
   return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
@@ -26,7 +26,8 @@ bool is_path_dependent(const Summary& summary) {
 // Returns the scale below which a change of a coefficient is rounding error. A unit coefficient of
 // x1^p x2^q changes the density, relative to the peak density, by at most sigma_1^p sigma_2^q max
 // |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2).
-double min_scale(const Term& term, const transform::Moments& moments, double rounding) {
+double rounding_scale_of_coefficient(const Term& term, const transform::Moments& moments,
+                                     double rounding) {
   constexpr double kRelative = 50e-8;
   if (!(moments.y2 > 0) || !(moments.v2 > 0)) return 0;
   const auto largest_weighted_power = [](int p) {
@@ -42,7 +43,7 @@ double min_scale(const Term& term, const transform::Moments& moments, double rou
 // both. Files of earlier program versions lack the metrics of the closed form.
 void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.frame) return;
-  builder.add_text("coordinates", word(name(summary.frame->variables)))
+  builder.add_text("coordinates", text_value(name(summary.frame->variables)))
       .add_diagnostic("log_C", value_from_optional(summary.frame->log_constant));
   const problem::WallFrame& coordinates = summary.frame->coordinates;
   if (coordinates.is_identity()) return;
@@ -73,7 +74,7 @@ void add_coefficient_metrics(const Summary& summary, const transform::Moments& m
         .add({.path = path + "a",
               .value = term.a,
               .kind = MetricKind::coefficient,
-              .min_scale = min_scale(term, moments, rounding)});
+              .min_scale = rounding_scale_of_coefficient(term, moments, rounding)});
   }
 }
 
@@ -109,17 +110,17 @@ void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
                   form.negative ? base::Value() : base::Value(form.rises_from));
 }
 
-base::Value text_of(const LeadingForm& form) {
-  return word(form.negative ? "negative" : "indefinite");
+base::Value leading_form_text(const LeadingForm& form) {
+  return text_value(form.negative ? "negative" : "indefinite");
 }
 
 // Returns the sign of the leading form of the whole exponent. With a confinement term the leading
 // form is negative for every Q_n.
-base::Value leading_form(const Summary& summary) {
+base::Value leading_form_of_exponent(const Summary& summary) {
   if (!summary.leading_form) return {};
   if (summary.half_plane && summary.half_plane->tail == TailTreatment::confined)
-    return word("negative");
-  return text_of(*summary.leading_form);
+    return text_value("negative");
+  return leading_form_text(*summary.leading_form);
 }
 
 void add_branch_metrics(const SolutionBranch& branch, MetricBuilder& builder) {
@@ -127,7 +128,7 @@ void add_branch_metrics(const SolutionBranch& branch, MetricBuilder& builder) {
     builder.add_result("branch", {});
     return;
   }
-  builder.add_result("branch.end", word(name(branch.end)))
+  builder.add_result("branch.end", text_value(name(branch.end)))
       .add_result("branch.furthest", branch.furthest);
   if (branch.points.empty()) builder.add_empty_list("branch.points", MetricKind::work);
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
@@ -144,11 +145,11 @@ void add_branch_metrics(const SolutionBranch& branch, MetricBuilder& builder) {
 
 void add_half_plane_metrics(const Summary& summary, MetricBuilder& builder) {
   const HalfPlaneSummary& half_plane = *summary.half_plane;
-  builder.add_result("tail.kind", word(name(half_plane.tail)))
+  builder.add_result("tail.kind", text_value(name(half_plane.tail)))
       .add_result("tail.level", half_plane.level)
       .add_result("tail.level_deviations", half_plane.level_deviations)
       .add_result("tail.beyond_level", half_plane.beyond_level)
-      .add_result("tail.polynomial_leading_form", text_of(*summary.leading_form))
+      .add_result("tail.polynomial_leading_form", leading_form_text(*summary.leading_form))
       .add_diagnostic("quadrature_change", half_plane.quadrature_change)
       .add_diagnostic("homotopies", value_from_count(half_plane.homotopies))
       .add_diagnostic("relaxation_rate", half_plane.relaxation_rate)
@@ -160,14 +161,14 @@ void add_half_plane_metrics(const Summary& summary, MetricBuilder& builder) {
 transform::Metrics metrics(const Summary& summary, const transform::Moments& moments) {
   MetricBuilder builder;
   builder.add_result("order", value_from_count(summary.order))
-      .add_result("formulation", word(name(summary.formulation)))
+      .add_result("formulation", text_value(name(summary.formulation)))
       .add_diagnostic("iterations", value_from_count(summary.iterations))
       .add_diagnostic("residual", summary.residual)
       .add_diagnostic("condition", value_from_optional(summary.condition));
   add_frame_metrics(summary, builder);
   add_coefficient_metrics(summary, moments, builder);
   add_support_metrics(summary, builder);
-  builder.add_result("leading_form", leading_form(summary))
+  builder.add_result("leading_form", leading_form_of_exponent(summary))
       .add_result("distance_to_previous", value_from_optional(summary.distance_to_previous));
   add_balance_metrics(builder, summary.balances);
   if (summary.formulation == Formulation::gaussian) {

@@ -26,12 +26,12 @@ using transform::TransientRequest;
 // Smallest deviations of the initial density, relative to the stationary deviations and to the root
 // mean square of an impulse.
 constexpr double kLeastStationaryFraction = 0.3, kLeastImpulseFraction = 0.5;
-// Shortest time limit of the closure of order n-2, which takes less time than that of order n.
+// Shortest time limit, in seconds, of the closure of order n-2.
 constexpr double kShortestSeconds = 0.1;
 
 std::string narrow_start_reason(const problem::Problem& problem,
-                                const problem::MotionScales& scales, const problem::Gaussian& start,
-                                const Options& options) {
+                                const problem::MotionScales& scales,
+                                const problem::InitialGaussian& start, const Options& options) {
   const bool has_impulses =
       effective_equation(options) != DensityEquation::white && problem.impulses.is_present();
   const double impulse =
@@ -59,10 +59,11 @@ std::string transient_unsupported_reason(const problem::Problem& problem, const 
   return "";
 }
 
-ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                        const half_plane::EvolutionRequest& request) {
-  return options.formulation == Formulation::moment ? moment::evolve(problem, options, request)
-                                                    : polar::evolve(problem, options, request);
+ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+                                 const half_plane::EvolutionRequest& request) {
+  return options.formulation == Formulation::moment
+             ? moment::solve_evolution(problem, options, request)
+             : polar::solve_evolution(problem, options, request);
 }
 
 std::vector<transform::TransientSnapshot> make_transient_snapshots(
@@ -90,9 +91,10 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
   transform::Transient transient{.id = id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system),
-                                   problem::with_largest_excitation(problem, request.span()));
-  const problem::MotionScales scales = problem::scales(transformed);
-  const problem::Gaussian start = problem::initial_density(transformed, scales, request.start);
+                                   problem::with_largest_excitation(problem, request.time_span()));
+  const problem::MotionScales scales = problem::motion_scales(transformed);
+  const problem::InitialGaussian start =
+      problem::initial_density(transformed, scales, request.start);
   transient.reason = transient_unsupported_reason(transformed, options);
   if (transient.reason.empty()) {
     transient.reason = narrow_start_reason(transformed, scales, start, options);
@@ -103,14 +105,15 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
   }
   half_plane::EvolutionRequest evolution_request{
       .start = start, .times = {}, .periodic = request.periodic};
-  for (int k = 0; k <= request.snapshots; ++k) evolution_request.times.push_back(request.time(k));
-  const ClosureEvolution evolution = evolve(transformed, options, evolution_request);
+  for (int k = 0; k <= request.snapshots; ++k)
+    evolution_request.times.push_back(request.time_of_snapshot(k));
+  const ClosureEvolution evolution = solve_evolution(transformed, options, evolution_request);
   transient.snapshots = make_transient_snapshots(transformed, evolution, request);
   if (options.order > 2) {
     Options lower = options;
     lower.order -= 2;
     lower.max_seconds = std::max(kShortestSeconds, options.max_seconds - stopwatch.seconds());
-    const ClosureEvolution previous = evolve(transformed, lower, evolution_request);
+    const ClosureEvolution previous = solve_evolution(transformed, lower, evolution_request);
     transform::estimate_errors_by_differences(
         make_transient_snapshots(transformed, previous, request),
         std::numbers::pi / scales.frequency, transient.snapshots);

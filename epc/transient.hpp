@@ -7,12 +7,13 @@
 namespace fpkcheck::epc {
 
 /// Computes the density over time by the formulations `moment` and `polar`, with the order n and
-/// the order n-2. The differences between the orders estimate the errors. See half_plane::evolve().
+/// the order n-2. The differences between the orders estimate the errors. See
+/// half_plane::solve_evolution().
 ///
 /// The status is `not_offered` for the formulation `gaussian`, for problems that solve() does not
 /// support, and for an initial density much narrower than the stationary density or than an
-/// impulse: the exact density is then a spike on a broad density, which no exponential polynomial
-/// approximates.
+/// impulse. The exact density is then the sum of a spike and a broad density, and no exponential
+/// polynomial approximates this sum.
 /// @param problem problem in any coordinates
 /// @throws InputError for invalid options, or an initial mean behind a wall
 transform::Transient solve_transient(const problem::Problem& problem, const Options& options,

@@ -17,16 +17,16 @@ bool has_diffusion(const problem::ProblemFeatures& features, const Options& opti
 }
 
 // Returns why finite volumes do not resolve a jump of the force in v; empty for forces that are
-// supported. Without diffusion the mass can stick at the jump, where the stationary law then has
-// atoms. With diffusion the density has a kink at the jump, for which there are stencils on the line
-// v = 0 alone. For 0.1*v + 0.3*sign(v - 0.5) + y under white noise of intensity 0.2 the residual of
-// the power balance is 2 % after 13 s (`fpkcheck fd`).
+// supported. Without diffusion the mass can stick at the jump, and the stationary law has atoms at
+// the jump. With diffusion the density has a kink at the jump; stencils for a kink exist only on
+// the line v = 0. For 0.1*v + 0.3*sign(v - 0.5) + y under white noise of intensity 0.2 the residual
+// of the power balance is 2 % after 13 s (`fpkcheck fd`).
 std::string unresolved_jump_reason(const problem::Problem& problem, bool has_diffusion) {
   if (!problem.system.has_force_jumps_in_v()) return "";
   if (!has_diffusion) {
     return "the mass can stick where the force jumps in v (sign); smooth it: tanh(v/eps)";
   }
-  if (problem.system.has_force_jumps_at_nonzero_v(problem::scales(problem).v_high)) {
+  if (problem.system.has_force_jumps_at_nonzero_v(problem::motion_scales(problem).v_high)) {
     return "finite volumes resolve a jump of the force in v (sign) only at v = 0; use mcs, or smooth "
            "the jump: tanh((v - a)/eps)";
   }
@@ -40,7 +40,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
       options.equation != DensityEquation::white) {
     return "km4 and km4-pade do not support impulse.factor; use kf or white";
   }
-  const auto features = problem::features(problem);
+  const auto features = problem::problem_features(problem);
   const bool noise = has_diffusion(features, options);
   // The equation km4 and the impact condition delta act like white noise at the wall. For the
   // paper's oscillator the solver accepts km4 and delta, as in the paper. Under `white` with the
@@ -77,7 +77,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 }
 
 std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options) {
-  const auto features = problem::features(problem);
+  const auto features = problem::problem_features(problem);
   if (features.rests_in_contact && !has_diffusion(features, options)) {
     return "the mass comes to rest in contact with a wall: differences do not represent this atom; "
            "compute the stationary density";
@@ -103,14 +103,14 @@ namespace {
 // points of the box of the motion.
 bool has_negative_damping(const problem::Problem& problem) {
   const problem::System& system = problem.system;
-  if (system.has_polynomial_force()) return problem::features(problem).negative_damping;
+  if (system.has_polynomial_force()) return problem::problem_features(problem).negative_damping;
   constexpr int kIntervals = 60;
-  const problem::MotionScales scales = problem::scales(problem);
+  const problem::MotionScales scales = problem::motion_scales(problem);
   for (int i = 0; i <= kIntervals; ++i) {
     const double y = scales.y_low + (scales.y_high - scales.y_low) * i / kIntervals;
     for (int j = -kIntervals; j <= kIntervals; ++j) {
       const double v = scales.v_high * j / kIntervals;
-      // Rounding of the force at rest, which damping_force() subtracts
+      // Relative rounding error of the static force, which damping_force() subtracts
       constexpr double kRounding = 1e-12;
       const double rounding = kRounding * std::abs(v * system.force(y, 0));
       if (v * system.damping_force(y, v) < -rounding) return true;
@@ -123,7 +123,7 @@ bool has_negative_damping(const problem::Problem& problem) {
 // point or a limit cycle until an impulse arrives; only strong contraction limits the number of
 // characteristics that circle at different amplitudes.
 std::string unsupported_circling_reason(const problem::Problem& problem, const Flow& flow) {
-  if (!rest_points(flow).empty()) {
+  if (!find_rest_points(flow).empty()) {
     return "characteristics start at walls: the problem has no wall; use transport upwind";
   }
   if (contraction_rate_of_attractors(flow) <= problem.impulses.arrival_rate()) {
@@ -142,7 +142,7 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem) 
   if (problem.impulse_factor) {
     return "characteristics do not support impulse.factor; use transport upwind";
   }
-  const auto features = problem::features(problem);
+  const auto features = problem::problem_features(problem);
   if (features.noise || !features.impulses) {
     return "characteristics: impulses alone must excite the oscillator; use transport upwind";
   }
@@ -152,7 +152,7 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem) 
     return "characteristics must end at rest points: the damping of the problem increases "
            "the energy";
   }
-  const auto points = rest_points(flow);
+  const auto points = find_rest_points(flow);
   if (points.empty())
     return "characteristics must end at rest points: the problem has no rest point";
   for (const RestPoint& point : points) {
@@ -164,7 +164,8 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem) 
 }
 
 bool has_rest_in_contact(const problem::Problem& problem, const Options& options) {
-  return problem::features(problem).rests_in_contact && options.equation == DensityEquation::kf;
+  return problem::problem_features(problem).rests_in_contact &&
+         options.equation == DensityEquation::kf;
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -118,7 +118,7 @@ Description<Options> make_description() {
 
 const Description<Options>& description() {
   // A separate function constructs the description, because Clang 14 would destroy temporaries of
-  // this initialiser at every call.
+  // the initialiser at every call of description().
   static const auto description = make_description();
   return description;
 }

@@ -47,8 +47,8 @@ struct Options {
   std::optional<TransportScheme> transport{};
   /// Order of the transport terms, 2 .. 8. Schemes of odd order are upwind-biased and cause no
   /// oscillations in the tails. Schemes of even order are centred and cause grid-scale ripples of
-  /// about 1e-4 of the peak. The automatic order is automatic_order() for the stationary density
-  /// and kDefaultOrder for the density over time.
+  /// about 1e-4 of the peak. The automatic order is automatic_scheme_order() for the stationary
+  /// density and kDefaultOrder for the density over time.
   std::optional<int> order{};
   /// Factor by which the number of cells in each direction exceeds the automatic number
   double refinement = 1;
@@ -130,8 +130,8 @@ struct TransientOptions {
   int max_order = 2;
   /// Most cells of an automatic grid. Time steps on more than 10 000 cells take minutes.
   double max_cells = 10000;
-  /// Whether the densities are those of the periodic state, with the period T of the excitation.
-  /// The search for the periodic state starts from the initial Gaussian.
+  /// Whether the snapshots are densities of the periodic state, with the period T of the
+  /// excitation. The search for the periodic state starts from the initial Gaussian.
   bool periodic = false;
   /// Density at t = 0 with which the search for the periodic state starts, in place of the initial
   /// Gaussian; may be null

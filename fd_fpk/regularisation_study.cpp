@@ -22,13 +22,14 @@ constexpr int kMostCellsFactored = 5000;
 // operator counts as unstable.
 constexpr double kUnstableRate = 1e-7;
 
-struct Scheme {
+struct RegularisationScheme {
   const char* name;
   DensityEquation equation;
   std::function<double(double step)> length;
 };
 
-std::vector<Scheme> schemes(double default_length, double shortest_length) {
+std::vector<RegularisationScheme> regularisation_schemes(double default_length,
+                                                         double shortest_length) {
   return {{"literal", DensityEquation::km4, [](double step) { return step; }},
           {"0.9 l*", DensityEquation::km4, [=](double) { return 0.9 * shortest_length; }},
           {"1.1 l*", DensityEquation::km4, [=](double) { return 1.1 * shortest_length; }},
@@ -60,28 +61,31 @@ void append_remark(std::string& remark, const std::string& more) {
   remark += (remark.empty() ? "" : "; ") + more;
 }
 
-NullVector solve_null_vector(const problem::Problem& problem, const Options& options,
-                             const Discretisation& on, const FokkerPlanckOperator& op) {
-  Preconditioner preconditioner(problem, on.excitation, options.impact, on.grid);
-  return null_vector(op, preconditioner, initial_gaussian(on.grid, problem::scales(problem)));
+NullVector null_vector_from_gaussian(const problem::Problem& problem, const Options& options,
+                                     const Discretisation& discretisation,
+                                     const FokkerPlanckOperator& op) {
+  Preconditioner preconditioner(problem, discretisation.excitation, options.impact,
+                                discretisation.grid);
+  return find_null_vector(op, preconditioner,
+                          initial_gaussian(discretisation.grid, problem::motion_scales(problem)));
 }
 
 NullVector kf_reference_density(const problem::Problem& problem, Options options) {
   options.equation = DensityEquation::kf;
-  const Discretisation on = discretise(problem, options, box_of_options(options));
-  if (!on.failure.empty()) return {std::nullopt, 0, on.failure};
-  const auto op = fokker_planck_operator(problem, options, on);
-  return solve_null_vector(problem, options, on, op);
+  const Discretisation discretisation = discretise(problem, options, box_of_options(options));
+  if (!discretisation.failure.empty()) return {std::nullopt, 0, discretisation.failure};
+  const auto op = fokker_planck_operator(problem, options, discretisation);
+  return null_vector_from_gaussian(problem, options, discretisation, op);
 }
 
-void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperator& op,
-                      bool symbol_grows, RegularisationSchemeResult& row) {
+void add_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperator& op,
+                     bool symbol_grows, RegularisationSchemeResult& row) {
   if (op.areas.size() > kMostCellsFactored) {
     append_remark(row.remark, fmt::format("no eigenvalue: not computed for more than {} cells",
                                           kMostCellsFactored));
     return;
   }
-  auto [values, vector, residual, factorisations, solves, failure] = rightmost_eigenvalues(
+  auto [values, vector, residual, factorisations, solves, failure] = find_rightmost_eigenvalues(
       op, symbol_grows ? row.symbol->rate : 0, linearised_frequency(problem), symbol_grows ? 1 : 2);
   if (values.empty()) return append_remark(row.remark, failure);
   row.rightmost = values[0];
@@ -89,40 +93,41 @@ void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperato
 }
 
 void compare_null_vector_with_kf(const problem::Problem& problem, const Options& options,
-                                 const Discretisation& on, const FokkerPlanckOperator& op,
-                                 bool symbol_grows, const NullVector& kf,
-                                 RegularisationSchemeResult& row) {
+                                 const Discretisation& discretisation,
+                                 const FokkerPlanckOperator& op, bool symbol_grows,
+                                 const NullVector& kf, RegularisationSchemeResult& row) {
   // The preconditioner of GMRES approximates only stable operators.
-  const NullVector found = symbol_grows
-                               ? null_vector_by_inverse_iteration(
-                                     op, initial_gaussian(on.grid, problem::scales(problem)),
-                                     linearised_frequency(problem))
-                               : solve_null_vector(problem, options, on, op);
+  const NullVector found =
+      symbol_grows ? find_null_vector_by_inverse_iteration(
+                         op, initial_gaussian(discretisation.grid, problem::motion_scales(problem)),
+                         linearised_frequency(problem))
+                   : null_vector_from_gaussian(problem, options, discretisation, op);
   if (!found.averages) return append_remark(row.remark, "no null vector: " + found.failure);
   row.min_density = found.averages->minCoeff() / found.averages->cwiseAbs().maxCoeff();
   if (!kf.averages) return append_remark(row.remark, "no reference density of kf: " + kf.failure);
-  const Marginals mine = marginals(on.grid, *found.averages);
-  const Marginals of_kf = marginals(on.grid, *kf.averages);
-  row.l1_y = on.grid.x1.cell_widths().dot((mine.y - of_kf.y).cwiseAbs());
-  row.l1_ydot = on.grid.x2.cell_widths().dot((mine.ydot - of_kf.ydot).cwiseAbs());
+  const Marginals mine = marginals(discretisation.grid, *found.averages);
+  const Marginals of_kf = marginals(discretisation.grid, *kf.averages);
+  row.l1_y = discretisation.grid.x1.cell_widths().dot((mine.y - of_kf.y).cwiseAbs());
+  row.l1_ydot = discretisation.grid.x2.cell_widths().dot((mine.ydot - of_kf.ydot).cwiseAbs());
 }
 
-RegularisationSchemeResult study_row(const problem::Problem& problem, const Scheme& scheme,
-                                     double step, Options options, const NullVector& kf) {
+RegularisationSchemeResult study_scheme(const problem::Problem& problem,
+                                        const RegularisationScheme& scheme, double step,
+                                        Options options, const NullVector& kf) {
   RegularisationSchemeResult row{
       .scheme = scheme.name, .step = step, .length = scheme.length(step)};
   options.equation = scheme.equation;
   if (options.equation == DensityEquation::km4) options.regularisation_length = row.length;
   row.nx = *options.nx;
   row.nv = *options.nv;
-  const Discretisation on = discretise(problem, options, box_of_options(options));
-  row.remark = on.failure;
-  if (!on.failure.empty()) return row;
+  const Discretisation discretisation = discretise(problem, options, box_of_options(options));
+  row.remark = discretisation.failure;
+  if (!discretisation.failure.empty()) return row;
   row.symbol = fastest_growing_wave(problem, options, step);
   const bool symbol_grows = is_unstable(*row.symbol, problem.impulses);
-  const auto op = fokker_planck_operator(problem, options, on);
-  find_eigenvalues(problem, op, symbol_grows, row);
-  compare_null_vector_with_kf(problem, options, on, op, symbol_grows, kf, row);
+  const auto op = fokker_planck_operator(problem, options, discretisation);
+  add_eigenvalues(problem, op, symbol_grows, row);
+  compare_null_vector_with_kf(problem, options, discretisation, op, symbol_grows, kf, row);
   return row;
 }
 
@@ -147,11 +152,11 @@ RegularisationStudy study_regularisation(const problem::Problem& problem,
         "study of the regularisation: requires one wall at the equilibrium, constant damping and "
         "impulses without noise; choose a case of that class");
   }
-  const auto& law = problem.impulses.law();
+  const auto& law = problem.impulses.amplitude_law();
   RegularisationStudy study{.default_length = default_regularisation_length(law),
-                            .shortest_length = shortest_regularisation_length(law),
+                            .shortest_length = shortest_stable_regularisation_length(law),
                             .rows = {}};
-  const auto all = schemes(study.default_length, study.shortest_length);
+  const auto all = regularisation_schemes(study.default_length, study.shortest_length);
   const int rows = static_cast<int>(all.size() * options.divisions.size());
   std::vector<RegularisationSchemeResult> by_step;
   for (const int division : options.divisions) {
@@ -159,9 +164,9 @@ RegularisationStudy study_regularisation(const problem::Problem& problem,
     const Options on_step = options_for_step(problem, step, options.nx);
     if (progress) progress(static_cast<int>(by_step.size()), rows);
     const NullVector kf = kf_reference_density(problem, on_step);
-    for (const Scheme& scheme : all) {
+    for (const RegularisationScheme& scheme : all) {
       if (progress) progress(static_cast<int>(by_step.size()), rows);
-      by_step.push_back(study_row(problem, scheme, step, on_step, kf));
+      by_step.push_back(study_scheme(problem, scheme, step, on_step, kf));
     }
   }
   for (std::size_t scheme = 0; scheme < all.size(); ++scheme) {

@@ -51,8 +51,8 @@ bool can_grade_cubically(const Options& options) {
 bool are_impulses_small(const problem::Problem& problem) {
   constexpr double kShort = 1.0 / 8;
   if (!problem.impulses.is_present()) return false;
-  return std::sqrt(problem.impulses.law().moment(2)) <
-         kShort * problem::scales(problem).velocity_deviation;
+  return std::sqrt(problem.impulses.amplitude_law().moment(2)) <
+         kShort * problem::motion_scales(problem).velocity_deviation;
 }
 
 // Returns the coefficient of p'' in the terms that act on the shortest resolved lengths: white
@@ -119,19 +119,19 @@ bool are_characteristics_preferred(const problem::Problem& problem,
 bool are_characteristics_required(const problem::Problem& problem) {
   constexpr double kStronglyBouncing = 5;
   // Without a rest point the density is concentrated around a limit cycle.
-  if (!has_linearised_scales(problem)) return rest_points(Flow(problem.system)).empty();
+  if (!has_linearised_scales(problem)) return find_rest_points(Flow(problem.system)).empty();
   return is_density_unbounded_at_origin(problem) ||
          (has_short_flights(problem) && mean_force_ratio(problem) > kStronglyBouncing);
 }
 
-int automatic_order(const problem::Problem& problem) {
+int automatic_scheme_order(const problem::Problem& problem) {
   return has_dissipative_wall(problem.system) || has_linearised_scales(problem) ? kDefaultOrder
                                                                                 : kHighOrder;
 }
 
 // A box with the default Options::wall_density truncates tails due to impulses. The truncated tails
-// contribute a fraction 2e-7 of E[v^2]. Their fraction of the part of E[v^4] due to the fourth
-// cumulant is a hundred times larger. For problems with has_linearised_scales(), a solution in an
+// contribute a fraction 2e-7 of E[v^2]. The truncated tails contribute a fraction 2e-5 of the part
+// of E[v^4] due to the fourth cumulant. For problems with has_linearised_scales(), a solution in an
 // enlarged box estimates the truncation error instead.
 double box_edge_density_factor(const problem::Problem& problem) {
   constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
@@ -154,7 +154,7 @@ bool has_dissipative_impacts(const std::optional<problem::Wall>& wall) {
                   1 / (wall->restitution * wall->restitution) - 1 > kSmallJump);
 }
 
-double origin_refinement(const problem::Problem& problem, const Options& options) {
+double effective_origin_refinement(const problem::Problem& problem, const Options& options) {
   return options.origin_refinement.value_or(automatic_origin_refinement(problem, options));
 }
 
@@ -170,7 +170,7 @@ GridGradings automatic_gradings(const problem::Problem& problem, const Options& 
   // Distances from the refinement point, in length scales, at which cells have half of the width
   // far from the point.
   constexpr double kLongReach = 2, kReach = 0.75;
-  const double factor = origin_refinement(problem, options);
+  const double factor = effective_origin_refinement(problem, options);
   if (factor == 1) return {};
   const bool linearised = has_linearised_scales(problem);
   const double diffusion = diffusion_coefficient(problem, options.equation);
@@ -197,7 +197,7 @@ LengthScales automatic_cell_widths(const problem::Problem& problem, const Option
   // refinement points.
   constexpr double kGradedWidth = 1.6;
   double factor =
-      (origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;
+      (effective_origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;
   if (transport_order(options) == kHighOrder) factor *= kHighOrderWidthFactor;
   return {factor * kX1Step * lengths.x1, factor * kX2Step * lengths.x2};
 }

@@ -33,7 +33,7 @@ bool are_characteristics_required(const problem::Problem& problem);
 inline constexpr int kHighOrder = 7;
 /// Factor by which cells are wider for schemes of order kHighOrder than for lower orders
 inline constexpr double kHighOrderWidthFactor = 1.2;
-int automatic_order(const problem::Problem& problem);
+int automatic_scheme_order(const problem::Problem& problem);
 
 /// Returns the factor of Options::wall_density for the stationary density on upwind grids, for
 /// problems without has_linearised_scales().
@@ -88,7 +88,7 @@ inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
 inline constexpr double kForceJumpRefinement = 4;
 
 /// Returns options.origin_refinement, or the automatic ratio if the option is not set.
-double origin_refinement(const problem::Problem& problem, const Options& options);
+double effective_origin_refinement(const problem::Problem& problem, const Options& options);
 
 /// Length scales of the density in x1 and in x2; 0 for a length that is not yet determined.
 struct LengthScales {

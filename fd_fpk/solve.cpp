@@ -37,30 +37,33 @@ class Solver {
  public:
   Solver(const problem::Problem& problem, const Options& options)
       : problem_(problem),
-        scales_(problem::scales(problem)),
+        scales_(problem::motion_scales(problem)),
         options_(options),
         deadline_(kDeadlineFraction * options.max_seconds) {}
 
   Result solve() const {
     if (!can_use_characteristics(options_) ||
         !characteristics_unsupported_reason(problem_).empty()) {
-      return solve_with(TransportScheme::upwind);
+      return solve_with_transport(TransportScheme::upwind);
     }
     if (has_rest_in_contact(problem_, options_) ||
         options_.transport == TransportScheme::characteristics) {
-      return solve_with(TransportScheme::characteristics);
+      return solve_with_transport(TransportScheme::characteristics);
     }
     const double impulses_per_decay_time = problem::impulses_per_decay_time(problem_, scales_);
     const bool along = are_characteristics_preferred(problem_, impulses_per_decay_time);
     if (!has_automatic_grid(options_))
-      return solve_with(along ? TransportScheme::characteristics : TransportScheme::upwind);
+      return solve_with_transport(along ? TransportScheme::characteristics
+                                        : TransportScheme::upwind);
     if (along && are_characteristics_required(problem_))
-      return solve_with(TransportScheme::characteristics);
+      return solve_with_transport(TransportScheme::characteristics);
     // The transport of first choice and the alternative transport each have half of the time limit.
-    Result first = solve_with(along ? TransportScheme::characteristics : TransportScheme::upwind,
-                              base::Deadline(options_.tolerance ? deadline_.limit_seconds()
-                                                                : deadline_.limit_seconds() / 2));
-    // If upwind differences are the first choice, their error estimate must be small (kSmallError).
+    Result first =
+        solve_with_transport(along ? TransportScheme::characteristics : TransportScheme::upwind,
+                             base::Deadline(options_.tolerance ? deadline_.limit_seconds()
+                                                               : deadline_.limit_seconds() / 2));
+    // If upwind differences are the first choice, the error estimate must also be below
+    // kSmallError.
     if (first.solution.is_ok() && (along || has_small_error(first))) return first;
     // An alternative transport does not reach the tolerance faster than the transport of first
     // choice.
@@ -70,8 +73,8 @@ class Solver {
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && impulses_per_decay_time > kMostImpulsesOfCharacteristics))
       return first;
-    Result second =
-        solve_with(along ? TransportScheme::upwind : TransportScheme::characteristics, deadline_);
+    Result second = solve_with_transport(
+        along ? TransportScheme::upwind : TransportScheme::characteristics, deadline_);
     return is_preferable_result(second, first) ? second : first;
   }
 
@@ -82,14 +85,16 @@ class Solver {
     return error && error->y_l1 <= kSmallError && error->ydot_l1 <= kSmallError;
   }
 
-  Result solve_with(TransportScheme transport) const { return solve_with(transport, deadline_); }
+  Result solve_with_transport(TransportScheme transport) const {
+    return solve_with_transport(transport, deadline_);
+  }
 
-  Result solve_with(TransportScheme transport, const base::Deadline& deadline) const {
+  Result solve_with_transport(TransportScheme transport, const base::Deadline& deadline) const {
     Options options = options_;
     options.transport = transport;
     // Transport along characteristics has no adjustable order.
     if (transport == TransportScheme::upwind) {
-      options.order = options.order.value_or(automatic_order(problem_));
+      options.order = options.order.value_or(automatic_scheme_order(problem_));
     }
     ScalesAndBox scales_and_box{.scales = scales_};
     // All grids share one box and the length scales that determine the cell widths.
@@ -105,7 +110,8 @@ class Solver {
     if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline);
     if (has_automatic_grid(options)) {
       return refine_until_deadline(on_one_grid, options, deadline,
-                                   {.until_ok = must_satisfy_balances(problem_)},
+                                   must_satisfy_balances(problem_) ? RefinementGoal::accurate_and_ok
+                                                                   : RefinementGoal::accurate,
                                    scales_and_box.box);
     }
     if (options.error_estimate)

@@ -37,11 +37,11 @@ constexpr double kCellsPerDeviation = 5;
 // Returns a box for the initial density, the stationary density and all states that the initial
 // energy can reach, extended by the motion under the force F(t).
 Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                  const Options& options, const problem::Gaussian& start,
+                  const Options& options, const problem::InitialGaussian& start,
                   const problem::TimeSpan& span, const base::Deadline& deadline) {
   const auto& system = problem.system;
   Box box = stationary_box(problem, scales, options, deadline);
-  const problem::StateRange reached = problem::reachable_states(problem, start);
+  const problem::StateRange reached = problem::reachable_state_range(problem, start);
   const problem::MotionExtent forced = problem::forced_motion_extent(problem, span);
   if (!options.x1_max) {
     if (!system.left_wall()) box.x1_min = std::min(box.x1_min, reached.y_low) - forced.displacement;
@@ -55,7 +55,7 @@ Box transient_box(const problem::Problem& problem, const problem::MotionScales& 
 // Returns the options with cells refined for the initial density. A narrow initial density requires
 // narrow cells in y and in y', since the flow rotates the density in the phase plane.
 Options refine_for_initial_density(Options options, const LengthScales& of_stationary,
-                                   const problem::Gaussian& start) {
+                                   const problem::InitialGaussian& start) {
   constexpr double kCells = 6;  // number of cells of the automatic grid per length scale
   const double narrowness = std::max(of_stationary.x1 / start.displacement_deviation,
                                      of_stationary.x2 / start.velocity_deviation);
@@ -67,11 +67,11 @@ Options refine_for_initial_density(Options options, const LengthScales& of_stati
 
 DensitySnapshot make_snapshot(const problem::Problem& problem,
                               const problem::EffectivePotential& spring_potential,
-                              const Options& options, const Discretisation& on,
+                              const Options& options, const Discretisation& discretisation,
                               const TimeDependentOperator& op, const Eigen::VectorXd& averages,
                               double time) {
-  const Grid& grid = on.grid;
-  const Eigen::VectorXd change = op.product(time, averages);
+  const Grid& grid = discretisation.grid;
+  const Eigen::VectorXd change = op.apply_at_time(time, averages);
   const problem::System& system = problem.system;
   const problem::WallFrame& frame = problem.frame;
   DensitySnapshot s{.time = time,
@@ -81,22 +81,25 @@ DensitySnapshot make_snapshot(const problem::Problem& problem,
   s.energy = mean_energy(spring_potential, grid, averages, transport_order(options)) -
              spring_potential(frame.wall_x(0));
   const double energy_rate = mean_energy(spring_potential, grid, change, transport_order(options));
-  const auto [input, dissipated] = problem::power_balance(
-      problem::with_excitation_at_time(problem, time),
-      energy_terms(problem, options.impact, moments(grid, averages, transport_order(options)), grid,
-                   averages, transport_order(options)));
+  const auto [input, dissipated] =
+      problem::power_balance(problem::with_excitation_at_time(problem, time),
+                             power_balance_terms(problem, options.impact,
+                                                 moments(grid, averages, transport_order(options)),
+                                                 grid, averages, transport_order(options)));
   const double power_of_force = problem.time.force(time) * frame.physical_velocity(s.moments.v1);
   s.power = input - dissipated + power_of_force;
-  const double input_scale = problem::total_intensity(problem) / 2 + std::abs(power_of_force);
+  const double input_scale =
+      problem::total_excitation_intensity(problem) / 2 + std::abs(power_of_force);
   s.power_residual = (s.power - energy_rate) / input_scale;
-  // The initial Gaussian is bounded, so that its impact rate is the flux into the walls.
+  // The initial Gaussian is bounded at the walls, so that the impact rate is the flux into the
+  // walls.
   s.impact_rate =
       time == 0 ? flux_into_walls(system, grid, averages, transport_order(options))
-                : impact_rate(system, excitation_at_time(problem, options, on, time),
+                : impact_rate(system, excitation_at_time(problem, options, discretisation, time),
                               options.impact, grid, averages, change, transport_order(options));
   s.mass = op.total_mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
-  s.wall = relative_box_edge_density(problem::scales(problem), grid, averages);
+  s.wall = relative_box_edge_density(problem::motion_scales(problem), grid, averages);
   const auto [y, ydot] = marginals(grid, averages);
   s.y.assign(y.begin(), y.end());
   s.v.assign(ydot.begin(), ydot.end());
@@ -107,24 +110,24 @@ DensitySnapshot make_snapshot(const problem::Problem& problem,
   return s;
 }
 
-void check_snapshot(const problem::WallFrame& frame, const Grid& grid, const DensitySnapshot& at,
-                    TransientResult& result) {
-  const std::string when = fmt::format("at t = {:.4g} ", at.time);
-  if (std::string small = box_failure_reason(frame, grid, at.wall, when); !small.empty()) {
+void check_snapshot(const problem::WallFrame& frame, const Grid& grid,
+                    const DensitySnapshot& snapshot, TransientResult& result) {
+  const std::string when = fmt::format("at t = {:.4g} ", snapshot.time);
+  if (std::string small = box_failure_reason(frame, grid, snapshot.wall, when); !small.empty()) {
     result.status = Status::failed;
     result.reason = std::move(small);
-  } else if (!kTransientLimits.is_density_accepted(at.min_density)) {
+  } else if (!kTransientLimits.is_density_accepted(snapshot.min_density)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
         "the density at t = {:.4g} is negative, {:.1g} of its peak: insufficient resolution; "
         "refine the grid, widen the initial density, use order 3, or reduce time-tolerance",
-        at.time, at.min_density);
-  } else if (!kTransientLimits.is_power_residual_accepted(at.power_residual)) {
+        snapshot.time, snapshot.min_density);
+  } else if (!kTransientLimits.is_power_residual_accepted(snapshot.power_residual)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
         "the power balance at t = {:.4g} has a residual of {:.1g} of the input: insufficient "
         "resolution; refine the grid or widen the initial density",
-        at.time, at.power_residual);
+        snapshot.time, snapshot.power_residual);
   }
 }
 
@@ -133,9 +136,9 @@ void check_snapshot(const problem::WallFrame& frame, const Grid& grid, const Den
 // the cells; kTransientLimits detects the insufficient resolution.
 Discretisation discretise_within_limit(const problem::Problem& problem, const Box& box,
                                        double max_cells, Options& options) {
-  Discretisation on = discretise(problem, options, box);
-  if (options.nx || options.nv || on.cells <= max_cells) return on;
-  options.refinement *= std::sqrt(max_cells / on.cells);
+  Discretisation discretisation = discretise(problem, options, box);
+  if (options.nx || options.nv || discretisation.cells <= max_cells) return discretisation;
+  options.refinement *= std::sqrt(max_cells / discretisation.cells);
   return discretise(problem, options, box);
 }
 
@@ -169,38 +172,39 @@ Eigen::VectorXd remap_to_grid(const CellDensity& density, const Grid& grid) {
 class TimeIntegration {
  public:
   TimeIntegration(const problem::Problem& problem, const Options& options,
-                  const TransientOptions& transient, const Discretisation& on,
+                  const TransientOptions& transient, const Discretisation& discretisation,
                   const base::Deadline& deadline)
       : problem_(problem),
         options_(options),
         transient_(transient),
-        on_(on),
+        on_(discretisation),
         deadline_(deadline),
         spring_potential_(problem.system),
-        op_(problem, options, on),
-        preconditioner_(problem, on.excitation, options.impact, on.grid) {}
+        op_(problem, options, discretisation),
+        preconditioner_(problem, discretisation.excitation, options.impact, discretisation.grid) {}
 
   // Integrates from the given cell averages to the end time and stores the snapshots.
-  void store_transient(const Eigen::VectorXd& start, TransientResult& result) {
-    integrate(start, result, [&](double time, const Eigen::VectorXd& averages) {
+  void store_snapshots(const Eigen::VectorXd& start, TransientResult& result) {
+    integrate_over_snapshots(start, result, [&](double time, const Eigen::VectorXd& averages) {
       add_snapshot(time, averages, result);
       return result.status == Status::ok ||
              (result.status == Status::inadmissible && transient_.continues_if_inadmissible);
     });
   }
 
-  // Finds the periodic state, and stores it and its snapshots.
+  // Finds the periodic state, and stores the periodic state and the snapshots of a period.
   // @param guess cell averages with which the search starts
   void store_periodic_state(const Eigen::VectorXd& guess, TransientResult& result) {
-    // Largest L1 distance to the periodic state, of which the slowest mode loses a part per period
+    // Largest accepted L1 distance to the periodic state. The change per period is the part of the
+    // distance by which the slowest mode decays in a period.
     constexpr double kDistance = 1e-4;
     const double tolerance =
-        kDistance * problem::decayed_part(problem::scales(problem_), transient_.until);
+        kDistance * problem::decayed_fraction(problem::motion_scales(problem_), transient_.until);
     std::vector<std::pair<double, Eigen::VectorXd>> last_period;
     const numerics::FixedPoint found = numerics::solve_fixed_point(
         [&](const Eigen::VectorXd& from) -> std::optional<Eigen::VectorXd> {
           last_period.clear();
-          integrate(from, result, [&](double time, const Eigen::VectorXd& averages) {
+          integrate_over_snapshots(from, result, [&](double time, const Eigen::VectorXd& averages) {
             last_period.emplace_back(time, averages);
             return true;
           });
@@ -228,18 +232,19 @@ class TimeIntegration {
   }
 
  private:
-  LinearCvodeIntegrator integrator(const Eigen::VectorXd& start) {
+  LinearCvodeIntegrator make_integrator(const Eigen::VectorXd& start) {
     constexpr long kMostSteps = 1000000;  // maximum number of steps between two snapshots
     // Tolerance of GMRES as a fraction of the local error; the residual of GMRES causes a loss of
     // mass.
     constexpr double kLinearTolerance = 1e-3;
     // The preconditioner is constant, so that CVODE factors again only for a new gamma.
     constexpr long kStepsPerFactorisation = 10000;
-    // Longest step under an excitation that changes in time, as a fraction of the end time: a step
-    // of any accuracy could pass over a short pulse.
+    // Longest step under an excitation that changes in time, as a fraction of the end time. A
+    // longer step could pass over a short pulse, whatever the tolerance of the local error.
     constexpr double kLongestStep = 0.02;
-    LinearOdeSystem system = linear_ode_system(
-        [this](double t, const Eigen::VectorXd& p) { return op_.product(t, p); }, preconditioner_);
+    LinearOdeSystem system = make_linear_ode_system(
+        [this](double t, const Eigen::VectorXd& p) { return op_.apply_at_time(t, p); },
+        preconditioner_);
     std::optional<double> max_step;
     if (problem_.time.is_present()) max_step = kLongestStep * transient_.until;
     return {with_deadline_check(deadline_, std::move(system)), start,
@@ -253,19 +258,19 @@ class TimeIntegration {
                         .steps_per_factorisation = kStepsPerFactorisation}};
   }
 
-  // Integrates over the times of the snapshots, and calls on_snapshot(time, averages) at each. Sets
-  // the status if the end time is not reached.
+  // Integrates over the times of the snapshots, and calls on_snapshot(time, averages) at each time.
+  // If the end time is not reached, the function sets the status of the result.
   // @param on_snapshot returns whether the integration continues
   template <class OnSnapshot>
-  void integrate(const Eigen::VectorXd& start, TransientResult& result,
-                 const OnSnapshot& on_snapshot) {
-    LinearCvodeIntegrator cvode = integrator(start);
+  void integrate_over_snapshots(const Eigen::VectorXd& start, TransientResult& result,
+                                const OnSnapshot& on_snapshot) {
+    LinearCvodeIntegrator cvode = make_integrator(start);
     const int snapshots = transient_.snapshots;
     for (int n = 0; n <= snapshots; ++n) {
       const double time = n == snapshots ? transient_.until : n * (transient_.until / snapshots);
       LinearCvodeIntegrator::StepResult to{0, 0};
       try {
-        if (n > 0) to = cvode.advance(time);
+        if (n > 0) to = cvode.advance_to_time(time);
       } catch (const DeadlineExceeded&) {
         result.status = Status::not_converged;
         result.reason = fmt::format(
@@ -280,10 +285,10 @@ class TimeIntegration {
                                     reached, time, flag, cvode.error_message());
         break;
       }
-      if (!on_snapshot(time, Eigen::VectorXd(cvode.averages()))) break;
+      if (!on_snapshot(time, Eigen::VectorXd(cvode.cell_averages()))) break;
       if (transient_.progress) transient_.progress(static_cast<double>(n) / snapshots);
     }
-    count_steps(cvode, result);
+    add_step_counts(cvode, result);
   }
 
   void add_snapshot(double time, const Eigen::VectorXd& averages, TransientResult& result) const {
@@ -292,7 +297,7 @@ class TimeIntegration {
     check_snapshot(problem_.frame, on_.grid, result.snapshots.back(), result);
   }
 
-  static void count_steps(const LinearCvodeIntegrator& cvode, TransientResult& result) {
+  static void add_step_counts(const LinearCvodeIntegrator& cvode, TransientResult& result) {
     result.steps += cvode.step_count();
     result.factorisations += cvode.factorisation_count();
     result.rhs_evaluations += cvode.rhs_evaluation_count();
@@ -311,9 +316,9 @@ class TimeIntegration {
 
 TransientResult solve_without_timing(const problem::Problem& problem, const Options& options,
                                      const TransientOptions& transient) {
-  const problem::MotionScales scales = problem::scales(problem);
+  const problem::MotionScales scales = problem::motion_scales(problem);
   const problem::WallFrame& frame = problem.frame;
-  const problem::Gaussian start =
+  const problem::InitialGaussian start =
       problem::initial_density(problem, scales,
                                {.displacement_deviation = transient.start_displacement,
                                 .velocity_deviation = transient.start_velocity,
@@ -329,29 +334,30 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
   const Box box = transient_box(problem, scales, options, start,
                                 {transient.until, transient.periodic}, deadline);
   Options on_grid = refine_for_initial_density(options, box.lengths, start);
-  const Discretisation on = discretise_within_limit(problem, box, transient.max_cells, on_grid);
-  const Grid& grid = on.grid;
-  result.regularisation_length = on.regularisation_length;
-  if (!on.failure.empty()) {
-    result.reason = on.failure;
+  const Discretisation discretisation =
+      discretise_within_limit(problem, box, transient.max_cells, on_grid);
+  const Grid& grid = discretisation.grid;
+  result.regularisation_length = discretisation.regularisation_length;
+  if (!discretisation.failure.empty()) {
+    result.reason = discretisation.failure;
     return result;
   }
   result.y_edges = transform::to_y_edges(frame, grid.x1.faces());
   result.v_edges = transform::transform_v_edges(frame, grid.x2.faces());
-  const auto posed = check_well_posedness(problem, on_grid, on);
+  const auto posed = check_well_posedness(problem, on_grid, discretisation);
   if (!posed.ill_posed_reason.empty()) {
     result.status = Status::ill_posed;
     result.reason = posed.ill_posed_reason;
     return result;
   }
-  Eigen::VectorXd averages = cell_averages(start, grid);
-  TimeIntegration integration(problem, on_grid, transient, on, deadline);
+  Eigen::VectorXd averages = gaussian_cell_averages(start, grid);
+  TimeIntegration integration(problem, on_grid, transient, discretisation, deadline);
   result.status = Status::ok;
   if (transient.periodic) {
     if (transient.periodic_guess) averages = remap_to_grid(*transient.periodic_guess, grid);
     integration.store_periodic_state(averages, result);
   } else {
-    integration.store_transient(averages, result);
+    integration.store_snapshots(averages, result);
   }
   return result;
 }

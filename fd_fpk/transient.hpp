@@ -55,8 +55,8 @@ struct TransientResult {
   std::optional<CellDensity> periodic_state = {};  ///< density at t = 0 of the periodic state
   int periods = 0;  ///< number of periods to the periodic state; 0 without a periodic state
   double change_over_period = 0;  ///< L1 change of the density over a period of the periodic state
-  /// Estimated L1 distance to the periodic state, from this change and the decay of the slowest
-  /// mode
+  /// Estimated L1 distance to the periodic state, from change_over_period and the decay of the
+  /// slowest mode
   double distance_to_periodic_state = 0;
   double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
 };
@@ -72,7 +72,7 @@ struct TransientResult {
 ///
 /// The periodic state is the fixed point of the map from the density at t = 0 to the density one
 /// period later, found by numerics::solve_fixed_point(). The status is `not_converged` if the
-/// estimated distance to this state exceeds 1e-4 in L1.
+/// estimated L1 distance to the periodic state exceeds 1e-4.
 ///
 /// The status is `inadmissible` if the density of a snapshot violates kTransientLimits.
 /// @param problem problem in any coordinates; the result has physical coordinates

@@ -22,8 +22,8 @@ using transform::TransientRequest;
 constexpr double kCoarsening = 0.7, kToleranceRatio = 10;
 
 // Tolerance of the time steps for a periodic state, whose search integrates over many periods. In
-// case 1 under the force 0.3 cos(1.2 t) the estimated error is 3.5e-3, in place of 1.8e-3 with the
-// tolerance 1e-6, which takes about 1.5 times as many steps.
+// case 1 under the force 0.3 cos(1.2 t) the estimated error is 3.5e-3, instead of 1.8e-3 with the
+// tolerance 1e-6; the tolerance 1e-6 requires about 1.5 times as many steps.
 constexpr double kPeriodicTolerance = 3e-6;
 
 transform::Marginal averages_over_bins(const std::vector<double>& cell_edges,
@@ -61,7 +61,7 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
   transform::Transient transient{.id = solution_identity(options).id};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system),
-                                   problem::with_largest_excitation(problem, request.span()));
+                                   problem::with_largest_excitation(problem, request.time_span()));
   transient.reason = transient_unsupported_reason(transformed, options);
   if (!transient.reason.empty()) {
     transient.status = transform::Status::not_offered;
@@ -94,7 +94,8 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
   };
   TransientResult coarse, fine;
   if (request.periodic) {
-    // The search for the periodic state on each grid starts from that on the next coarser grid.
+    // The search for the periodic state on each grid starts from the periodic state on the next
+    // coarser grid.
     const TransientResult coarsest =
         solve_coarser(kCoarsening * kCoarsening, kToleranceRatio * kToleranceRatio, nullptr);
     if (coarsest.periodic_state) coarse = solve_coarser(kCoarsening, kToleranceRatio, &coarsest);
@@ -118,7 +119,7 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
   transient.snapshots = make_transient_snapshots(fine, request);
   transform::estimate_errors_by_differences(
       make_transient_snapshots(coarse, request),
-      std::numbers::pi / problem::scales(transformed).frequency, transient.snapshots);
+      std::numbers::pi / problem::motion_scales(transformed).frequency, transient.snapshots);
   // Both grids have nearly the same distance to the periodic state.
   for (transform::TransientSnapshot& s : transient.snapshots) {
     if (!s.error) continue;

@@ -12,10 +12,10 @@ namespace {
 
 // Returns whether bounces on a wall do not end because r(u) tends to 1 as u -> 0.
 bool has_endless_bounces(const problem::Problem& problem) {
-  const Oscillator oscillator = make_oscillator(problem, problem::scales(problem));
+  const Oscillator oscillator = make_oscillator(problem, problem::motion_scales(problem));
   const auto is_endless = [](const Wall& wall) {
     return wall.formula != nullptr && wall.contact_force > 0 &&
-           std::isinf(time_of_bounces(wall, wall.rest_speed));
+           std::isinf(total_bounce_time(wall, wall.rest_speed));
   };
   return is_endless(oscillator.left) || is_endless(oscillator.right);
 }
@@ -52,9 +52,9 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   return problem::inelastic_collapse_reason(problem, options.equation);
 }
 
-std::string functional_unsupported_reason(const problem::Problem& problem, const Options& options) {
+std::string unsupported_functional_reason(const problem::Problem& problem, const Options& options) {
   const std::string reason = unsupported_reason(problem, options);
-  const bool has_factor = problem.time.has_rate() || problem.time.has_intensity();
+  const bool has_factor = problem.time.has_rate_factor() || problem.time.has_intensity_factor();
   if (reason.empty() && has_factor && problem.impulses.is_present() &&
       options.equation == DensityEquation::white) {
     return "mcs does not support white noise in place of impulses with time.rate or time.intensity; "
@@ -72,7 +72,7 @@ std::string unsupported_splitting_reason(const problem::Problem& problem, const 
   if (problem.impulse_factor) {
     return "tail splitting needs impulses that do not depend on y, and impulse.factor multiplies them";
   }
-  const auto features = problem::features(problem);
+  const auto features = problem::problem_features(problem);
   if (features.noise || !features.impulses || options.equation == DensityEquation::white) {
     return "tail splitting needs an energy that rises at impulses only, and noise raises the "
            "energy at all times";

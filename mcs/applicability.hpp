@@ -11,9 +11,10 @@ namespace fpkcheck::mcs {
 /// problem.
 std::string unsupported_reason(const problem::Problem& problem, const Options& options);
 
-/// Returns why a simulation does not give spectra, sensitivities and passages of a problem; empty for
-/// a supported problem. In contrast to unsupported_reason(), an inelastic collapse is always a reason.
-std::string functional_unsupported_reason(const problem::Problem& problem, const Options& options);
+/// Returns why a simulation does not give spectra, sensitivities and passages of a problem; empty
+/// for a supported problem. In contrast to unsupported_reason(), an inelastic collapse is always a
+/// reason.
+std::string unsupported_functional_reason(const problem::Problem& problem, const Options& options);
 
 /// Returns why importance splitting does not resolve the tails of the density; empty if the energy
 /// rises at impulses only.

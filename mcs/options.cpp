@@ -24,7 +24,7 @@ constexpr double kShortestStep = 1e-4;
 
 constexpr DensityEquation kEquations[] = {DensityEquation::kf, DensityEquation::white};
 
-std::vector<std::string> names_of_equations() {
+std::vector<std::string> supported_equation_names() {
   std::vector<std::string> list;
   for (const DensityEquation equation : kEquations) list.emplace_back(name(equation));
   return list;
@@ -39,7 +39,7 @@ const Description<Options>& description() {
                {"E",
                 "excitation: kf, the impulses; white, Gaussian white noise of the same "
                 "intensity"})
-          .with_choices(names_of_equations())
+          .with_choices(supported_equation_names())
           .add("time", &Options::time,
                {"T",
                 "simulated time over all streams (default: 1.6e6 decay times, a 32nd of them with "

@@ -20,7 +20,7 @@ namespace fpkcheck::mcs {
 
 using problem::DensityEquation;
 
-struct Progress {
+struct SimulationProgress {
   double fraction;  ///< fraction of the simulation that is complete, estimated
   /// Expected L1 sampling errors of p(y) and p(y') if the simulation ended now, as in
   /// Solution::sampling of the result; empty with control variates, and if this process simulates
@@ -95,7 +95,7 @@ struct Options {
   /// uninterrupted run; if empty, the simulation begins anew
   std::string resume{};
   /// Callback for the progress after every round; an exception of the callback leaves solve()
-  std::function<void(const Progress&)> progress{};
+  std::function<void(const SimulationProgress&)> progress{};
   /// Callback after every round; if `stop` returns true, the result uses the completed rounds
   std::function<bool()> stop{};
   /// Callback for one-line warnings that do not affect the result; Summary::warnings contains all

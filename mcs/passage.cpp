@@ -24,17 +24,18 @@ using transform::Status;
 using transform::ValueWithError;
 
 constexpr double kSamplesPerPeriod = 60;
-// Relative standard error of the mean time at which the simulation ends, and the limits of its
-// time: periods of all streams, for the samples, and impulses, kicks and flights; about 10 s of
-// computing
+// Relative standard error of the mean passage time at which the simulation ends. The simulated time
+// is limited by the number of periods and by the number of impulses, kicks and flights, both summed
+// over all streams; the limits correspond to about 10 s of computing.
 constexpr double kGoal = 0.01, kMostPeriods = 2e6, kMostPassageEvents = 6e7;
-// Fewest stays for a result, and for the end of the simulation at the goal: the standard error of
-// few stays, which come in clumps, may be accidentally small.
+// Least number of stays for a result, and least number of stays for an end of the simulation at
+// kGoal: stays are correlated, and a standard error computed from few stays may be accidentally
+// small.
 constexpr double kFewestStays = 100, kFewestStaysAtGoal = 1000;
-// Most samples of a stream in a round, since a round keeps its samples
+// Largest number of samples of a stream in a round, since all samples of a round are stored
 constexpr double kMostSamples = 1e5;
 constexpr int kRounds = 50;  // number of rounds of the longest simulation
-// Time after which the hazard is constant, in decay times of the slowest mode
+// Time, in decay times of the slowest mode, after which the hazard is treated as constant
 constexpr double kDecayTimes = 3;
 
 // Finds the crossings of a level in evenly spaced samples, by linear interpolation between samples.
@@ -43,14 +44,14 @@ class CrossingDetector {
  public:
   CrossingDetector(double level, double interval) : level_(level), interval_(interval) {}
 
-  /// Calls `up` and `down` with the times of the crossings between the last samples and the next
-  /// one.
+  /// Calls `on_upcrossing` and `on_downcrossing` with the times of the level crossings between the
+  /// previous sample and the sample y.
   template <class Up, class Down>
-  void add(double y, const Up& up, const Down& down) {
+  void add_sample(double y, const Up& on_upcrossing, const Down& on_downcrossing) {
     if (count_ >= 1 && y >= level_ && last_ < level_) {
-      up(crossing_time(y));
+      on_upcrossing(crossing_time(y));
     } else if (count_ >= 1 && y < level_ && last_ >= level_) {
-      down(crossing_time(y));
+      on_downcrossing(crossing_time(y));
     } else if (count_ >= 2 && y < level_ && last_ < level_ && before_ < level_ &&
                last_ >= before_ && last_ >= y) {
       const double slope = (y - before_) / 2, curvature = y - 2 * last_ + before_;
@@ -58,8 +59,8 @@ class CrossingDetector {
       if (excess > 0) {
         const double top = -slope / curvature, half = std::sqrt(-2 * excess / curvature);
         const double at = static_cast<double>(count_) - 1 + top;
-        up((at - half) * interval_);
-        down((at + half) * interval_);
+        on_upcrossing((at - half) * interval_);
+        on_downcrossing((at + half) * interval_);
       }
     }
     before_ = last_;
@@ -68,9 +69,9 @@ class CrossingDetector {
   }
 
   bool is_above() const { return count_ > 0 && last_ >= level_; }
-  /// Whether the detector has one sample, and this sample is above the level.
+  /// Returns whether the detector has exactly one sample, which is above the level.
   bool starts_above() const { return count_ == 1 && is_above(); }
-  double time() const { return static_cast<double>(count_) * interval_; }
+  double elapsed_time() const { return static_cast<double>(count_) * interval_; }
 
  private:
   double crossing_time(double y) const {
@@ -82,18 +83,19 @@ class CrossingDetector {
   std::uint64_t count_ = 0;
 };
 
-// Sums over the complete stays below the barrier of one stream.
+// Sums over the stays of one stream below the barrier. A stay lasts from a downcrossing to the next
+// upcrossing; l is the length of a stay.
 struct StaySums {
   double stays = 0, length = 0, square = 0;
-  std::vector<double> excess;         // sums of (l - t)^+ at the times
-  double long_stays = 0, longer = 0;  // number of stays l > t, and sum of (l - t)^+, for the hazard
+  std::vector<double> excess;         // sums of (l - t)^+, one for each time t of the survival
+  double long_stays = 0, longer = 0;  // number of stays l > t, and sum of (l - t)^+, t: hazard time
   double below = 0, whole = 0, crossings = 0;  // time below the barrier, whole time, upcrossings
 };
 
-// Returns a ratio of sums over all streams, with the standard error by the linearised ratio.
-ValueWithError ratio(const std::vector<StaySums>& streams,
-                     const std::function<double(const StaySums&)>& numerator,
-                     const std::function<double(const StaySums&)>& denominator) {
+// Returns the ratio of two sums over all streams, with the standard error of the linearised ratio.
+ValueWithError ratio_of_sums(const std::vector<StaySums>& streams,
+                             const std::function<double(const StaySums&)>& numerator,
+                             const std::function<double(const StaySums&)>& denominator) {
   double top = 0, bottom = 0, square = 0;
   for (const StaySums& s : streams) {
     top += numerator(s);
@@ -105,19 +107,19 @@ ValueWithError ratio(const std::vector<StaySums>& streams,
   return {value, std::sqrt(square * n / (n - 1)) / std::abs(bottom)};
 }
 
-ValueWithError mean_from_stationary(const std::vector<StaySums>& streams) {
-  return ratio(
+ValueWithError mean_time_from_stationary(const std::vector<StaySums>& streams) {
+  return ratio_of_sums(
       streams, [](const StaySums& s) { return s.square / 2; },
       [](const StaySums& s) { return s.length; });
 }
 
-SimulationPlan passage_plan(const problem::Problem& problem, const Options& options,
-                            const problem::MotionScales& scales, double barrier) {
+SimulationPlan make_passage_plan(const problem::Problem& problem, const Options& options,
+                                 const problem::MotionScales& scales, double barrier) {
   SimulationPlan plan = make_simulation_plan(problem, options);
   const double period = 2 * std::numbers::pi / scales.frequency;
   plan.sampling_interval = period / kSamplesPerPeriod;
-  // An excursion that ends with an impact on the right wall may be shorter than the interval, and
-  // its kink is no parabola (CrossingDetector).
+  // An excursion above the barrier that hits the right wall may be shorter than the sampling
+  // interval, and has a kink, which the parabola of CrossingDetector does not follow.
   constexpr double kSamplesToWall = 8;
   if (const auto& right = problem.system.right_wall()) {
     const double time_to_wall = (right->position - barrier) / scales.velocity_deviation;
@@ -142,17 +144,18 @@ class StayCounter {
     sums_.excess.resize(times.size());
   }
 
-  void add(const std::vector<double>& series) {
+  void add_series(const std::vector<double>& series) {
     for (const double y : series) {
-      detector_.add(
+      detector_.add_sample(
           y, [this](double time) { end_stay(time); }, [this](double time) { begin_stay(time); });
     }
-    if (!closing_) sums_.whole = detector_.time();
+    if (!closing_) sums_.whole = detector_.elapsed_time();
   }
 
-  /// Ends the counting: only a stay that has begun is completed by further samples. Without the
-  /// stays at the end, which are longer than others, the estimates would be biased.
-  void close() {
+  /// Ends the counting of new stays. Further samples only complete a stay that has begun: the stays
+  /// that are open at the end are longer on average, and the estimates would be biased without
+  /// them.
+  void stop_counting() {
     closing_ = true;
     if (!detector_.is_above()) sums_.below += sums_.whole - entered_;
   }
@@ -192,7 +195,7 @@ class StayCounter {
   double hazard_time_;
   const std::vector<double>& times_;
   StaySums sums_;
-  std::optional<double> begin_ = {};  // begin of the present stay, if observed
+  std::optional<double> begin_ = {};  // begin of the present stay; empty before the first stay
   double entered_ = 0;                // time of the last crossing
   bool closing_ = false;
 };
@@ -203,8 +206,8 @@ double stay_count(const std::vector<StaySums>& streams) {
   return stays;
 }
 
-// Simulates the stationary process until the goal, and returns the sums of all streams. If a stay
-// lasts as long as the simulation, the result is empty.
+// Simulates the stationary process until the standard error is at most kGoal, and returns the sums
+// of all streams; empty if a stay lasts as long as the simulation.
 std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, double barrier,
                                                     double hazard_time,
                                                     const std::vector<double>& times,
@@ -215,8 +218,8 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, doub
   const auto run_round = [&] {
     simulation.run_round();
     base::parallel_for(streams, plan.threads, [&](std::size_t s) {
-      counters[s].add(simulation.series(s));
-      simulation.series(s).clear();
+      counters[s].add_series(simulation.y_series(s));
+      simulation.y_series(s).clear();
     });
   };
   const auto all_sums = [&] {
@@ -224,20 +227,20 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, doub
     for (const StayCounter& counter : counters) sums.push_back(counter.sums());
     return sums;
   };
-  simulation.burn_in();
+  simulation.run_burn_in();
   for (std::uint64_t round = 0; round < plan.rounds; ++round) {
     run_round();
     if (options.progress) {
       options.progress({static_cast<double>(round + 1) / static_cast<double>(plan.rounds) / 2});
     }
     const auto sums = all_sums();
-    const ValueWithError mean = mean_from_stationary(sums);
+    const ValueWithError mean = mean_time_from_stationary(sums);
     if (!options.time && stay_count(sums) >= kFewestStaysAtGoal &&
         mean.error <= kGoal * mean.value) {
       break;
     }
   }
-  for (StayCounter& counter : counters) counter.close();
+  for (StayCounter& counter : counters) counter.stop_counting();
   const std::uint64_t most_rounds = plan.rounds;  // a stay may last as long as the simulation
   for (std::uint64_t round = 0;
        round < most_rounds && std::ranges::any_of(counters, &StayCounter::has_open_stay); ++round) {
@@ -247,15 +250,15 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, doub
   return all_sums();
 }
 
-// Simulates passages from a state in wall coordinates: each stream starts again there in the round
-// after a passage. Every stream makes the same number of passages, since a limit of the time would
-// favour short ones.
-std::optional<ValueWithError> simulate_from_point(Simulation& simulation, double barrier,
-                                                  const transform::StartState& start, double mean,
-                                                  double most_time,
-                                                  const std::vector<double>& times,
-                                                  std::vector<ValueWithError>& survival,
-                                                  const Options& options) {
+// Simulates passages from a state in wall coordinates, to which each stream returns in the round
+// after a passage. Every stream makes the same number of passages, since a limit of the simulated
+// time would favour short passages.
+std::optional<ValueWithError> simulate_passages_from_point(Simulation& simulation, double barrier,
+                                                           const transform::StartState& start,
+                                                           double mean, double most_time,
+                                                           const std::vector<double>& times,
+                                                           std::vector<ValueWithError>& survival,
+                                                           const Options& options) {
   constexpr double kMostPassages = 5e3, kFewestPerStream = 4;
   const SimulationPlan& plan = simulation.plan();
   const auto streams = static_cast<std::size_t>(plan.streams);
@@ -265,8 +268,8 @@ std::optional<ValueWithError> simulate_from_point(Simulation& simulation, double
   const auto passages = static_cast<std::size_t>(per_stream);
   std::vector<std::vector<double>> found(streams);
   std::vector<CrossingDetector> detectors(streams, {barrier, plan.sampling_interval});
-  for (std::size_t s = 0; s < streams; ++s) simulation.restart(s, start.y, start.ydot);
-  // From a point the mean time may be far longer than from the stationary law.
+  for (std::size_t s = 0; s < streams; ++s) simulation.restart_stream(s, start.y, start.ydot);
+  // The mean passage time from a point may be far longer than from the stationary law.
   constexpr double kMostRepetitions = 4;
   const double most_rounds =
       kMostRepetitions * most_time / static_cast<double>(streams) / plan.round_time();
@@ -279,13 +282,13 @@ std::optional<ValueWithError> simulate_from_point(Simulation& simulation, double
     simulation.run_round();
     finished = 0;
     for (std::size_t s = 0; s < streams; ++s) {
-      std::vector<double>& series = simulation.series(s);
+      std::vector<double>& series = simulation.y_series(s);
       // The first sample is half an interval after the start.
       const double offset = plan.sampling_interval / 2;
       std::optional<double> passage;
       for (const double y : series) {
         if (passage) break;
-        detectors[s].add(
+        detectors[s].add_sample(
             y, [&](double time) { passage = time + offset; }, [](double) {});
         if (detectors[s].starts_above()) passage = offset;
       }
@@ -293,7 +296,7 @@ std::optional<ValueWithError> simulate_from_point(Simulation& simulation, double
       if (passage) {
         if (found[s].size() < passages) found[s].push_back(*passage);
         detectors[s] = {barrier, plan.sampling_interval};
-        simulation.restart(s, start.y, start.ydot);
+        simulation.restart_stream(s, start.y, start.ydot);
       }
       finished += found[s].size() >= passages ? 1 : 0;
     }
@@ -301,7 +304,7 @@ std::optional<ValueWithError> simulate_from_point(Simulation& simulation, double
       options.progress({0.5 + 0.5 * static_cast<double>(finished) / static_cast<double>(streams)});
     }
   }
-  // Returns the mean of a function of the passage times.
+  // Returns the mean of f(passage time) over all passages, with the standard error of the mean.
   const auto mean_of = [&](const std::function<double(double)>& f) -> ValueWithError {
     double sum = 0, square = 0;
     const double n = static_cast<double>(streams) * per_stream;
@@ -329,7 +332,7 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
   passage.has_standard_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  passage.reason = functional_unsupported_reason(transformed, options);
+  passage.reason = unsupported_functional_reason(transformed, options);
   const double level = transformed.frame.wall_x(barrier);
   if (passage.reason.empty())
     passage.reason = problem::barrier_unsupported_reason(transformed, level);
@@ -337,10 +340,10 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
     passage.status = Status::not_offered;
     return passage;
   }
-  const problem::MotionScales scales = problem::scales(transformed);
-  const SimulationPlan plan = passage_plan(transformed, options, scales, level);
+  const problem::MotionScales scales = problem::motion_scales(transformed);
+  const SimulationPlan plan = make_passage_plan(transformed, options, scales, level);
   Simulation stationary(transformed, plan);
-  stationary.keep_series();
+  stationary.enable_series();
   const auto found =
       simulate_stays(stationary, level, kDecayTimes / scales.slowest_decay_rate, times, options);
   const double stays = found ? stay_count(*found) : 0;
@@ -355,21 +358,21 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
   const std::vector<StaySums>& sums = *found;
   const auto length = [](const StaySums& s) { return s.length; };
   const auto whole = [](const StaySums& s) { return s.whole; };
-  passage.mean_from_stationary = mean_from_stationary(sums);
+  passage.mean_from_stationary = mean_time_from_stationary(sums);
   double long_stays = 0;
   for (const StaySums& s : sums) long_stays += s.long_stays;
   if (long_stays >= kFewestStays) {
-    passage.hazard = ratio(
+    passage.hazard = ratio_of_sums(
         sums, [](const StaySums& s) { return s.long_stays; },
         [](const StaySums& s) { return s.longer; });
   }
-  passage.rice_rate = ratio(
+  passage.rice_rate = ratio_of_sums(
       sums, [](const StaySums& s) { return s.crossings; }, whole);
-  passage.probability_below = ratio(
+  passage.probability_below = ratio_of_sums(
       sums, [](const StaySums& s) { return s.below; }, whole);
   passage.times = times;
   for (std::size_t k = 0; k < times.size(); ++k) {
-    passage.survival_from_stationary.push_back(ratio(
+    passage.survival_from_stationary.push_back(ratio_of_sums(
         sums, [k](const StaySums& s) { return s.excess[k]; }, length));
   }
 
@@ -380,10 +383,10 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
     from_point.samples_per_round = static_cast<std::uint64_t>(
         std::ceil(std::min(mean / 10 / plan.sampling_interval, kMostSamples)));
     Simulation restarted(transformed, from_point);
-    restarted.keep_series();
-    passage.mean_from_point =
-        simulate_from_point(restarted, level, *start, mean, sums.front().whole * plan.streams,
-                            times, passage.survival_from_point, options);
+    restarted.enable_series();
+    passage.mean_from_point = simulate_passages_from_point(restarted, level, *start, mean,
+                                                           sums.front().whole * plan.streams, times,
+                                                           passage.survival_from_point, options);
   }
   passage.details = fmt::format("{:.0f} stays below the barrier", stays);
   passage.reason = short_burn_in_reason(plan, options);

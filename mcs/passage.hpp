@@ -9,14 +9,14 @@
 
 namespace fpkcheck::mcs {
 
-/// Estimates the first passage of y above a barrier b. One long stationary simulation gives
-/// everything for the stationary start: with the lengths l of the stays below the barrier,
+/// Estimates the first passage of y above a barrier b. For a stationary start, one long simulation
+/// measures the lengths l of the stays of y below the barrier, at the upcrossing rate nu:
 ///
 ///     E tau = E[l^2] / (2 E[l]),   P(tau > t) = E[(l - t)^+] / E[l],   E[l] = P(y < b) / nu,
 ///
 /// and the hazard is P(l > t) / E[(l - t)^+] at a time t after the slowest mode has decayed. A
-/// second simulation starts each stream again at the start after each passage. The standard errors
-/// follow from the differences between streams.
+/// second simulation returns each stream to the state `start` after each passage. The standard
+/// errors are computed from the differences between streams.
 /// @param barrier barrier b in physical coordinates
 /// @param times times of the survival probabilities
 /// @param start start of Passage::mean_from_point; empty for a start at rest

@@ -19,28 +19,29 @@ namespace {
 using transform::kDifferentiatedMoments;
 using transform::Status;
 
-// Simulated time of each changed problem, as a fraction of the automatic time of a simulation, and
-// most impulses, kicks and flights of all problems: about 10 s of computing, with DuffingFlights
-// and with other flights respectively
+// Simulated time of each changed problem, as a fraction of the default time of a simulation, and
+// largest number of impulses, kicks and flights of all problems, with DuffingFlights and with other
+// flights: about 10 s of computing
 constexpr double kTimeShare = 1.0 / 16, kMostDuffingChanges = 1e8, kMostOtherChanges = 4e7;
 
-// Returns the moments of every stream, in the order of kDifferentiatedMoments.
-std::vector<std::vector<double>> stream_moments_of(const problem::Problem& problem,
-                                                   const Options& options,
-                                                   const SimulationPlan& nominal) {
-  // The changed problem has the sampling and the durations of the given problem: with different
-  // times of the samples the streams would not be comparable.
+// Simulates a problem and returns its moments, in the order of kDifferentiatedMoments, of each
+// stream.
+std::vector<std::vector<double>> simulate_stream_moments(const problem::Problem& problem,
+                                                         const Options& options,
+                                                         const SimulationPlan& nominal) {
+  // The changed problem has the sampling times and the durations of the original problem, so that
+  // the differences between equal streams contain only the effect of the parameter.
   SimulationPlan plan = make_simulation_plan(problem, options);
   plan.burn_in = nominal.burn_in;
   plan.sampling_interval = nominal.sampling_interval;
   plan.samples_per_round = nominal.samples_per_round;
   plan.rounds = nominal.rounds;
   Simulation simulation(problem, plan);
-  simulation.burn_in();
+  simulation.run_burn_in();
   for (std::uint64_t round = 0; round < plan.rounds; ++round) simulation.run_round();
   std::vector<std::vector<double>> moments;
   for (const auto& moment : kDifferentiatedMoments) {
-    moments.push_back(stream_moments(simulation, moment.p, moment.q));
+    moments.push_back(moment_per_stream(simulation, moment.p, moment.q));
   }
   return moments;
 }
@@ -55,7 +56,7 @@ transform::Sensitivities estimate_sensitivities(
   result.has_standard_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  result.reason = functional_unsupported_reason(transformed, options);
+  result.reason = unsupported_functional_reason(transformed, options);
   if (!result.reason.empty()) {
     result.status = Status::not_offered;
     return result;
@@ -76,9 +77,9 @@ transform::Sensitivities estimate_sensitivities(
 
   for (const auto& moment : kDifferentiatedMoments)
     result.expectations.push_back({.expectation = moment.symbol});
-  const auto central = stream_moments_of(transformed, nominal_options, nominal);
+  const auto central = simulate_stream_moments(transformed, nominal_options, nominal);
   for (std::size_t m = 0; m < central.size(); ++m) {
-    result.expectations[m].value = unweighted_estimate(central[m]).mean;
+    result.expectations[m].value = estimate_unweighted_mean(central[m]).mean;
   }
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const auto& [parameter, value, terms] = parameters[k];
@@ -89,7 +90,7 @@ transform::Sensitivities estimate_sensitivities(
         std::vector<double>(static_cast<std::size_t>(nominal.streams)));
     for (const auto& [weight, changed] : terms) {
       const problem::Problem other = problem::to_wall_coordinates(transformed.frame, changed);
-      const auto moments = stream_moments_of(other, nominal_options, nominal);
+      const auto moments = simulate_stream_moments(other, nominal_options, nominal);
       for (std::size_t m = 0; m < moments.size(); ++m) {
         for (std::size_t s = 0; s < moments[m].size(); ++s) {
           quotients[m][s] += weight * moments[m][s];
@@ -97,7 +98,7 @@ transform::Sensitivities estimate_sensitivities(
       }
     }
     for (std::size_t m = 0; m < quotients.size(); ++m) {
-      const Estimate estimate = unweighted_estimate(quotients[m]);
+      const MeanEstimate estimate = estimate_unweighted_mean(quotients[m]);
       result.expectations[m].derivatives.push_back(estimate.mean);
       result.expectations[m].errors.push_back(estimate.standard_error);
     }

@@ -48,7 +48,7 @@ struct SamplingErrors {
 };
 
 SamplingErrors current_sampling_errors(const Simulation& simulation) {
-  const StreamWeights weights(excess_impulse_powers(simulation));
+  const StreamWeights weights(excess_impulse_power_per_stream(simulation));
   const auto l1 = [&](transform::StateVariable variable) {
     return expected_l1_error(estimate_marginal(simulation, weights, variable, 1).errors);
   };
@@ -57,7 +57,7 @@ SamplingErrors current_sampling_errors(const Simulation& simulation) {
                      .target = 0};
   now.target = std::max(now.y_l1, now.ydot_l1);
   for (const auto& [p, q] : {std::pair{2, 0}, std::pair{0, 2}}) {
-    const Estimate e = weights.estimate(stream_moments(simulation, p, q));
+    const MeanEstimate e = weights.estimate_mean(moment_per_stream(simulation, p, q));
     now.target = std::max(now.target, e.standard_error / e.mean);
   }
   if (!std::isfinite(now.target)) now.target = std::numeric_limits<double>::infinity();
@@ -71,12 +71,12 @@ struct RunProgress {
   bool goal_reached;  ///< whether Options::samples and Options::target_error are reached
 };
 
-RunProgress run_progress(const Simulation& simulation, const Options& options) {
-  RunProgress now{.fraction = static_cast<double>(simulation.rounds()) /
+RunProgress current_progress(const Simulation& simulation, const Options& options) {
+  RunProgress now{.fraction = static_cast<double>(simulation.round_count()) /
                               static_cast<double>(simulation.plan().rounds),
                   .errors = {},
                   .goal_reached = false};
-  if (simulation.rounds() == 0) return now;
+  if (simulation.round_count() == 0) return now;
   now.goal_reached = options.target_error || options.samples;
   // With several processes each process has only a part of the streams, from which the errors of
   // the complete result cannot be computed.
@@ -98,10 +98,10 @@ RunProgress run_progress(const Simulation& simulation, const Options& options) {
 }
 
 /// Returns the outcome if the simulation must end now; empty if the simulation must continue.
-std::optional<RunOutcome> run_outcome(const Simulation& simulation, const Options& options,
-                                      const RunProgress& now) {
+std::optional<RunOutcome> outcome_if_finished(const Simulation& simulation, const Options& options,
+                                              const RunProgress& now) {
   if (now.goal_reached) return RunOutcome{};
-  if (simulation.rounds() >= simulation.plan().rounds) {
+  if (simulation.round_count() >= simulation.plan().rounds) {
     if (!options.target_error && !options.samples) return RunOutcome{};
     return RunOutcome{.unreached_reason =
                           "simulated time too short: samples or target error not reached; increase "
@@ -109,7 +109,7 @@ std::optional<RunOutcome> run_outcome(const Simulation& simulation, const Option
   }
   // With several processes Options::stop is ignored, since all processes must simulate an equal
   // time. A stop request then ends the process.
-  if (simulation.rounds() > 0 && options.process_group.parts == 1 && options.stop &&
+  if (simulation.round_count() > 0 && options.process_group.parts == 1 && options.stop &&
       options.stop()) {
     return RunOutcome{
         .unreached_reason = fmt::format("interrupted: only {:.1f} % of the simulation is "
@@ -135,7 +135,7 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
                                  plan.sampling_interval) +
       1;
   Simulation simulation(problem, pilot);
-  simulation.burn_in();
+  simulation.run_burn_in();
   std::vector<double> thresholds;
   for (int n = 0; n < kMostPilots; ++n) {
     const ImportanceSplitting splitting(potential, thresholds, largest);
@@ -160,16 +160,16 @@ RunOutcome simulate_until_goal(Simulation& simulation, const Options& options,
                                CheckpointWriter& checkpoints, const std::string& fingerprint) {
   checkpoints.write(fingerprint, simulation);
   for (bool first = true;; first = false) {
-    const RunProgress now = run_progress(simulation, options);
+    const RunProgress now = current_progress(simulation, options);
     if (options.progress && !first) {
-      Progress at{.fraction = std::min(now.fraction, 1.0)};
+      SimulationProgress at{.fraction = std::min(now.fraction, 1.0)};
       if (now.errors) {
         at.y_l1 = now.errors->y_l1;
         at.ydot_l1 = now.errors->ydot_l1;
       }
       options.progress(at);
     }
-    if (auto end = run_outcome(simulation, options, now)) {
+    if (auto end = outcome_if_finished(simulation, options, now)) {
       checkpoints.write_final(fingerprint, simulation);
       return *std::move(end);
     }

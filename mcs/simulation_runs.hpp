@@ -11,9 +11,9 @@
 namespace fpkcheck::mcs {
 
 /// Chooses the energy thresholds of the splitting for a problem by pilot runs with independent
-/// random numbers. Each pilot run uses the thresholds of the previous run and adds thresholds at
-/// higher energies than these. The probability that the energy after an impulse exceeds the last
-/// threshold is about 1e-10.
+/// random numbers. Each pilot run uses the thresholds of the previous pilot run and adds thresholds
+/// at higher energies. The probability that the energy after an impulse exceeds the last threshold
+/// is about 1e-10.
 ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
                                                 const SimulationPlan& plan);
 

@@ -31,10 +31,10 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
   auto& solution = result.solution;
   auto& summary = result.summary;
   for (const auto& [p, q] : kPowers) {
-    summary.joint_moments.push_back(weights.estimate(stream_moments(simulation, p, q)));
+    summary.joint_moments.push_back(weights.estimate_mean(moment_per_stream(simulation, p, q)));
   }
   const auto set = [&](double Moments::*member, int p, int q) {
-    const Estimate e = weights.estimate(stream_moments(simulation, p, q));
+    const MeanEstimate e = weights.estimate_mean(moment_per_stream(simulation, p, q));
     solution.moments.*member = e.mean;
     solution.standard_errors->moments.*member = e.standard_error;
   };
@@ -46,8 +46,8 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
   set(&Moments::v4, 0, 4);
 }
 
-double damping_power(const problem::System& system, const Simulation& simulation,
-                     const StreamStatistics& r) {
+double mean_damping_power(const problem::System& system, const Simulation& simulation,
+                          const StreamStatistics& r) {
   // The restoring force has the mean power 0.
   if (!system.has_polynomial_force()) return r.force_v / simulation.expected_samples_per_stream();
   const auto& c = system.damping_polynomial();
@@ -59,20 +59,20 @@ double damping_power(const problem::System& system, const Simulation& simulation
 
 /// Returns the energy lost per unit time at a wall, from StreamStatistics::left_energy or
 /// right_energy.
-double impact_loss(const std::optional<problem::Wall>& wall, const Simulation& simulation,
-                   double energy_sum) {
+double impact_loss_rate(const std::optional<problem::Wall>& wall, const Simulation& simulation,
+                        double energy_sum) {
   const double rate = energy_sum / simulation.simulated_time_per_stream();
   if (wall && !wall->has_constant_restitution()) return rate;
-  return problem::impact_loss(wall, problem::ImpactCondition::exact, rate);
+  return problem::impact_energy_loss_rate(wall, problem::ImpactCondition::exact, rate);
 }
 
 /// Returns the momentum per unit time from a wall, from StreamStatistics::left_momentum or
 /// right_momentum.
-double impact_momentum_change(const std::optional<problem::Wall>& wall,
-                              const Simulation& simulation, double momentum_sum) {
+double impact_momentum_rate(const std::optional<problem::Wall>& wall, const Simulation& simulation,
+                            double momentum_sum) {
   const double rate = momentum_sum / simulation.simulated_time_per_stream();
   if (wall && !wall->has_constant_restitution()) return rate;
-  return problem::impact_momentum_change(wall, rate);
+  return problem::impact_momentum_rate(wall, rate);
 }
 
 problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
@@ -82,9 +82,9 @@ problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
   problem::PowerBalanceTerms terms{
       .mean_velocity = moment_in_wall_coordinates(simulation, r, 0, 1),
       .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
-      .left_impact_loss = impact_loss(system.left_wall(), simulation, r.left_energy),
-      .right_impact_loss = impact_loss(system.right_wall(), simulation, r.right_energy),
-      .mean_damping_power = damping_power(system, simulation, r)};
+      .left_impact_loss = impact_loss_rate(system.left_wall(), simulation, r.left_energy),
+      .right_impact_loss = impact_loss_rate(system.right_wall(), simulation, r.right_energy),
+      .mean_damping_power = mean_damping_power(system, simulation, r)};
   if (problem.noise_factor) {
     terms.mean_square_noise_factor = r.noise_factor / simulation.expected_samples_per_stream();
   }
@@ -98,18 +98,18 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
                       const StreamWeights& weights, Result& result) {
   result.summary.impacts_accumulate = simulation.plan().has_contact_atoms;
   result.summary.impact_rate =
-      weights.estimate(statistic_per_stream(simulation.streams(), [&](const auto& r) {
+      weights.estimate_mean(statistic_per_stream(simulation.streams(), [&](const auto& r) {
         return r.impacts / simulation.simulated_time_per_stream();
       }));
   const auto estimate_of_streams = [&](auto of) {
-    return weights.estimate(statistic_per_stream(simulation.streams(), [&](const auto& r) {
+    return weights.estimate_mean(statistic_per_stream(simulation.streams(), [&](const auto& r) {
       return of(power_balance_terms(problem, simulation, r));
     }));
   };
   // The weighted mean over the streams estimates a quantity that is linear in the averages of the
   // streams. With factors of noise or impulses, only the difference of input and dissipation is
   // linear.
-  Estimate residual{};
+  MeanEstimate residual{};
   if (problem.noise_factor || problem.impulse_factor) {
     residual = estimate_of_streams([&](const problem::PowerBalanceTerms& terms) {
       const auto [input, dissipated] = problem::power_balance(problem, terms);
@@ -122,7 +122,7 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
     residual.standard_error /= input;
   } else {
     residual = estimate_of_streams([&](const problem::PowerBalanceTerms& terms) {
-      return problem::energy_residual(problem, terms);
+      return problem::power_balance_residual(problem, terms);
     });
   }
   result.solution.energy_residual = residual.mean;
@@ -149,7 +149,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   };
   const Oscillator& o = simulation.plan().oscillator;
   const auto right_momentum = [&](const StreamStatistics& r) {
-    return impact_momentum_change(system.right_wall(), simulation, r.right_momentum);
+    return impact_momentum_rate(system.right_wall(), simulation, r.right_momentum);
   };
   // Mean contact force of the mass at rest, 0 without atoms. The sums over impacts already include
   // the momentum of accumulating impacts.
@@ -163,12 +163,12 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
            simulation.expected_samples_per_stream();
   };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
-    const auto difference = weights.estimate(statistic_per_stream(
+    const auto difference = weights.estimate_mean(statistic_per_stream(
         simulation.streams(), [&](const auto& r) { return balance(r).difference(); }));
     const double scale =
         weights
-            .estimate(statistic_per_stream(simulation.streams(),
-                                           [&](const auto& r) { return balance(r).scale; }))
+            .estimate_mean(statistic_per_stream(simulation.streams(),
+                                                [&](const auto& r) { return balance(r).scale; }))
             .mean;
     summary.balances.*member = difference.mean / scale;
     summary.balance_errors.*member = difference.standard_error / scale;
@@ -188,7 +188,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
         return problem::momentum_balance(
             problem, {.mean_force = mean_force(r),
                       .left_impact_momentum =
-                          impact_momentum_change(system.left_wall(), simulation, r.left_momentum),
+                          impact_momentum_rate(system.left_wall(), simulation, r.left_momentum),
                       .right_impact_momentum = right_momentum(r),
                       .mean_cubed_velocity = moment_in_wall_coordinates(simulation, r, 0, 3),
                       .contact_momentum_rate = contact_force_at_rest(r)});
@@ -198,7 +198,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
 
 /// Compares the drawn impulses with the impulse law, without the weights of the streams.
 void estimate_excess_power(const Simulation& simulation, Summary& summary) {
-  const auto excess = unweighted_estimate(excess_impulse_powers(simulation));
+  const auto excess = estimate_unweighted_mean(excess_impulse_power_per_stream(simulation));
   const double input = simulation.plan().excitation.power;
   summary.excess_power = excess.mean / input;
   summary.excess_power_error = excess.standard_error / input;
@@ -209,7 +209,7 @@ void estimate_excess_power(const Simulation& simulation, Summary& summary) {
 void estimate_efficiency(const Simulation& simulation, Result& result) {
   const auto reduction = [&](int p, int q, double error) {
     const double ratio =
-        unweighted_estimate(stream_moments(simulation, p, q)).standard_error / error;
+        estimate_unweighted_mean(moment_per_stream(simulation, p, q)).standard_error / error;
     return ratio * ratio;
   };
   auto& solution = result.solution;
@@ -234,7 +234,7 @@ double outside_fraction(const Simulation& simulation, const StreamWeights& weigh
         }
         return all > 0 ? (all - inside) / all : 0.0;
       });
-  return std::max(0.0, weights.estimate(beyond).mean);
+  return std::max(0.0, weights.estimate_mean(beyond).mean);
 }
 
 void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
@@ -242,8 +242,8 @@ void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
   if (!simulation.plan().has_contact_atoms) return;
   const auto add = [&](const Wall& wall, double StreamStatistics::*rest) {
     if (!(wall.is_lossy() && wall.contact_force > 0)) return;
-    const Estimate p =
-        weights.estimate(statistic_per_stream(simulation.streams(), [&](const StreamStatistics& r) {
+    const MeanEstimate p = weights.estimate_mean(
+        statistic_per_stream(simulation.streams(), [&](const StreamStatistics& r) {
           return r.*rest / simulation.expected_samples_per_stream();
         }));
     solution.atoms.push_back({.y = wall.position,
@@ -293,7 +293,7 @@ void fill_summary(const Simulation& simulation, Summary& summary) {
   const SimulationPlan& plan = simulation.plan();
   summary.time = simulation.simulated_time_per_stream() * plan.streams;
   summary.samples =
-      simulation.rounds() * plan.samples_per_round * static_cast<std::uint64_t>(plan.streams);
+      simulation.round_count() * plan.samples_per_round * static_cast<std::uint64_t>(plan.streams);
   summary.sampling_interval = plan.sampling_interval;
   summary.seed = plan.seed;
   summary.threads = plan.threads;
@@ -306,14 +306,14 @@ void fill_summary(const Simulation& simulation, Summary& summary) {
     summary.kick_interval = plan.kicks.longest_interval;
   }
   summary.burn_in = plan.burn_in;
-  summary.rounds = simulation.rounds();
+  summary.rounds = simulation.round_count();
   for (const Stream& stream : simulation.streams()) {
     summary.impulses += stream.record.impulses;
     summary.flights += stream.record.flights;
   }
 }
 
-std::vector<StreamDeposit> deposits(const Simulation& simulation) {
+std::vector<StreamDeposit> stream_deposits(const Simulation& simulation) {
   std::vector<StreamDeposit> all;
   for (const Stream& stream : simulation.streams()) {
     const StreamStatistics& record = stream.record;
@@ -355,8 +355,8 @@ void set_status(const SimulationPlan& plan, const Options& options, const Summar
   }
 }
 
-void estimate(const problem::Problem& problem, const Simulation& simulation, Result& result) {
-  const StreamWeights weights(excess_impulse_powers(simulation));
+void fill_result(const problem::Problem& problem, const Simulation& simulation, Result& result) {
+  const StreamWeights weights(excess_impulse_power_per_stream(simulation));
   result.solution.standard_errors.emplace();
   estimate_moments(simulation, weights, result);
   estimate_impacts(problem, simulation, weights, result);
@@ -383,14 +383,14 @@ void require_options_for_processes(const Options& options) {
 
 /// Collects the streams of all processes in the first process.
 /// @return whether this process is the first process
-bool gather(const ProcessGroup& process_group, Simulation& simulation) {
+bool gather_streams(const ProcessGroup& process_group, Simulation& simulation) {
   if (process_group.parts == 1) return true;
   std::ostringstream own;
-  if (process_group.part > 0) simulation.save_stream_subset(own);
+  if (process_group.part > 0) simulation.save_own_streams(own);
   const auto others = process_group.gather(own.str());
   for (std::size_t k = 0; k < others.size(); ++k) {
     std::istringstream part(others[k]);
-    simulation.load_stream_subset(part, static_cast<int>(k) + 1);
+    simulation.load_streams_of_part(part, static_cast<int>(k) + 1);
   }
   return process_group.part == 0;
 }
@@ -434,24 +434,24 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (options.tails) splitting = choose_splitting_thresholds(problem, plan);
   const ImportanceSplitting* splits = splitting ? &*splitting : nullptr;
   Simulation simulation(problem, plan, splits);
-  simulation.restrict_to_stream_subset(options.process_group.part, options.process_group.parts);
+  simulation.restrict_to_streams_of_part(options.process_group.part, options.process_group.parts);
   const std::string fingerprint = mcs::simulation_fingerprint(problem, plan, splits);
   if (options.resume.empty()) {
-    simulation.burn_in();
+    simulation.run_burn_in();
   } else {
     read_checkpoint(options.resume, fingerprint, simulation);
   }
   auto [unreached_reason, interrupted] =
       simulate_until_goal(simulation, options, checkpoints, fingerprint);
 
-  if (!gather(options.process_group, simulation)) {
+  if (!gather_streams(options.process_group, simulation)) {
     solution.reason = "the first process has the result";
     return result;
   }
 
-  estimate(problem, simulation, result);
+  fill_result(problem, simulation, result);
   summary.interrupted = interrupted;
-  if (plan.deposit) summary.deposits = deposits(simulation);
+  if (plan.deposit) summary.deposits = stream_deposits(simulation);
   if (splitting) {
     summary.thresholds = splitting->thresholds();
     if (summary.thresholds.empty() && unreached_reason.empty()) {

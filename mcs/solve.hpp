@@ -31,7 +31,8 @@ struct Result {
 /// A seed gives the same result, bit for bit, for any number of threads, SIMD lanes and
 /// interruptions. The status is not_converged if the simulation ends before its goal, or if the
 /// burn-in is below 5 decay times (ShortBurnInCause). The status is failed, without a density, for
-/// white noise with a restitution coefficient at which impacts accumulate (problem/problem_features.hpp).
+/// white noise with a restitution coefficient at which impacts accumulate
+/// (problem/problem_features.hpp).
 /// @throws InputError as make_simulation_plan(), and for a checkpoint file that cannot be read or
 /// written
 Result solve(const problem::Problem& problem, const Options& options);
@@ -41,7 +42,8 @@ Result solve(const problem::Problem& problem, const Options& options);
 /// function after the estimates in smooth bins; otherwise solve() calls this function.
 void require_accuracy(const Options& options, transform::Solution& solution);
 
-/// Checks options and problem in the same way as solve(), except for checkpoint files.
+/// Throws an exception if solve() would refuse the options or the problem. Checkpoint files are not
+/// checked.
 /// @throws InputError as solve()
 void require_solvable(const problem::Problem& problem, const Options& options);
 

@@ -27,7 +27,7 @@ using transform::Status;
 constexpr double kPi = std::numbers::pi;
 
 // Ratio of the Nyquist frequency to the largest frequency. At a decrease as w^-4 the alias of the
-// largest frequency is then 3e-5 of its density (alias()).
+// largest frequency is then 3e-5 of its density (alias_density()).
 constexpr double kOversampling = 8;
 // Length of the segments in decay times of the slowest mode. At the peak of a lightly damped
 // oscillator, whose half-width is the decay rate, Hann's window then lowers the density by
@@ -36,8 +36,8 @@ constexpr double kLength = 100;
 constexpr std::size_t kShortest = 256, kLongest = 1 << 18;  // samples of a segment
 // Length of all segments in a run with automatic time, which gives standard errors of about 1.5 %
 constexpr double kSegments = 2500;
-// Most impulses, kicks and flights of the default simulation, about 8 s of computing; a sample
-// takes as long as kEventsPerSample of them
+// Largest number of impulses, kicks and flights of the default simulation, about 8 s of computing.
+// A sample takes the computing time of kEventsPerSample events.
 constexpr double kMostSpectrumEvents = 4e7, kEventsPerSample = 0.25;
 
 // Squared magnitudes of the windowed Fourier transform, as a one-sided spectral density at the
@@ -55,12 +55,13 @@ class Periodogram {
     fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   }
 
-  std::size_t samples() const { return samples_; }
-  double interval() const { return interval_; }
+  std::size_t sample_count() const { return samples_; }
+  double sampling_interval() const { return interval_; }
   double frequency_step() const { return 2 * kPi / (static_cast<double>(samples_) * interval_); }
 
-  /// Returns the autocovariances at the lags 0, 1 .. samples - 1, in samples, that belong to a
-  /// density at the frequencies of the periodogram, times the autocorrelation of the window.
+  /// Returns the Fourier transform of a spectral density at the frequencies of the periodogram: the
+  /// autocovariance at the lags 0, 1 .. sample_count() - 1, in samples, times the autocorrelation
+  /// of the window.
   std::vector<double> windowed_covariance(const std::vector<double>& density) {
     std::vector<std::complex<double>> half(density.begin(), density.end());
     std::vector<double> covariance;
@@ -75,14 +76,14 @@ class Periodogram {
     return sum / window_power_;
   }
 
-  /// Returns the density that a constant 1 adds at the frequency k.
+  /// Returns the spectral density of the constant signal 1 at the frequency with index k.
   double density_of_constant(std::size_t k) const {
     const auto n = static_cast<double>(samples_);
     return k == 0 ? factor_ * n * n / 4 : k == 1 ? factor_ * n * n / 16 : 0;
   }
 
-  /// Adds the densities of a segment to `sums`.
-  void add(const double* segment, double mean, std::vector<double>& sums) {
+  /// Adds the spectral density of a segment, after subtraction of `mean`, to `sums`.
+  void add_segment(const double* segment, double mean, std::vector<double>& sums) {
     windowed_.resize(samples_);
     for (std::size_t k = 0; k < samples_; ++k) windowed_[k] = window_[k] * (segment[k] - mean);
     fft_.fwd(transformed_, windowed_);
@@ -100,8 +101,8 @@ class Periodogram {
   Eigen::FFT<double> fft_;
 };
 
-// Interpolates linearly between the frequencies of a periodogram.
-double interpolate(const std::vector<double>& density, double step, double frequency) {
+// Interpolates a spectral density linearly between the frequencies of a periodogram.
+double interpolate_density(const std::vector<double>& density, double step, double frequency) {
   const auto k = std::min(static_cast<std::size_t>(frequency / step), density.size() - 2);
   const double weight = frequency / step - static_cast<double>(k);
   return (1 - weight) * density[k] + weight * density[k + 1];
@@ -109,19 +110,20 @@ double interpolate(const std::vector<double>& density, double step, double frequ
 
 // Sums of the periodograms of one stream
 struct StreamSpectrum {
-  std::vector<double> whole = {}, half = {};  // with segments of the whole and of half the length
+  // sums over segments of the whole length, and over segments of half the length
+  std::vector<double> whole = {}, half = {};
   std::size_t segments = 0;
 };
 
-// Removes complete segments from a series and adds their periodograms; the next segment begins in
-// the middle of the last one.
+// Adds the periodograms of the complete segments of a series to the sums, and removes the samples
+// that no later segment needs. Each segment begins in the middle of the previous segment.
 void add_complete_segments(std::size_t length, double centre, Periodogram& whole, Periodogram& half,
                            std::vector<double>& series, StreamSpectrum& spectrum) {
   std::size_t begin = 0;
   for (; begin + length <= series.size(); begin += length / 2) {
-    whole.add(&series[begin], centre, spectrum.whole);
-    half.add(&series[begin], centre, spectrum.half);
-    half.add(&series[begin + length / 2], centre, spectrum.half);
+    whole.add_segment(&series[begin], centre, spectrum.whole);
+    half.add_segment(&series[begin], centre, spectrum.half);
+    half.add_segment(&series[begin + length / 2], centre, spectrum.half);
     ++spectrum.segments;
   }
   series.erase(series.begin(), series.begin() + static_cast<std::ptrdiff_t>(begin));
@@ -129,7 +131,7 @@ void add_complete_segments(std::size_t length, double centre, Periodogram& whole
 
 // Returns the alias at the frequency w of a spectral density C w^-4 sampled with the Nyquist
 // frequency n: the sum of the densities at 2 k n - w and 2 k n + w.
-double alias(double c, double nyquist, double w) {
+double alias_density(double c, double nyquist, double w) {
   double sum = 0;
   for (int k = 1; k <= 4; ++k) {
     sum += std::pow(2 * k * nyquist - w, -4) + std::pow(2 * k * nyquist + w, -4);
@@ -141,19 +143,18 @@ double alias(double c, double nyquist, double w) {
 double mean_of_series(Simulation& simulation) {
   double sum = 0, samples = 0;
   for (std::size_t s = 0; s < simulation.streams().size(); ++s) {
-    for (const double y : simulation.series(s)) sum += y;
-    samples += static_cast<double>(simulation.series(s).size());
+    for (const double y : simulation.y_series(s)) sum += y;
+    samples += static_cast<double>(simulation.y_series(s).size());
   }
   return sum / samples;
 }
 
-// Sets the autocovariance at the lags up to a quarter of the segments, from the periodograms of the
-// whole segments. The Fourier transform of a periodogram is the autocovariance times the
-// autocorrelation of the window, by which it is divided; cubic polynomials interpolate between the
-// samples. The density of y' is that of y times w^2, without frequencies above the Nyquist
-// frequency; the error contains their share of the variance for the decrease C w^-4 of the density
-// of y.
-// @param constant density of the constant E[y] - centre at the frequency k
+// Sets the autocovariance at lags up to a quarter of the segment length: the Fourier transform of
+// the averaged periodograms, divided by the autocorrelation of the window. Cubic polynomials
+// interpolate between the samples. The error contains the part of the variance above the Nyquist
+// frequency, from the decrease C w^-4 of the density of y.
+// @param constant function of k: spectral density of the constant E[y] - centre at frequency k
+// @param tail constant C
 template <class Constant>
 void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogram,
                         const std::vector<StreamSpectrum>& sums, const Constant& constant,
@@ -173,14 +174,14 @@ void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogra
     covariances.push_back(periodogram.windowed_covariance(density));
   }
   // The integral of C w^-2 cos(w t), or of C w^-4 cos(w t), above the Nyquist frequency is at most
-  // its value at t = 0, and at most the first term of an integration by parts, doubled.
+  // the integral at t = 0, and at most twice the first term of an integration by parts.
   const double at_nyquist = std::abs(tail) * std::pow(nyquist, of_y ? -4 : -2);
   const auto beyond_nyquist = [&](double t) {
     return at_nyquist * std::min(nyquist / (of_y ? 3 : 1), 2 / t);
   };
   for (const double lag : lags) {
-    const double at = lag / periodogram.interval();
-    if (at > static_cast<double>(periodogram.samples()) / 4) break;
+    const double at = lag / periodogram.sampling_interval();
+    if (at > static_cast<double>(periodogram.sample_count()) / 4) break;
     const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(at) - 1));
     std::array<double, kNodes> nodes{}, correlations{};
     for (std::size_t a = 0; a < kNodes; ++a) {
@@ -196,14 +197,14 @@ void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogra
       }
       of_streams.push_back(value);
     }
-    const Estimate e = weights.estimate(of_streams);
+    const MeanEstimate e = weights.estimate_mean(of_streams);
     spectrum.lags.push_back(lag);
     spectrum.autocovariance.push_back(e.mean);
     spectrum.autocovariance_error.push_back(std::hypot(e.standard_error, beyond_nyquist(lag)));
   }
 }
 
-std::size_t segment_length(double decay_rate, double interval) {
+std::size_t choose_segment_length(double decay_rate, double interval) {
   std::size_t length = kShortest;
   while (length < kLongest && static_cast<double>(length) * interval * decay_rate < kLength) {
     length *= 2;
@@ -223,16 +224,17 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
   spectrum.has_standard_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  spectrum.reason = functional_unsupported_reason(transformed, options);
+  spectrum.reason = unsupported_functional_reason(transformed, options);
   if (!spectrum.reason.empty()) {
     spectrum.status = Status::not_offered;
     return spectrum;
   }
-  const problem::MotionScales scales = problem::scales(transformed);
+  const problem::MotionScales scales = problem::motion_scales(transformed);
   SimulationPlan plan = make_simulation_plan(transformed, options);
   const double nyquist = kOversampling * std::max(frequencies.back(), scales.frequency);
   plan.sampling_interval = kPi / nyquist;
-  const std::size_t length = segment_length(scales.slowest_decay_rate, plan.sampling_interval);
+  const std::size_t length =
+      choose_segment_length(scales.slowest_decay_rate, plan.sampling_interval);
   plan.samples_per_round = length / 2;
   const double time = options.time.value_or(std::min(
       kSegments * static_cast<double>(length) * plan.sampling_interval,
@@ -241,8 +243,8 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
       std::max(4.0, std::ceil(time / (plan.streams * plan.round_time()))));
 
   Simulation simulation(transformed, plan);
-  simulation.keep_series();
-  simulation.burn_in();
+  simulation.enable_series();
+  simulation.run_burn_in();
   const auto streams = static_cast<std::size_t>(plan.streams);
   std::vector<StreamSpectrum> sums(streams);
   double centre = 0;
@@ -252,7 +254,7 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
     base::parallel_for(static_cast<std::size_t>(plan.threads), plan.threads, [&](std::size_t part) {
       Periodogram whole(length, plan.sampling_interval), half(length / 2, plan.sampling_interval);
       for (std::size_t s = part; s < streams; s += static_cast<std::size_t>(plan.threads)) {
-        add_complete_segments(length, centre, whole, half, simulation.series(s), sums[s]);
+        add_complete_segments(length, centre, whole, half, simulation.y_series(s), sums[s]);
       }
     });
     if (options.progress) {
@@ -260,16 +262,16 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
     }
   }
 
-  const StreamWeights weights(excess_impulse_powers(simulation));
+  const StreamWeights weights(excess_impulse_power_per_stream(simulation));
   const auto moment = [&](int p, int q) {
-    return weights.estimate(
+    return weights.estimate_mean(
         statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
           return moment_in_wall_coordinates(simulation, record, p, q);
         }));
   };
   const bool of_y = variable == transform::StateVariable::y;
-  const Estimate first = moment(of_y ? 1 : 0, of_y ? 0 : 1),
-                 second = moment(of_y ? 2 : 0, of_y ? 0 : 2);
+  const MeanEstimate first = moment(of_y ? 1 : 0, of_y ? 0 : 1),
+                     second = moment(of_y ? 2 : 0, of_y ? 0 : 2);
   spectrum.variance = second.mean - first.mean * first.mean;
   spectrum.variance_error =
       std::hypot(second.standard_error, 2 * first.mean * first.standard_error);
@@ -282,27 +284,27 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
     const double step = periodogram.frequency_step();
     const std::vector<double> of_constant{periodogram.density_of_constant(0),
                                           periodogram.density_of_constant(1), 0, 0};
-    const double subtracted =
-        std::pow(mean_y - centre, 2) * interpolate(of_constant, step, std::min(w, 2 * step));
+    const double subtracted = std::pow(mean_y - centre, 2) *
+                              interpolate_density(of_constant, step, std::min(w, 2 * step));
     std::vector<double> values;
     for (const StreamSpectrum& s : sums) {
       const double count = pieces * static_cast<double>(s.segments);
-      values.push_back(interpolate(s.*of, step, w) / count - subtracted);
+      values.push_back(interpolate_density(s.*of, step, w) / count - subtracted);
     }
-    return weights.estimate(values);
+    return weights.estimate_mean(values);
   };
   Periodogram of_whole(length, plan.sampling_interval);
   const Periodogram of_half(length / 2, plan.sampling_interval);
   const auto whole = [&](double w) { return estimate(w, of_whole, &StreamSpectrum::whole, 1); };
-  // The constant C of the decrease C w^-4, at half the Nyquist frequency
+  // Constant C of the decrease C w^-4, from the density at half the Nyquist frequency
   const double tail = whole(nyquist / 2).mean * std::pow(nyquist / 2, 4);
   for (const double w : frequencies) {
-    const Estimate e = whole(w);
+    const MeanEstimate e = whole(w);
     const double of_window = (e.mean - estimate(w, of_half, &StreamSpectrum::half, 2).mean) / 3;
     const double factor = of_y ? 1 : w * w;
     spectrum.density.push_back(factor * e.mean);
-    spectrum.error.push_back(factor *
-                             (std::hypot(e.standard_error, of_window) + alias(tail, nyquist, w)));
+    spectrum.error.push_back(
+        factor * (std::hypot(e.standard_error, of_window) + alias_density(tail, nyquist, w)));
   }
   add_autocovariance(
       lags, of_whole, sums,

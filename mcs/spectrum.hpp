@@ -10,13 +10,13 @@ namespace fpkcheck::mcs {
 
 /// Estimates the one-sided spectral density of y or y' by Welch's method: periodograms of
 /// half-overlapping segments of y with Hann's window, averaged over all segments of a stream and
-/// over the streams with StreamWeights. The spectrum of y' is w^2 times that of y, since samples of
-/// y', whose spectrum decreases only as w^-2, would have a large alias.
+/// over the streams with StreamWeights. The spectrum of y' is computed as w^2 times the spectrum of
+/// y: the spectrum of samples of y' decreases only as w^-2 and would have a large alias.
 ///
-/// The errors are standard errors from the differences between streams, combined with two bounds of
-/// the bias: the alias from the decrease G(w) ~ w^-4 above the frequencies, and the width of the
-/// window from the estimate with segments of half the length.
-/// The autocovariance is the Fourier transform of the averaged periodograms, divided by the
+/// The errors are standard errors from the differences between streams, combined with two estimates
+/// of the bias: the alias, from the decrease G(w) ~ w^-4 above the largest frequency, and the
+/// effect of the width of the window, from a second estimate with segments of half the length. The
+/// autocovariance is the Fourier transform of the averaged periodograms, divided by the
 /// autocorrelation of the window.
 /// @param frequencies increasing angular frequencies w >= 0
 /// @param lags increasing times t >= 0 of the autocovariance R(t)

@@ -12,7 +12,7 @@ using transform::MetricBuilder;
 using transform::MetricKind;
 using transform::value_from_count;
 
-void add_metrics(MetricBuilder& builder, const std::string& path, const Estimate& estimate,
+void add_metrics(MetricBuilder& builder, const std::string& path, const MeanEstimate& estimate,
                  const std::string& error_path) {
   builder.add({.path = path, .value = estimate.mean, .standard_error_path = error_path});
   builder.add_error(error_path, estimate.standard_error);
@@ -26,9 +26,9 @@ void add_metric_list(MetricBuilder& builder, const std::string& path,
   for (std::size_t k = 0; k < items.size(); ++k) put(fmt::format("{}[{}]", path, k), items[k], k);
 }
 
-void add_moment_metrics(MetricBuilder& builder, const std::vector<Estimate>& moments) {
+void add_moment_metrics(MetricBuilder& builder, const std::vector<MeanEstimate>& moments) {
   add_metric_list(builder, "joint_moments", moments, MetricKind::result,
-                  [&](const std::string& at, const Estimate& moment, std::size_t k) {
+                  [&](const std::string& at, const MeanEstimate& moment, std::size_t k) {
                     builder.add_result(at + ".y", value_from_count(kPowers[k].first));
                     builder.add_result(at + ".v", value_from_count(kPowers[k].second));
                     add_metrics(builder, at + ".mean", moment, at + ".standard_error");
@@ -36,10 +36,10 @@ void add_moment_metrics(MetricBuilder& builder, const std::vector<Estimate>& mom
 }
 
 void add_quantile_metrics(MetricBuilder& builder, const std::string& path,
-                          const std::vector<Quantile>& quantiles) {
+                          const std::vector<QuantileEstimate>& quantiles) {
   add_metric_list(
       builder, path, quantiles, MetricKind::result,
-      [&](const std::string& at, const Quantile& q, std::size_t) {
+      [&](const std::string& at, const QuantileEstimate& q, std::size_t) {
         const std::string error_path = at + ".standard_error";
         builder.add_result(at + ".probability", q.probability);
         builder.add({.path = at + ".value", .value = q.value, .standard_error_path = error_path});

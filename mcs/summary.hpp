@@ -13,6 +13,7 @@
 
 namespace fpkcheck::mcs {
 
+/// Deposited sums of one stream, and the numbers by which the sums are divided.
 struct StreamDeposit {
   DepositedSums sums;
   double samples = 0;  ///< number of samples N, the divisor of the sums
@@ -47,7 +48,7 @@ struct Summary {
   double step = 0;  ///< limit of the Taylor step in radians, Options::step
   std::optional<double> kick_interval{};
   double burn_in = 0;
-  Estimate impact_rate{};  ///< impacts per unit time, int |v| p(0, v) dv over v < 0
+  MeanEstimate impact_rate{};  ///< impacts per unit time, int |v| p(0, v) dv over v < 0
   /// Whether impacts end in rest in contact; the rate of impacts is then infinite and not stated
   bool impacts_accumulate = false;
   transform::BalanceResiduals balances{};  ///< residuals of the balances of the weighted averages
@@ -57,8 +58,8 @@ struct Summary {
   std::uint64_t rounds = 0;
   bool interrupted = false;
   /// moments E[y^p y'^q], p + q <= 4, in the order of kPowers
-  std::vector<Estimate> joint_moments{};
-  std::vector<Quantile> y_quantiles{}, v_quantiles{};
+  std::vector<MeanEstimate> joint_moments{};
+  std::vector<QuantileEstimate> y_quantiles{}, v_quantiles{};
   std::vector<LevelEventRate> crossings{}, peaks{};
   std::vector<double> thresholds{};
   /// Standard errors of the averages of the joint histogram, row-major

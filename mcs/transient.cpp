@@ -27,13 +27,13 @@ using transform::Moments;
 using transform::Status;
 using transform::TransientRequest;
 
-// Paths of the default simulation, and its most impulses, kicks and flights: some seconds of
-// computing with DuffingFlights, and with other flights.
+// Number of paths of the default simulation, and largest number of its impulses, kicks and flights,
+// with DuffingFlights and with other flights: some seconds of computing
 constexpr double kPaths = 1e6, kMostDuffingEvents = 6e7, kMostOtherEvents = 2.5e7;
 constexpr double kFewestPaths = 1000;
 constexpr int kStreams = 2048;  // paths that are simulated together
 
-// Sums over the paths of some streams at one time.
+// Histograms and sums of powers of y and y' over paths, at one time.
 struct SnapshotSums {
   std::vector<double> y, v;                      // number of paths in each bin, outer bins included
   std::array<double, 8> y_powers{}, v_powers{};  // sums of the powers 1 .. 8
@@ -41,7 +41,7 @@ struct SnapshotSums {
   SnapshotSums(const BinFinder& y_bins, const BinFinder& v_bins)
       : y(y_bins.bin_count() + 2), v(v_bins.bin_count() + 2) {}
 
-  void add(const BinFinder& y_bins, const BinFinder& v_bins, double at_y, double at_v) {
+  void add_path(const BinFinder& y_bins, const BinFinder& v_bins, double at_y, double at_v) {
     ++y[y_bins(at_y)];
     ++v[v_bins(at_v)];
     double y_power = 1, v_power = 1;
@@ -51,7 +51,7 @@ struct SnapshotSums {
     }
   }
 
-  void add(const SnapshotSums& other) {
+  void add_sums(const SnapshotSums& other) {
     const auto plus = [](auto& a, const auto& b) {
       std::ranges::transform(a, b, a.begin(), std::plus());
     };
@@ -62,10 +62,11 @@ struct SnapshotSums {
   }
 };
 
-// Draws independent initial states from a Gaussian, truncated at the walls.
+// Generator of independent initial states from a Gaussian that is truncated at the walls.
 class InitialStates {
  public:
-  InitialStates(const problem::System& system, const problem::Gaussian& density, std::uint64_t seed)
+  InitialStates(const problem::System& system, const problem::InitialGaussian& density,
+                std::uint64_t seed)
       : left_(system.left_wall() ? system.left_wall()->position : -HUGE_VAL),
         right_(system.right_wall() ? system.right_wall()->position : HUGE_VAL),
         density_(density) {
@@ -80,9 +81,9 @@ class InitialStates {
     }
   }
 
-  State draw(std::size_t stream) {
+  State draw_state(std::size_t stream) {
     const auto next = [&] { return normal_[stream].next_impulse().amplitude; };
-    // Probability of a displacement up to y, and its inverse function
+    // The displacement is the quantile of a uniform probability between those of the walls.
     const double below = left_probability_;
     const double probability =
         below + numerics::normal_probability(next()) * (right_probability_ - below);
@@ -97,7 +98,7 @@ class InitialStates {
   static constexpr double kLeast = 1e-15;  // least probability with a finite quantile
 
   double left_, right_;
-  problem::Gaussian density_;
+  problem::InitialGaussian density_;
   double left_probability_ = 0, right_probability_ = 1;
   std::vector<ImpulseSource> normal_;
 };
@@ -110,7 +111,8 @@ transform::Marginal make_marginal(const std::vector<double>& counts,
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
     const double width = edges[b + 1] - edges[b], probability = counts[b + 1] / paths;
     const double error = std::sqrt(probability * (1 - probability) / paths);
-    // Wilson's interval of a probability, which is not empty for an empty bin
+    // Wilson's confidence interval of a probability, which has a positive width even for an empty
+    // bin
     const double z2 = numerics::kNormal95 * numerics::kNormal95 / paths;
     const double centre = (probability + z2 / 2) / (1 + z2);
     const double half =
@@ -118,7 +120,7 @@ transform::Marginal make_marginal(const std::vector<double>& counts,
     marginal.density.push_back(probability / width);
     marginal.lower.push_back(std::max(0.0, centre - half) / width);
     marginal.upper.push_back((centre + half) / width);
-    // The mean of the absolute value of a normal error
+    // sqrt(2/pi) times the standard error is the mean absolute value of a normal error.
     expected_l1 += std::sqrt(2 / std::numbers::pi) * error;
   }
   return marginal;
@@ -144,11 +146,11 @@ transform::TransientSnapshot make_snapshot(const SnapshotSums& sums, double time
   return snapshot;
 }
 
-// Periods of the periodic state that are simulated without being recorded.
+// Numbers of periods of the excitation that are simulated without recording the states.
 struct SkippedPeriods {
   static constexpr double kMostPeriods = 1e6;
-  int before_first = 0;  // until the initial density is forgotten
-  int between = 0;       // until the states are independent of those of the last recorded period
+  int before_first = 0;  // before the first recorded period, until the initial density has decayed
+  int between = 0;  // between two recorded periods, so that their states are nearly independent
 
   SkippedPeriods(const SimulationPlan& plan, double decay_rate, double period) {
     constexpr double kDecayTimesBetween = 3;  // a correlation of exp(-3) = 0.05
@@ -160,8 +162,8 @@ struct SkippedPeriods {
   }
 };
 
-// Simulates repetitions of kStreams paths, and returns the sums over all paths at each time. The
-// paths of the periodic state are continued in each repetition.
+// Simulates kStreams paths in each repetition, and returns the sums over all paths at each time.
+// For a periodic state each repetition continues the paths of the previous repetition.
 std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& initial,
                                          int repetitions, const SkippedPeriods& periods,
                                          const TransientRequest& request,
@@ -174,20 +176,20 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
   const auto record = [&](std::size_t time) {
     base::parallel_for(kParts, simulation.plan().threads, [&](std::size_t part) {
       for (std::size_t s = part; s < kStreams; s += kParts) {
-        const Branch& state = simulation.streams()[s].branch;
-        sums[part][time].add(y_bins, v_bins, frame.physical_y(state.y),
-                             frame.physical_velocity(state.v));
+        const TrajectoryBranch& state = simulation.streams()[s].branch;
+        sums[part][time].add_path(y_bins, v_bins, frame.physical_y(state.y),
+                                  frame.physical_velocity(state.v));
       }
     });
   };
   const auto restart_all = [&] {
     for (std::size_t s = 0; s < kStreams; ++s) {
-      const State start = initial.draw(s);
-      simulation.restart(s, start.y, start.v);
+      const State start = initial.draw_state(s);
+      simulation.restart_stream(s, start.y, start.v);
     }
   };
   const auto skip = [&](int count) {
-    for (int k = 0; k < count; ++k) simulation.advance_in_time(0, request.until);
+    for (int k = 0; k < count; ++k) simulation.advance_between_times(0, request.until);
   };
   if (request.periodic) {
     restart_all();
@@ -202,7 +204,8 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
     record(0);
     for (std::size_t k = 1; k < times; ++k) {
       const int snapshot = static_cast<int>(k);
-      simulation.advance_in_time(request.time(snapshot - 1), request.time(snapshot));
+      simulation.advance_between_times(request.time_of_snapshot(snapshot - 1),
+                                       request.time_of_snapshot(snapshot));
       record(k);
     }
     if (options.progress) {
@@ -211,7 +214,7 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
   }
   std::vector<SnapshotSums> all = sums[0];
   for (std::size_t part = 1; part < kParts; ++part) {
-    for (std::size_t k = 0; k < times; ++k) all[k].add(sums[part][k]);
+    for (std::size_t k = 0; k < times; ++k) all[k].add_sums(sums[part][k]);
   }
   return all;
 }
@@ -225,10 +228,11 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
   transient.has_standard_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system),
-                                   problem::with_largest_excitation(problem, request.span()));
-  const problem::MotionScales scales = problem::scales(transformed);
-  const problem::Gaussian density = problem::initial_density(transformed, scales, request.start);
-  transient.reason = functional_unsupported_reason(transformed, options);
+                                   problem::with_largest_excitation(problem, request.time_span()));
+  const problem::MotionScales scales = problem::motion_scales(transformed);
+  const problem::InitialGaussian density =
+      problem::initial_density(transformed, scales, request.start);
+  transient.reason = unsupported_functional_reason(transformed, options);
   if (!transient.reason.empty()) {
     transient.status = Status::not_offered;
     return transient;
@@ -258,8 +262,8 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
   const auto sums = simulate_paths(simulation, initial, repetitions, periods, request,
                                    transformed.frame, options);
   for (int k = 0; k <= request.snapshots; ++k) {
-    transient.snapshots.push_back(
-        make_snapshot(sums[static_cast<std::size_t>(k)], request.time(k), paths, request));
+    transient.snapshots.push_back(make_snapshot(sums[static_cast<std::size_t>(k)],
+                                                request.time_of_snapshot(k), paths, request));
   }
   transient.status = Status::ok;
   if (request.periodic) {

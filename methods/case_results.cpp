@@ -20,21 +20,22 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
   const auto poll = [&] {
     if (settings.poll) settings.poll();
   };
-  // All methods share the error estimators, so that each backward equation is solved only once.
+  // All methods share the error estimators. Each backward equation is therefore solved only once.
   const auto estimators = make_error_estimators(problems);
   auto cases = run_cases(problems, methods, settings.threads, settings.progress, estimators,
                          settings.case_listener);
   poll();
   if (!settings.with_backward) return cases;
   // The cases run in parallel, since the fits of the backward equation are serial.
-  const int threads = base::number_of_threads(settings.threads);
+  const int threads = base::resolve_thread_count(settings.threads);
   const int cases_at_once = std::clamp(static_cast<int>(cases.size()), 1, threads);
   base::parallel_for(cases.size(), cases_at_once, [&](std::size_t k) {
     poll();
     constexpr double kSeconds = 1;  // time of all processors in which most problems reach grid 3
-    cases[k].bounds = guaranteed_bounds(cases[k].problem, {.relative_half_width = 1e-5,
-                                                           .seconds = kSeconds * cases_at_once,
-                                                           .threads = threads / cases_at_once});
+    cases[k].bounds =
+        compute_guaranteed_bounds(cases[k].problem, {.relative_half_width = 1e-5,
+                                                     .seconds = kSeconds * cases_at_once,
+                                                     .threads = threads / cases_at_once});
     poll();
     add_moment_error_estimates(cases[k], estimators[k], threads / cases_at_once);
     if (settings.case_listener) settings.case_listener(cases[k]);
@@ -43,8 +44,8 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
   return cases;
 }
 
-compare::GuaranteedBounds guaranteed_bounds(const problem::Problem& problem,
-                                            const backward::Options& options) {
+compare::GuaranteedBounds compute_guaranteed_bounds(const problem::Problem& problem,
+                                                    const backward::Options& options) {
   const base::Stopwatch stopwatch;
   compare::GuaranteedBounds bounds{.reason = {}, .seconds = 0, .each = {}};
   const bool completed = run_unless_out_of_memory([&] {
@@ -69,11 +70,11 @@ struct MomentErrorsAndSources {
   std::vector<results::ErrorSource> sources;
 };
 
-results::ErrorSource error_source(const backward::DensityResiduals& residuals,
-                                  const problem::WallFrame& frame, const std::string& solution,
-                                  const transform::NamedMoment& moment,
-                                  const Eigen::MatrixXd& contributions,
-                                  const transform::GridDensity& cells) {
+results::ErrorSource make_error_source(const backward::DensityResiduals& residuals,
+                                       const problem::WallFrame& frame, const std::string& solution,
+                                       const transform::NamedMoment& moment,
+                                       const Eigen::MatrixXd& contributions,
+                                       const transform::GridDensity& cells) {
   Eigen::MatrixXd values =
       residuals.contributions_per_cell(contributions, transform::to_x_edges(frame, cells.y_edges),
                                        transform::transform_v_edges(frame, cells.v_edges));
@@ -101,8 +102,8 @@ std::optional<MomentErrorsAndSources> estimate_moment_errors(
         solution.moments.*named.moment - weighted.corrected.*named.moment;
     const bool has_error_source = named.moment == &Moments::y2 || named.moment == &Moments::v2;
     if (!has_error_source || cells == nullptr) continue;
-    found.sources.push_back(
-        error_source(residuals, frame, solution.id(), named, weighted.contributions[k], *cells));
+    found.sources.push_back(make_error_source(residuals, frame, solution.id(), named,
+                                              weighted.contributions[k], *cells));
   }
   return found;
 } catch (const InputError&) {

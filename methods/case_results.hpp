@@ -20,8 +20,8 @@ struct CaseResultSettings {
   /// moment error estimates. With a listener, a stop request prevents further solves, as in
   /// run_cases().
   CaseListener case_listener = {};
-  /// Function that is called after the solutions and after each further long operation, by several
-  /// threads; may throw.
+  /// Function that several threads call after the solutions and after each further long operation.
+  /// An exception of this function ends the computation.
   std::function<void()> poll = {};
 };
 
@@ -32,16 +32,16 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
                                                       const std::vector<Method>& methods,
                                                       const CaseResultSettings& settings);
 
-/// Computes guaranteed bounds by backward::bounds(). If memory does not suffice, the result has no
-/// bounds, and its `reason` is kOutOfMemory.
-compare::GuaranteedBounds guaranteed_bounds(const problem::Problem& problem,
-                                            const backward::Options& options);
+/// Computes guaranteed bounds by backward::compute_bounds(). If memory does not suffice, the result
+/// has no bounds, and its `reason` is kOutOfMemory.
+compare::GuaranteedBounds compute_guaranteed_bounds(const problem::Problem& problem,
+                                                    const backward::Options& options);
 
 /// Computes moment error estimates and error sources of solutions by the dual-weighted residual
-/// method (backward/residual/density_residuals.hpp). Only solutions whose density is a function or
-/// finite-volume averages get estimates. A histogram of a simulation gets no estimate, since
-/// sampling noise is not a residual of an equation. If the backward equation cannot be solved or
-/// memory does not suffice, no solution gets an estimate.
+/// method (backward/residual/density_residuals.hpp). Only solutions whose density is a function, or
+/// averages over cells of a finite-volume method, get estimates. A histogram of a simulation gets
+/// no estimate, since sampling noise is not a residual of an equation. If the backward equation
+/// cannot be solved or memory does not suffice, no solution gets an estimate.
 /// @param thread_count number of threads; 0 for one per processor
 void add_moment_error_estimates(results::CaseResult& case_result,
                                 const ResidualErrorEstimator& estimator, int thread_count);

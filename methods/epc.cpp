@@ -38,8 +38,8 @@ examples:
   fpkcheck epc case2 --order 8 --equation kf
 )";
 
-MethodFamily family(const std::string& name, const std::string& meaning,
-                    std::vector<std::string> default_ids) {
+MethodFamily closure_family(const std::string& name, const std::string& meaning,
+                            std::vector<std::string> default_ids) {
   return {name, transform::SolutionRole::closure, meaning, std::move(default_ids), closure_style};
 }
 
@@ -50,16 +50,17 @@ Solver epc_solver() {
       .name = "epc",
       .summary = "exponential-polynomial closure, the paper's equations (17)-(26)",
       .usage = kEpcUsage,
-      .families = {family("epc-gaussian",
-                          "Exponential-polynomial closure of the paper: p = C exp(Q_n) with a "
-                          "polynomial of degree n, projected with Gaussian weights.",
-                          {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6",
-                           "epc-gaussian-n8"}),
-                   family("epc-moment",
+      .families =
+          {closure_family(
+               "epc-gaussian",
+               "Exponential-polynomial closure of the paper: p = C exp(Q_n) with a "
+               "polynomial of degree n, projected with Gaussian weights.",
+               {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8"}),
+           closure_family("epc-moment",
                           "The same form with the exact moment equations of the impact process "
                           "on the half-plane y >= 0.",
                           {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}),
-                   family("epc-polar",
+           closure_family("epc-polar",
                           "As epc-moment, but with a polynomial of amplitude and phase, or of "
                           "amplitude and velocity.",
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"})},

@@ -43,12 +43,12 @@ examples:
   mpirun -n 64 fpkcheck mcs case1 --time 1e11 --streams 4096        the same bits, in less time
 )";
 
-transform::Solution solve(const problem::Problem& problem, const mcs::Options& options,
-                          const SolveContext& context) {
+transform::Solution solve_by_simulation(const problem::Problem& problem,
+                                        const mcs::Options& options, const SolveContext& context) {
   mcs::Options axis_options = options;
   axis_options.y_edges = context.axes.y_edges;
   axis_options.v_edges = context.axes.v_edges;
-  axis_options.progress = [&](const mcs::Progress& at) {
+  axis_options.progress = [&](const mcs::SimulationProgress& at) {
     if (!context.progress) return;
     context.progress(at.fraction, at.y_l1 && at.ydot_l1
                                       ? fmt::format("sampling L1 {:.1e} in p(y), {:.1e} in p(y')",
@@ -59,8 +59,9 @@ transform::Solution solve(const problem::Problem& problem, const mcs::Options& o
   return mcs::solve(problem, axis_options).solution;
 }
 
-// In a list of methods the simulation serves as the reference. With the equation `kf` the
-// simulation therefore uses control variates, which are not available for other equations.
+// In a list of methods the simulation is the reference and should have small sampling errors. With
+// the equation `kf` the simulation therefore uses control variates, which exist only for this
+// equation.
 std::optional<mcs::Options> options_with_control_variates(std::string_view id) {
   auto options = mcs::options_of(id);
   if (options) options->controlled = options->equation == mcs::DensityEquation::kf;
@@ -84,7 +85,7 @@ Method with_runtime_settings(Method simulation, const SimulationRuntimeSettings&
           return mcs::unsupported_reason(transformed, options);
         },
         [&](const problem::Problem& transformed, const SolveContext& transformed_context) {
-          return solve(transformed, options, transformed_context);
+          return solve_by_simulation(transformed, options, transformed_context);
         });
   };
   return simulation;
@@ -107,7 +108,7 @@ Solver mcs_solver() {
                                            .validate = mcs::validate,
                                            .identity = mcs::identity,
                                            .options_of = options_with_control_variates,
-                                           .solve = solve,
+                                           .solve = solve_by_simulation,
                                            .check = mcs::require_solvable,
                                            .unsupported_reason = mcs::unsupported_reason});
 }

@@ -18,7 +18,7 @@ struct SimulationRuntimeSettings {
   mcs::ProcessGroup process_group = {};               ///< processes that share the simulation
 };
 
-/// @param simulation method that the registry entry mcs_solver() made
+/// @param simulation method of the registry entry mcs_solver()
 Method with_runtime_settings(Method simulation, const SimulationRuntimeSettings& settings);
 
 }  // namespace fpkcheck::methods

@@ -24,8 +24,8 @@ using ProgressCallback = std::function<void(double, const std::string& note)>;
 struct SolveContext {
   const compare::ComparisonAxes& axes;  ///< comparison bins, used for the histogram of a simulation
   const ProgressCallback& progress;
-  /// Residual-based error estimator (set_residual_error_estimate), for methods without an error
-  /// estimate of their own. The pointer may be null.
+  /// Residual-based error estimator (set_residual_error_estimate), for methods that have no other
+  /// error estimate. The pointer may be null.
   const ResidualErrorEstimator* error_estimator = nullptr;
   /// Whether the method must estimate the error of its solution. The flag is false if the caller
   /// estimates the error of the solution, for example from the distance to the reference.
@@ -36,7 +36,7 @@ struct SolveContext {
 struct Method {
   transform::SolutionIdentity identity;  ///< identity of the solutions
   base::Values options = {};             ///< values of the options, as stored in files
-  /// Whether the method uses all processors, so that no other method should run at the same time.
+  /// Whether the method uses all processors. No other method then runs at the same time.
   bool uses_all_processors = false;
   /// Function that solves a problem. Its caller solve_with_method() sets the identity and options
   /// of the solution.

@@ -24,7 +24,7 @@ constexpr const char* kEquationMarker = "triangle-down";
 
 // Returns the index of a closure order in the list 2, 4, .. 12, or the last index for higher
 // orders.
-std::size_t order_index(int order) {
+std::size_t closure_order_index(int order) {
   return std::min(static_cast<std::size_t>(std::max(2, order) / 2 - 1), kDashes.size() - 1);
 }
 
@@ -43,7 +43,7 @@ PlotStyle closure_style(const SolutionIdentity& identity) {
   const auto& [ramp, symbol] = formulation.starts_with("moment")  ? kMomentStyle
                                : formulation.starts_with("polar") ? kPolarStyle
                                                                   : kGaussianStyle;
-  const auto shade = order_index(identity.order.value_or(2));
+  const auto shade = closure_order_index(identity.order.value_or(2));
   return {.colour = ramp[shade],
           .dash = kDashes[shade],
           .width = 2,
@@ -108,7 +108,7 @@ PlotStyle external_density_style(std::size_t rank) {
 
 PlotStyle external_family_style(std::size_t rank, int order) {
   PlotStyle plot_style = external_density_style(rank);
-  plot_style.dash = kDashes[order_index(order)];
+  plot_style.dash = kDashes[closure_order_index(order)];
   return plot_style;
 }
 

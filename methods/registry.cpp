@@ -22,7 +22,7 @@ using base::Values;
 using transform::Solution;
 using transform::SolutionIdentity;
 
-bool is_in_family(std::string_view id, const std::string& family) {
+bool is_id_in_family(std::string_view id, const std::string& family) {
   return id == family || id.starts_with(family + '-');
 }
 
@@ -35,7 +35,8 @@ Values with_overrides(Values options, const Values& overrides) {
 }
 
 // Returns the default ids of a family or a solver, or the item itself.
-std::vector<std::string> selected_ids(const SolverRegistry& registry, const std::string& item) {
+std::vector<std::string> method_ids_of_item(const SolverRegistry& registry,
+                                            const std::string& item) {
   std::vector<std::string> ids;
   for (const auto& solver : registry.solvers()) {
     for (const auto& family : solver.families) {
@@ -53,7 +54,7 @@ void SolverRegistry::add(Solver solver) {
   if (find_solver(solver.name) != nullptr) {
     throw std::logic_error("solver '" + std::string(solver.name) + "' is registered twice");
   }
-  const auto known = families();
+  const auto known = families_by_trust();
   for (const auto& family : solver.families) {
     if (std::ranges::find(known, family.name, &MethodFamily::name) != known.end()) {
       throw std::logic_error("methods '" + family.name + "' are registered twice");
@@ -67,7 +68,7 @@ const Solver* SolverRegistry::find_solver(std::string_view name) const {
   return found == solvers_.end() ? nullptr : &*found;
 }
 
-std::vector<const MethodFamily*> SolverRegistry::families() const {
+std::vector<const MethodFamily*> SolverRegistry::families_by_trust() const {
   std::vector<const MethodFamily*> all;
   for (const auto& solver : solvers_) {
     for (const auto& family : solver.families) all.push_back(&family);
@@ -77,9 +78,9 @@ std::vector<const MethodFamily*> SolverRegistry::families() const {
 }
 
 void SolverRegistry::complete_identity(SolutionIdentity& identity) const {
-  const auto all = families();
+  const auto all = families_by_trust();
   const auto entry = std::ranges::find_if(
-      all, [&](const MethodFamily* family) { return is_in_family(identity.id, family->name); });
+      all, [&](const MethodFamily* family) { return is_id_in_family(identity.id, family->name); });
   if (entry == all.end()) return;
   const MethodFamily& family = **entry;
   identity.role = family.role;
@@ -104,8 +105,8 @@ Method SolverRegistry::make_method(const Solver& solver, const Values& options) 
   return with_complete_identity(solver.method(options));
 }
 
-std::optional<Method> SolverRegistry::method_by_id(std::string_view id,
-                                                   const Values& overrides) const {
+std::optional<Method> SolverRegistry::find_method_by_id(std::string_view id,
+                                                        const Values& overrides) const {
   for (const auto& solver : solvers_) {
     if (const auto options = solver.options_of(id)) {
       return make_method(solver, with_overrides(*options, overrides));
@@ -119,8 +120,8 @@ std::vector<Method> SolverRegistry::select_methods(const std::string& list,
   std::map<std::string, Method> methods;
   std::istringstream items(list);
   for (std::string item; std::getline(items, item, ',');) {
-    for (const auto& id : selected_ids(*this, item)) {
-      auto found = method_by_id(id, overrides);
+    for (const auto& id : method_ids_of_item(*this, item)) {
+      auto found = find_method_by_id(id, overrides);
       if (!found) {
         throw InputError(fmt::format("--methods: unknown method {}; use {}", base::in_quotes(item),
                                      selectable_methods_text(*this)));
@@ -161,7 +162,8 @@ void SolverRegistry::complete_solution_identities(results::Run& run) const {
   for (auto& one : run.cases) {
     for (auto& solution : one.solutions) {
       if (!solution.identity.family.empty()) continue;
-      if (const auto method = method_by_id(solution.id())) solution.identity = method->identity;
+      if (const auto method = find_method_by_id(solution.id()))
+        solution.identity = method->identity;
     }
   }
 }

@@ -23,13 +23,14 @@ class SolverRegistry {
   const std::vector<Solver>& solvers() const { return solvers_; }
   const Solver* find_solver(std::string_view name) const;
   /// Returns the families of methods of all solvers, by increasing trust.
-  std::vector<const MethodFamily*> families() const;
+  std::vector<const MethodFamily*> families_by_trust() const;
 
   /// Returns the method with a given id; empty if no solver has a method with this id.
   /// @param overrides values of options that replace the default values; options of other solvers
   /// are ignored
   /// @throws InputError if the options are invalid
-  std::optional<Method> method_by_id(std::string_view id, const base::Values& overrides = {}) const;
+  std::optional<Method> find_method_by_id(std::string_view id,
+                                          const base::Values& overrides = {}) const;
 
   /// @throws InputError if the options cannot be read or are invalid
   Method make_method(const Solver& solver, const base::Values& options) const;
@@ -37,13 +38,13 @@ class SolverRegistry {
   /// Returns the methods that a comma-separated list selects, by increasing trust and without
   /// repetitions. An item of the list is the id of a method (epc-gaussian-n6, fd-km4, mcs), a
   /// family (epc-gaussian) or a solver (epc). A family or a solver selects its default ids.
-  /// @param overrides values of options, as in method_by_id()
+  /// @param overrides values of options, as in find_method_by_id()
   /// @throws InputError if an item of the list selects no method
   std::vector<Method> select_methods(const std::string& list, const base::Values& overrides) const;
 
   /// Returns the method that computed a solution of a saved run, with the options of the solution.
   /// The result is empty for an external density (from a file, a function or samples).
-  /// @param overrides values of options, as in method_by_id()
+  /// @param overrides values of options, as in find_method_by_id()
   /// @throws InputError if the options are invalid or belong to another id, or if the registry
   ///         lacks the solver
   std::optional<Method> method_for_solution(const transform::Solution& solution,
@@ -60,8 +61,8 @@ class SolverRegistry {
   std::vector<Solver> solvers_;
 };
 
-/// Returns whether a solution by the method and options `first` is less suitable as a reference
-/// than one by `second`.
+/// Returns whether the solution `first` is less trusted than the solution `second`: by role, then
+/// by trust within the role, then by id.
 bool is_less_trusted(const transform::SolutionIdentity& first,
                      const transform::SolutionIdentity& second);
 

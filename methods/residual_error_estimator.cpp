@@ -56,7 +56,7 @@ std::vector<ResidualErrorEstimator> make_error_estimators(
 
 namespace {
 
-std::optional<backward::DensityErrors> weighted_residuals(
+std::optional<backward::DensityErrors> estimate_density_errors(
     const ResidualErrorEstimator& estimator, const transform::Density& density,
     const problem::WallFrame& coordinates) try {
   const auto* known = estimator.density_residuals();
@@ -80,8 +80,8 @@ std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,
                          : estimator.unsupported_reason());
 }
 
-// A large estimate has two possible reasons: an inaccurate density, or an estimate that is only an
-// upper bound of the error.
+// Returns the reason for an error estimate above the required accuracy. Either the density is
+// inaccurate, or the estimate is only an upper bound that is much larger than the error.
 std::string large_estimate_reason(const backward::DensityErrors& weighted,
                                   const transform::ErrorEstimate& error, double accuracy) {
   const double found = backward::DensityErrors::kSubBinFactor *
@@ -103,7 +103,7 @@ void set_residual_error_estimate(const ResidualErrorEstimator& estimator, double
                                  const problem::WallFrame& coordinates,
                                  std::string_view reason_prefix) {
   if (!solution.density) return;
-  const auto weighted = weighted_residuals(estimator, *solution.density, coordinates);
+  const auto weighted = estimate_density_errors(estimator, *solution.density, coordinates);
   solution.error = weighted ? weighted->error_estimate() : std::nullopt;
   if (!solution.is_ok()) return;
   if (!solution.error) {

@@ -29,7 +29,7 @@ struct SolveTask {
   std::size_t method;
 };
 
-// The table of solutions (problems x methods) during the run.
+// Collects the solutions of a run in a table, shape (problems, methods), and reports the progress.
 class SolutionTable {
  public:
   SolutionTable(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
@@ -60,7 +60,7 @@ class SolutionTable {
                           {axes_[task.problem], progress, &estimators_[task.problem],
                            estimators_[task.problem].unsupported_reason().empty()});
     ++done_;
-    if (--unsolved_[task.problem] == 0) finish(task.problem);
+    if (--unsolved_[task.problem] == 0) assemble_case_result(task.problem);
     report_progress(task, 1, "");
   }
 
@@ -73,7 +73,7 @@ class SolutionTable {
   }
 
  private:
-  void finish(std::size_t p) {
+  void assemble_case_result(std::size_t p) {
     std::vector<Solution> solutions;
     for (auto& solution : solutions_[p]) solutions.push_back(std::move(*solution));
     complete_error_estimates(methods_, axes_[p], estimators_[p], solutions);
@@ -115,8 +115,8 @@ struct ReferenceDistances {
   explicit operator bool() const { return y || ydot; }
 };
 
-void set_distance_estimate(const Solution& reference, const ReferenceDistances& distance,
-                           Solution& solution) {
+void set_error_from_reference_distance(const Solution& reference,
+                                       const ReferenceDistances& distance, Solution& solution) {
   const auto with_reference_error = [&](const std::optional<double>& l1, StateVariable variable) {
     return l1 ? *l1 + compare::l1_error_estimate(reference, variable) : kUnknown;
   };
@@ -171,8 +171,9 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
                                            const CaseListener& case_listener) {
   require_compatible_options(problems, methods);
   SolutionTable run(problems, methods, listener, estimators, case_listener);
-  // The first closure of a problem computes the residual-based error estimator, for which the other
-  // closures of the problem wait. Meanwhile other processors compute solutions that do not use it.
+  // The first closure of a problem computes the residual-based error estimator, and the other
+  // closures of the problem wait for the estimator. Meanwhile other processors compute solutions
+  // that do not use the estimator.
   const auto is_closure = [&](std::size_t m) {
     return methods[m].identity.role == transform::SolutionRole::closure;
   };
@@ -181,8 +182,9 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
   const auto first_closure =
       std::stable_partition(order.begin(), order.end(), std::not_fn(is_closure));
   if (first_closure != order.end()) std::rotate(order.begin(), first_closure, first_closure + 1);
-  // Blocks of problems are completed in turn, so that a stop request loses few problems.
-  const auto block = static_cast<std::size_t>(base::number_of_threads(thread_count));
+  // The blocks of problems are completed one after another. After a stop request, only the problems
+  // of one block are incomplete.
+  const auto block = static_cast<std::size_t>(base::resolve_thread_count(thread_count));
   std::vector<SolveTask> single_threaded;
   for (std::size_t begin = 0; begin < problems.size(); begin += block) {
     const std::size_t end = std::min(begin + block, problems.size());
@@ -233,12 +235,12 @@ void complete_error_estimates(const std::vector<Method>& methods,
     const auto accuracy = solution.error ? std::nullopt : required_accuracy(methods[m]);
     if (accuracy && solution.density) {
       if (const ReferenceDistances found = distance(solution); found.y && found.ydot) {
-        // The status `inaccurate` is due only to the missing error estimate.
+        // At this point the only reason for the status `inaccurate` is the missing error estimate.
         if (solution.status == transform::Status::inaccurate) {
           solution.status = transform::Status::ok;
           solution.reason.clear();
         }
-        set_distance_estimate(*reference, found, solution);
+        set_error_from_reference_distance(*reference, found, solution);
         transform::require_accuracy(
             *accuracy,
             fmt::format(
@@ -252,7 +254,7 @@ void complete_error_estimates(const std::vector<Method>& methods,
     } else if (solution.is_ok() && &solution != reference &&
                !transform::has_error_estimate(solution)) {
       if (const ReferenceDistances found = distance(solution)) {
-        set_distance_estimate(*reference, found, solution);
+        set_error_from_reference_distance(*reference, found, solution);
       } else if (methods[m].identity.role == transform::SolutionRole::closure) {
         set_residual_error_estimate(estimator, HUGE_VAL, solution);
       }

@@ -100,14 +100,16 @@ std::optional<double> required_accuracy(const Method& method);
 /// L1 distance of a solution from the reference plus the error estimate of the reference.
 /// - A closure with a required accuracy but without a residual-based error estimate gets the
 ///   estimate from the reference. The status of the closure becomes `inaccurate` if the estimate
-///   from the reference exceeds the required accuracy. A closure that is `inaccurate` only because
-///   it had no estimate becomes `ok` if the new estimate is small enough. Without a reference, an
+/// from the reference exceeds the required accuracy. If a missing estimate was the only reason for
+/// the status `inaccurate`, and the new estimate is at most the required accuracy, the status
+/// becomes `ok`. Without a reference, an
 ///   `ok` closure gets its residual-based error estimate.
 /// - An external density, or a closure without a required accuracy, gets the estimate from the
 /// reference if the status is `ok` and no error estimate exists. Without a reference, a closure
 /// gets its residual-based error estimate, and an external density becomes `inaccurate`.
 /// @param methods methods that computed the solutions, in the order of the solutions
-/// @param comparison comparison of the solutions, or null if not yet computed
+/// @param comparison comparison of the solutions; if null, the function computes the comparison
+/// when needed
 void complete_error_estimates(const std::vector<Method>& methods,
                               const compare::ComparisonAxes& axes,
                               const ResidualErrorEstimator& estimator,

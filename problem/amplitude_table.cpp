@@ -23,18 +23,18 @@ constexpr std::string_view kProbability = "probability", kDensity = "density";
 // Powers of such numbers are finite.
 constexpr double kLargest = 1e30;
 
-std::string_view name_of(WeightType kind) {
+std::string_view weight_column_name(WeightType kind) {
   return kind == WeightType::probability ? kProbability : kDensity;
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim_blanks(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::optional<double> number_of(std::string_view text) {
-  text = trimmed(text);
+std::optional<double> parse_table_number(std::string_view text) {
+  text = trim_blanks(text);
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool whole = error == std::errc() && end == text.data() + text.size();
@@ -47,15 +47,17 @@ class TableBuilder {
  public:
   explicit TableBuilder(WeightType kind) { table_.kind = kind; }
 
+  /// Appends a row of an amplitude and its weight to the table.
+  /// @param at beginning of the error message: the file and the line of the row
   /// @throws InputError "AT .." for an invalid row
-  void add(std::string_view row, char separator, const std::string& at) {
+  void add_row(std::string_view row, char separator, const std::string& at) {
     const auto cut = row.find(separator);
-    const auto amplitude = number_of(row.substr(0, cut));
+    const auto amplitude = parse_table_number(row.substr(0, cut));
     const auto weight =
-        cut == std::string_view::npos ? std::nullopt : number_of(row.substr(cut + 1));
+        cut == std::string_view::npos ? std::nullopt : parse_table_number(row.substr(cut + 1));
     if (!amplitude || !weight) {
       fail(at, fmt::format("{}: a row must be two finite numbers, amplitude{}{}", in_quotes(row),
-                           separator, name_of(table_.kind)));
+                           separator, weight_column_name(table_.kind)));
     }
     if (!table_.amplitude.empty() && !(*amplitude > table_.amplitude.back())) {
       fail(at, fmt::format("amplitude {} after {} (amplitudes must increase)", *amplitude,
@@ -63,7 +65,7 @@ class TableBuilder {
     }
     const bool positive = table_.kind == WeightType::density ? *weight >= 0 : *weight > 0;
     if (!positive) {
-      fail(at, fmt::format("{} = {} (must be {})", name_of(table_.kind), *weight,
+      fail(at, fmt::format("{} = {} (must be {})", weight_column_name(table_.kind), *weight,
                            table_.kind == WeightType::density ? "0 or above" : "above 0"));
     }
     if (table_.amplitude.size() == kMaxTableRows) {
@@ -73,8 +75,9 @@ class TableBuilder {
     table_.weight.push_back(*weight);
   }
 
+  /// Returns the table of all added rows, normalised to the sum or integral 1.
   /// @throws InputError "AT .." for an invalid table
-  AmplitudeTable table(const std::string& at) && {
+  AmplitudeTable finish_table(const std::string& at) && {
     if (table_.amplitude.size() < 2) fail(at, "fewer than two rows: Y must vary");
     double sum = 0;
     for (std::size_t k = 0; k < table_.weight.size(); ++k) {
@@ -86,7 +89,8 @@ class TableBuilder {
       }
     }
     if (!(std::abs(sum - 1) <= kTableSumTolerance)) {
-      fail(at, fmt::format("the table's {} {} {:.6g} (must be 1 within {})", name_of(table_.kind),
+      fail(at, fmt::format("the table's {} {} {:.6g} (must be 1 within {})",
+                           weight_column_name(table_.kind),
                            table_.kind == WeightType::probability ? "sums to" : "integrates to",
                            sum, kTableSumTolerance));
     }
@@ -156,27 +160,27 @@ AmplitudeTable AmplitudeTable::with_negated_amplitudes() const {
   return table;
 }
 
-AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& where) {
+AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& file_name) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (csv.starts_with(kByteOrderMark)) csv.remove_prefix(kByteOrderMark.size());
   std::optional<TableBuilder> rows;
   int number = 0;
-  std::string at = fmt::format("{}:1:", where);
+  std::string at = fmt::format("{}:1:", file_name);
   while (!csv.empty()) {
     const auto end = csv.find('\n');
-    const std::string_view line = trimmed(csv.substr(0, end));
+    const std::string_view line = trim_blanks(csv.substr(0, end));
     csv.remove_prefix(end == std::string_view::npos ? csv.size() : end + 1);
     ++number;
     if (line.empty() || line.front() == '#') continue;
-    at = fmt::format("{}:{}:", where, number);
+    at = fmt::format("{}:{}:", file_name, number);
     if (rows) {
-      rows->add(line, ',', at);
+      rows->add_row(line, ',', at);
       continue;
     }
     const auto comma = line.find(',');
     const bool named =
-        comma != std::string_view::npos && trimmed(line.substr(0, comma)) == "amplitude";
-    const std::string_view of = named ? trimmed(line.substr(comma + 1)) : std::string_view();
+        comma != std::string_view::npos && trim_blanks(line.substr(0, comma)) == "amplitude";
+    const std::string_view of = named ? trim_blanks(line.substr(comma + 1)) : std::string_view();
     if (of != kProbability && of != kDensity) {
       throw InputError(
           fmt::format("{} {} (the first line must be amplitude,probability or amplitude,density)",
@@ -189,11 +193,11 @@ AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& wher
         "{} the table is empty (the first line must be amplitude,probability or amplitude,density)",
         at));
   }
-  return std::move(*rows).table(at);
+  return std::move(*rows).finish_table(at);
 }
 
 std::string amplitude_table_literal(const AmplitudeTable& table) {
-  std::string text = fmt::format("{}(", name_of(table.kind));
+  std::string text = fmt::format("{}(", weight_column_name(table.kind));
   for (std::size_t k = 0; k < table.amplitude.size(); ++k) {
     text += fmt::format("{}{}:{}", k == 0 ? "" : ",", table.amplitude[k], table.weight[k]);
   }
@@ -215,10 +219,10 @@ AmplitudeTable parse_amplitude_table_literal(std::string_view text) {
   std::string_view list = text.substr(open + 1, text.size() - open - 2);
   while (!list.empty()) {
     const auto comma = list.find(',');
-    rows.add(list.substr(0, comma), ':', at);
+    rows.add_row(list.substr(0, comma), ':', at);
     list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
   }
-  return std::move(rows).table(at);
+  return std::move(rows).finish_table(at);
 }
 
 std::string amplitude_table_summary(std::string_view text) {

@@ -17,7 +17,9 @@ struct AmplitudeTable {
   WeightType kind = WeightType::probability;
   std::vector<double> amplitude, weight;
 
+  /// Returns the mean E[Y] of the amplitude Y.
   double mean() const;
+  /// Returns the variance of the amplitude Y.
   double variance() const;
   /// Returns the amplitude table of the law of -Y, where Y has the law of this table.
   AmplitudeTable with_negated_amplitudes() const;
@@ -30,15 +32,16 @@ inline constexpr double kTableSumTolerance = 1e-3;
 
 /// Parses a table of amplitudes from CSV text with the columns amplitude,probability or
 /// amplitude,density.
-/// @param where name of the file in messages
-/// @throws InputError "WHERE:LINE: .." that states the error and the allowed contents
-AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& where);
+/// @param file_name name of the file in messages
+/// @throws InputError "FILE_NAME:LINE: .." that states the error and the allowed contents
+AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& file_name);
 
-/// Returns the table literal of an amplitude table, the text of the table as one word of a case
-/// file: "probability(-1:0.25,3:0.75)".
+/// Returns the table literal of an amplitude table, that is, the text of the table as one word of a
+/// case file: "probability(-1:0.25,3:0.75)".
 std::string amplitude_table_literal(const AmplitudeTable& table);
 /// Returns whether a text begins like a table literal, with "probability(" or "density(".
 bool is_amplitude_table_literal(std::string_view text);
+/// Returns the amplitude table of a table literal.
 /// @throws InputError "impulse.table = .." if the text is not a table literal or the table is
 /// invalid
 AmplitudeTable parse_amplitude_table_literal(std::string_view text);

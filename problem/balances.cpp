@@ -6,23 +6,27 @@
 
 namespace fpkcheck::problem {
 
-double energy_lost(const Wall& wall, ImpactCondition impact, double u) {
-  const double r = wall.restitution_at(u);
-  return (impact == ImpactCondition::delta ? 1 - r : (1 - r * r) / 2) * u * u;
+double energy_loss_at_impact(const Wall& wall, ImpactCondition condition, double impact_speed) {
+  const double r = wall.restitution_at_speed(impact_speed);
+  return (condition == ImpactCondition::delta ? 1 - r : (1 - r * r) / 2) * impact_speed *
+         impact_speed;
 }
 
-double momentum_change(const Wall& wall, double u) { return (1 + wall.restitution_at(u)) * u; }
-
-double impact_loss(const std::optional<Wall>& wall, ImpactCondition impact, double energy_flux) {
-  if (!wall) return 0;
-  assert(wall->has_constant_restitution());
-  return energy_lost(*wall, impact, 1) * energy_flux;
+double momentum_change_at_impact(const Wall& wall, double impact_speed) {
+  return (1 + wall.restitution_at_speed(impact_speed)) * impact_speed;
 }
 
-double impact_momentum_change(const std::optional<Wall>& wall, double momentum_flux) {
+double impact_energy_loss_rate(const std::optional<Wall>& wall, ImpactCondition condition,
+                               double cubed_speed_integral) {
   if (!wall) return 0;
   assert(wall->has_constant_restitution());
-  return momentum_change(*wall, 1) * momentum_flux;
+  return energy_loss_at_impact(*wall, condition, 1) * cubed_speed_integral;
+}
+
+double impact_momentum_rate(const std::optional<Wall>& wall, double squared_speed_integral) {
+  if (!wall) return 0;
+  assert(wall->has_constant_restitution());
+  return momentum_change_at_impact(*wall, 1) * squared_speed_integral;
 }
 
 PowerBalance power_balance(const Problem& problem, const PowerBalanceTerms& terms) {
@@ -36,7 +40,7 @@ PowerBalance power_balance(const Problem& problem, const PowerBalanceTerms& term
           .dissipated = damping_power + terms.left_impact_loss + terms.right_impact_loss};
 }
 
-double energy_residual(const Problem& problem, const PowerBalanceTerms& terms) {
+double power_balance_residual(const Problem& problem, const PowerBalanceTerms& terms) {
   const auto [input, dissipated] = power_balance(problem, terms);
   return (input - dissipated) / input;
 }

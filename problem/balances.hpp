@@ -5,29 +5,32 @@
 
 namespace fpkcheck::problem {
 
+/// Means of a density, and energy losses at the walls, that enter the balance of power.
 struct PowerBalanceTerms {
   double mean_velocity;
   double mean_square_velocity;
-  /// Energy lost per unit time in impacts at the left and at the right wall (impact_loss()).
+  /// Energy lost per unit time in impacts at the left and at the right wall
+  /// (impact_energy_loss_rate()).
   double left_impact_loss = 0, right_impact_loss = 0;
   double mean_damping_power = {};         ///< E[y' f(y, y')]; not used if f = c y'
   double mean_square_noise_factor = 1;    ///< E[G] of multiplicative noise with G = g^2
   double mean_square_impulse_factor = 1;  ///< E[b^2] of parametric impulses with the factor b
 };
 
-/// Returns the energy lost in an impact at the speed u, (1 - r^2) u^2 / 2, or (1 - r) u^2 for
+/// Returns the energy lost in an impact at the speed u: (1 - r^2) u^2 / 2, or (1 - r) u^2 for
 /// ImpactCondition::delta.
-double energy_lost(const Wall& wall, ImpactCondition impact, double u);
+double energy_loss_at_impact(const Wall& wall, ImpactCondition condition, double impact_speed);
 /// Returns the change (1 + r) u of the momentum in an impact at the speed u.
-double momentum_change(const Wall& wall, double u);
+double momentum_change_at_impact(const Wall& wall, double impact_speed);
 
-/// Returns the energy lost per unit time at a wall of constant restitution coefficient r, 0 without
-/// a wall,
+/// Returns the energy lost per unit time at a wall of constant restitution coefficient r; 0 without
+/// a wall. The energy loss rate is
 ///
 ///     kappa int |v|^3 p(a,v) dv,    kappa = (1-r^2)/2, or kappa = 1-r for ImpactCondition::delta.
 ///
-/// @param energy_flux integral of |v|^3 p over the velocities v into the wall
-double impact_loss(const std::optional<Wall>& wall, ImpactCondition impact, double energy_flux);
+/// @param cubed_speed_integral int |v|^3 p(a,v) dv over the velocities v into the wall
+double impact_energy_loss_rate(const std::optional<Wall>& wall, ImpactCondition condition,
+                               double cubed_speed_integral);
 
 /// The two sides of the balance of power: mean energy input and dissipated energy per unit time.
 /// Input minus dissipation is the time derivative of the mean energy E[v^2]/2 + E[U(y)], where U is
@@ -36,18 +39,20 @@ struct PowerBalance {
   double input;       ///< D E[G] + lambda E[Y^2] E[b^2]/2 + lambda E[Y] E[v]
   double dissipated;  ///< E[v f] + energy lost in impacts
 };
+/// Returns the energy input and the dissipated energy per unit time of a density.
 PowerBalance power_balance(const Problem& problem, const PowerBalanceTerms& terms);
 
 /// Returns the input minus the dissipation in the stationary balance of power, divided by the
 /// input. The balance of power is
 ///
 ///     D E[G] + lambda E[Y^2] E[b^2]/2 + lambda E[Y] E[v]
-///         = E[v f] + int (1-r^2) |v|^3/2 p(a,v) dv + ..,
+///         = E[v f] + int (1-r^2) |v|^3/2 p(a,v) dv,
 ///
-/// with the force f of the equation in Ito's sense. The residual is zero for the exact stationary
-/// density of each of the equations `white`, `km4` and `kf`. The energy is quadratic in v, and
-/// therefore only the moments E[Y] and E[Y^2] enter the balance.
-double energy_residual(const Problem& problem, const PowerBalanceTerms& terms);
+/// with the impact integral over every wall and the force f of the equation in Ito's sense. The
+/// residual is zero for the exact stationary density of each of the equations `white`, `km4` and
+/// `kf`. The energy is quadratic in v, and therefore only the moments E[Y] and E[Y^2] enter the
+/// balance.
+double power_balance_residual(const Problem& problem, const PowerBalanceTerms& terms);
 
 /// The virial balance and the momentum balance follow from Dynkin's formula for f = y v and f = v
 /// under any stationary density on the half-plane y >= 0,
@@ -79,11 +84,12 @@ struct BalanceEquation {
   double residual() const { return difference() / scale; }
 };
 
-/// Returns the momentum per unit time that a wall of constant restitution coefficient r gives,
-/// (1+r) int v^2 p(a,v) dv over the velocities v into the wall; 0 without a wall.
-/// @param momentum_flux integral of v^2 p
-double impact_momentum_change(const std::optional<Wall>& wall, double momentum_flux);
+/// Returns the momentum per unit time from a wall of constant restitution coefficient r to the
+/// mass, (1+r) int v^2 p(a,v) dv over the velocities v into the wall; 0 without a wall.
+/// @param squared_speed_integral int v^2 p(a,v) dv over the velocities v into the wall
+double impact_momentum_rate(const std::optional<Wall>& wall, double squared_speed_integral);
 
+/// Means of a density, and momentum from the right wall, that enter the virial balance.
 struct VirialBalanceTerms {
   double mean_displacement;
   double mean_square_velocity;
@@ -98,10 +104,11 @@ struct VirialBalanceTerms {
 ///     E[v^2] = E[y g(y)] + c_vv E[y v^3] - lambda E[Y] E[y] + b int (1 + r_b) u^2 p(b,u) du.
 BalanceEquation virial_balance(const Problem& problem, const VirialBalanceTerms& terms);
 
+/// Means of a density, and momentum from the walls, that enter the momentum balance.
 struct MomentumBalanceTerms {
   /// Mean force E[g(y)], or E[f + g] for the formula of a force.
   double mean_force;
-  /// Momentum per unit time from the left and from the right wall (impact_momentum_change()).
+  /// Momentum per unit time from the left and from the right wall (impact_momentum_rate()).
   double left_impact_momentum = 0, right_impact_momentum = 0;
   double mean_cubed_velocity = 0;  ///< E[v^3]; used where c_vv is not 0
   /// Momentum per unit time from the contact force on the mass at rest and from rebounds after
@@ -116,11 +123,11 @@ struct MomentumBalanceTerms {
 /// Returns the two sides and the scale of the momentum balance
 ///
 ///     E[g(y)] + c_vv E[v^3] = lambda E[Y] + int (1 + r) u^2 p(0,-u) du
-///                             - int (1 + r_b) u^2 p(b,u) du + contact term.
+///                             - int (1 + r_b) u^2 p(b,u) du + contact_momentum_rate.
 ///
 /// The scale is the largest of three terms: the contribution of the spring, the contribution of the
-/// walls, and E[|g(y)|]. In a symmetric well without a wall both sides of the balance are 0. If
-/// mean_absolute_force is then unknown, use difference() instead of residual().
+/// walls, and E[|g(y)|]. In a symmetric well without a wall both sides of the balance are 0. For
+/// such a well with unknown mean_absolute_force, use difference() instead of residual().
 BalanceEquation momentum_balance(const Problem& problem, const MomentumBalanceTerms& terms);
 
 }  // namespace fpkcheck::problem

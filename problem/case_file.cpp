@@ -26,9 +26,9 @@ using base::in_quotes;
 using base::sanitise;
 
 namespace {
-constexpr std::string_view kParameters = "parameters.";
-constexpr const char *kForce = "system.force", *kRestitution = "system.restitution";
-constexpr std::array kFormulas{kForce,
+constexpr std::string_view kConstantsPrefix = "parameters.";
+constexpr const char *kForceKey = "system.force", *kRestitution = "system.restitution";
+constexpr std::array kFormulas{kForceKey,
                                "noise.factor",
                                "impulse.factor",
                                "wall.left_restitution",
@@ -38,12 +38,13 @@ constexpr std::array kFormulas{kForce,
                                "time.force"};
 }  // namespace
 
-const base::Parameter& case_parameter(std::string_view key, const std::string& where) {
-  if (key.starts_with(kParameters)) {
+const base::Parameter& case_file_parameter(std::string_view key,
+                                           const std::string& message_prefix) {
+  if (key.starts_with(kConstantsPrefix)) {
     try {
-      return named_constant_parameter(key.substr(kParameters.size()));
+      return named_constant_parameter(key.substr(kConstantsPrefix.size()));
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", where, error.what()));
+      throw InputError(fmt::format("{}: {}", message_prefix, error.what()));
     }
   }
   std::vector<std::string> known;  // known keys, grouped by section: "wall.{left, right}"
@@ -56,27 +57,28 @@ const base::Parameter& case_parameter(std::string_view key, const std::string& w
     known.push_back(fmt::format("{}{{{}}}", section->prefix(), fmt::join(names, ", ")));
   }
   if (key.starts_with("param")) {
-    throw InputError(fmt::format("{}: unknown key {}; write {}NAME for a named constant", where,
-                                 in_quotes(key), kParameters));
+    throw InputError(fmt::format("{}: unknown key {}; write {}NAME for a named constant",
+                                 message_prefix, in_quotes(key), kConstantsPrefix));
   }
   if (const std::string text = unsupported_feature_message(key); !text.empty()) {
-    throw InputError(fmt::format("{}: key {}: {}", where, in_quotes(key), text));
+    throw InputError(fmt::format("{}: key {}: {}", message_prefix, in_quotes(key), text));
   }
-  throw InputError(fmt::format("{}: unknown key {}; known keys: {}", where, in_quotes(key),
+  throw InputError(fmt::format("{}: unknown key {}; known keys: {}", message_prefix, in_quotes(key),
                                fmt::join(known, ", ")));
 }
 
 namespace {
 
+// The text of a value, and its location in the case file or in an override.
 struct Setting {
   std::string text, where;
 };
 using Settings = std::map<std::string, Setting>;  // settings by key
 
-Settings checked_settings(const std::vector<base::IniSetting>& lines) {
+Settings settings_by_key(const std::vector<base::IniSetting>& file_settings) {
   Settings settings;
-  for (const auto& line : lines) {
-    case_parameter(line.path(), line.where);
+  for (const auto& line : file_settings) {
+    case_file_parameter(line.path(), line.where);
     if (!settings.emplace(line.path(), Setting{line.text, line.where}).second) {
       throw InputError(
           fmt::format("{}: key '{}' is given twice; keep one", line.where, line.path()));
@@ -95,14 +97,14 @@ void apply_overrides(const std::vector<std::string>& overrides, const std::strin
                                    sanitise(pair)));
     }
     const std::string key = boost::algorithm::trim_copy(pair.substr(0, equals));
-    case_parameter(key, "--set");
+    case_file_parameter(key, "--set");
     if (!set.insert(key).second) {
       throw InputError(fmt::format("--set {} is given twice; keep one", key));
     }
     settings[key] = {boost::algorithm::trim_copy(pair.substr(equals + 1)), where};
   }
   // A formula of the force replaces the coefficients of the file.
-  if (set.contains(kForce)) {
+  if (set.contains(kForceKey)) {
     std::erase_if(settings, [&](const auto& setting) {
       const std::string& key = setting.first;
       return key.starts_with("system.") && key != kRestitution && !set.contains(key);
@@ -110,7 +112,7 @@ void apply_overrides(const std::vector<std::string>& overrides, const std::strin
   }
 }
 
-bool uses_name(std::string_view formula, std::string_view name) {
+bool formula_uses_name(std::string_view formula, std::string_view name) {
   const auto is_word = [&](std::size_t at) {
     return at < formula.size() &&
            (std::isalnum(static_cast<unsigned char>(formula[at])) != 0 || formula[at] == '_');
@@ -121,15 +123,15 @@ bool uses_name(std::string_view formula, std::string_view name) {
   return false;
 }
 
-// Requires that a formula uses each constant that an override adds: a misspelt name would otherwise
-// change nothing.
+// Requires that a formula uses each constant that an override adds. Without this requirement an
+// override with a misspelt name would have no effect.
 void require_used_constants(const Settings& from_file, const Settings& settings) {
   for (const auto& [key, setting] : settings) {
-    if (!key.starts_with(kParameters) || from_file.contains(key)) continue;
-    const std::string name = key.substr(kParameters.size());
+    if (!key.starts_with(kConstantsPrefix) || from_file.contains(key)) continue;
+    const std::string name = key.substr(kConstantsPrefix.size());
     const bool is_used = std::ranges::any_of(kFormulas, [&](const char* formula) {
       const auto found = settings.find(formula);
-      return found != settings.end() && uses_name(found->second.text, name);
+      return found != settings.end() && formula_uses_name(found->second.text, name);
     });
     if (!is_used) {
       throw InputError(
@@ -142,7 +144,7 @@ constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = 
                      *kIntensity = "impulse.intensity", *kRate = "impulse.rate";
 
 // Replaces the file name in `impulse.table` by the table literal of the contents of the file.
-void load_table(Settings& settings, const std::filesystem::path& folder) {
+void load_amplitude_table(Settings& settings, const std::filesystem::path& folder) {
   const auto table = settings.find(kTable);
   if (table == settings.end()) return;
   try {
@@ -154,20 +156,21 @@ void load_table(Settings& settings, const std::filesystem::path& folder) {
 
 // Adds impulse.mean and impulse.intensity, computed from the amplitude table, to settings without
 // these keys.
-void complete_from_table(Settings& settings) {
+void add_moments_of_table(Settings& settings) {
   const auto number = [&](const char* key) -> std::optional<double> {
     const auto found = settings.find(key);
     if (found == settings.end()) return std::nullopt;
-    const auto value = case_parameter(key, key).parse(found->second.text);
+    const auto value = case_file_parameter(key, key).parse(found->second.text);
     const auto* as_number = value ? std::get_if<double>(&*value) : nullptr;
     return as_number != nullptr ? std::optional(*as_number) : std::nullopt;
   };
-  const auto law = settings.find(kLaw), said = settings.find(kTable);
-  if (law == settings.end() || said == settings.end() || law->second.text != TabulatedLaw::kName) {
+  const auto law = settings.find(kLaw), literal = settings.find(kTable);
+  if (law == settings.end() || literal == settings.end() ||
+      law->second.text != TabulatedLaw::kName) {
     return;
   }
-  const AmplitudeTable table = parse_amplitude_table_literal(said->second.text);
-  const std::string where = said->second.where;
+  const AmplitudeTable table = parse_amplitude_table_literal(literal->second.text);
+  const std::string where = literal->second.where;
   if (!settings.contains(kMean)) settings[kMean] = {fmt::format("{}", table.mean()), where};
   const auto rate = number(kRate), mean = number(kMean);
   if (settings.contains(kIntensity) || !rate || !mean) return;
@@ -175,15 +178,15 @@ void complete_from_table(Settings& settings) {
 }
 
 // Parses the settings of one section; returns nullopt if an optional section has no settings.
-std::optional<CaseFileSection> section(const base::DescriptionBase& description,
-                                       const Settings& settings) {
+std::optional<CaseFileSection> parse_section(const base::DescriptionBase& description,
+                                             const Settings& settings) {
   const std::string& prefix = description.prefix();
   const bool named = std::ranges::any_of(
       settings, [&](const auto& setting) { return setting.first.starts_with(prefix); });
   if (!named && &description != &system_parameter_description()) return std::nullopt;
   CaseFileSection section{prefix.substr(0, prefix.size() - 1), {}};
   const bool has_formula =
-      &description == &system_parameter_description() && settings.contains(kForce);
+      &description == &system_parameter_description() && settings.contains(kForceKey);
   for (const auto& parameter : description.parameters()) {
     const std::string key = prefix + parameter.name;
     const auto found = settings.find(key);
@@ -203,21 +206,21 @@ std::optional<CaseFileSection> section(const base::DescriptionBase& description,
   return section;
 }
 
-// Parses the settings of [parameters], if there are any.
-std::optional<CaseFileSection> parameters_section(const Settings& settings) {
-  CaseFileSection section{std::string(kParameters.substr(0, kParameters.size() - 1)), {}};
+// Parses the settings of [parameters]; returns nullopt without such settings.
+std::optional<CaseFileSection> parse_named_constants(const Settings& settings) {
+  CaseFileSection section{std::string(kConstantsPrefix.substr(0, kConstantsPrefix.size() - 1)), {}};
   for (const auto& [key, setting] : settings) {
-    if (!key.starts_with(kParameters)) continue;
+    if (!key.starts_with(kConstantsPrefix)) continue;
     section.values.push_back(
-        {key.substr(kParameters.size()),
-         base::parse_value(case_parameter(key, key), setting.text, key + " =")});
+        {key.substr(kConstantsPrefix.size()),
+         base::parse_value(case_file_parameter(key, key), setting.text, key + " =")});
   }
   if (section.values.empty()) return std::nullopt;
   return section;
 }
 
 // Returns the location of the setting whose key is the first word of the message.
-std::optional<std::string> location_of_key(const std::string& message, const Settings& settings) {
+std::optional<std::string> setting_location(const std::string& message, const Settings& settings) {
   for (const auto& [key, setting] : settings) {
     if (message.starts_with(key + ' ')) return setting.where;
   }
@@ -234,7 +237,7 @@ bool is_utf8(const std::string& text) {
 
 // Requires that the name of a case is printable, since the name appears in tables, file names,
 // JSON, netCDF names and figures.
-void require_valid_name(const std::string& name) {
+void require_valid_case_name(const std::string& name) {
   constexpr std::size_t kLongest = 100;
   const bool plain =
       std::ranges::none_of(name, [](unsigned char c) { return std::iscntrl(c) != 0; });
@@ -251,13 +254,13 @@ void require_valid_name(const std::string& name) {
 
 // Returns the text of the parameters that overrides change, such as ", r = 0.9, laplace impulses".
 // The text is appended to Problem::name.
-std::string changes_text(const Settings& from_file, const Problem& problem) {
+std::string overridden_parameters_text(const Settings& from_file, const Problem& problem) {
   constexpr std::size_t kLongest = 100;
   std::string text;
   int count = 0;
   for (const auto& displayed : displayed_parameters(problem)) {
     const std::string key = displayed.section + '.' + displayed.name;
-    const auto& parameter = case_parameter(key, key);
+    const auto& parameter = case_file_parameter(key, key);
     const auto before = from_file.find(key);
     auto value =
         before == from_file.end() ? parameter.default_value : parameter.parse(before->second.text);
@@ -284,45 +287,48 @@ std::string changes_text(const Settings& from_file, const Problem& problem) {
 }  // namespace
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
-                  const std::vector<std::string>& overrides, CaseNaming naming, TimeSection time) {
-  const std::string where = fmt::format("case {}", sanitise(source));
-  return problem_from_settings(base::read_ini_settings(ini, where), name, where, overrides, naming,
-                               std::filesystem::path(source).parent_path(), time);
+                  const std::vector<std::string>& overrides, CaseNaming naming,
+                  TimeSection time_section) {
+  const std::string message_prefix = fmt::format("case {}", sanitise(source));
+  return problem_from_settings(base::read_ini_settings(ini, message_prefix), name, message_prefix,
+                               overrides, naming, std::filesystem::path(source).parent_path(),
+                               time_section);
 }
 
-Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const std::string& name,
-                              const std::string& where, const std::vector<std::string>& overrides,
-                              CaseNaming naming, const std::filesystem::path& folder,
-                              TimeSection time) {
-  require_valid_name(name);
-  Settings from_file = checked_settings(lines);
-  load_table(from_file, folder);
+Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings,
+                              const std::string& name, const std::string& message_prefix,
+                              const std::vector<std::string>& overrides, CaseNaming naming,
+                              const std::filesystem::path& folder, TimeSection time_section) {
+  require_valid_case_name(name);
+  Settings from_file = settings_by_key(file_settings);
+  load_amplitude_table(from_file, folder);
   Settings settings = from_file;
-  apply_overrides(overrides, where, settings);
+  apply_overrides(overrides, message_prefix, settings);
   require_used_constants(from_file, settings);
-  load_table(settings, {});
-  complete_from_table(from_file);
-  complete_from_table(settings);
+  load_amplitude_table(settings, {});
+  add_moments_of_table(from_file);
+  add_moments_of_table(settings);
   try {
     std::vector<CaseFileSection> sections;
     for (const base::DescriptionBase* description : case_section_descriptions()) {
-      if (auto one = section(*description, settings)) sections.push_back(std::move(*one));
+      if (auto one = parse_section(*description, settings)) sections.push_back(std::move(*one));
     }
-    if (auto one = parameters_section(settings)) sections.push_back(std::move(*one));
-    Problem problem = problem_from_sections(name, sections, time);
-    if (naming == CaseNaming::with_overrides) problem.name += changes_text(from_file, problem);
+    if (auto one = parse_named_constants(settings)) sections.push_back(std::move(*one));
+    Problem problem = problem_from_sections(name, sections, time_section);
+    if (naming == CaseNaming::with_overrides)
+      problem.name += overridden_parameters_text(from_file, problem);
     return problem;
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", location_of_key(error.what(), settings).value_or(where),
-                                 error.what()));
+    throw InputError(fmt::format(
+        "{}: {}", setting_location(error.what(), settings).value_or(message_prefix), error.what()));
   }
 }
 
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides,
-                  CaseNaming naming, TimeSection time) {
+                  CaseNaming naming, TimeSection time_section) {
   if (const BuiltInCase* named = find_built_in_case(name_or_path)) {
     std::istringstream ini(named->text);
-    return read_case(ini, named->name, named->name, overrides, naming, time);
+    return read_case(ini, named->name, named->name, overrides, naming, time_section);
   }
   constexpr std::size_t kMostBytes = 1 << 20;
   const auto text = base::read_input_file(name_or_path, kMostBytes);
@@ -336,7 +342,7 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
   }
   const std::string name = std::filesystem::path(name_or_path).stem().string();
   std::istringstream ini(*text);
-  return read_case(ini, name, name_or_path, overrides, naming, time);
+  return read_case(ini, name, name_or_path, overrides, naming, time_section);
 }
 
 }  // namespace fpkcheck::problem

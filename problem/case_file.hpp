@@ -22,36 +22,37 @@ enum class CaseNaming {
 
 /// Loads a case by its name ("case1" .. "case4") or by the path of an ini file.
 /// @param overrides "key=value" pairs that replace settings of the file, e.g. "system.cubic=1.0"
+/// @param time_section whether the case may contain the section [time]
 /// @throws InputError with a one-line message that states the key, the value, the file and the
-/// allowed values. A file name that cannot be printed is an error, since it becomes the name of the
-/// case.
+/// allowed values. A file name that cannot be printed is an error, since the file name becomes the
+/// name of the case.
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {},
                   CaseNaming naming = CaseNaming::from_file,
-                  TimeSection time = TimeSection::refused);
+                  TimeSection time_section = TimeSection::refused);
 
-/// Reads a case from a stream by the rules of load_case().
+/// Reads a case from a stream with the contents of an ini file, by the rules of load_case().
 /// @param source name of the stream in messages; relative file names in the case refer to its
 /// folder
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides = {},
                   CaseNaming naming = CaseNaming::from_file,
-                  TimeSection time = TimeSection::refused);
+                  TimeSection time_section = TimeSection::refused);
 
 /// Builds the problem of a case from the settings of an ini file by the rules of load_case().
-/// @param where beginning of error messages without a line number, such as "case mine.ini"
+/// @param message_prefix beginning of error messages without a line number, such as "case mine.ini"
 /// @param folder directory to which file names in settings refer; file names in overrides refer to
 /// the working directory
-Problem problem_from_settings(const std::vector<base::IniSetting>& lines, const std::string& name,
-                              const std::string& where,
+Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings,
+                              const std::string& name, const std::string& message_prefix,
                               const std::vector<std::string>& overrides = {},
                               CaseNaming naming = CaseNaming::from_file,
                               const std::filesystem::path& folder = {},
-                              TimeSection time = TimeSection::refused);
+                              TimeSection time_section = TimeSection::refused);
 
 /// Returns the parameter that a key of a case file sets, e.g. "system.damping".
-/// @param where beginning of the error message
-/// @throws InputError "WHERE: unknown key .." with a list of the known keys
-const base::Parameter& case_parameter(std::string_view key, const std::string& where);
+/// @param message_prefix beginning of the error message
+/// @throws InputError "MESSAGE_PREFIX: unknown key .." with a list of the known keys
+const base::Parameter& case_file_parameter(std::string_view key, const std::string& message_prefix);
 
 struct BuiltInCase {
   std::string name;
@@ -64,6 +65,7 @@ const std::vector<BuiltInCase>& paper_cases();
 /// Returns the example oscillators, each the simplest oscillator of its type in docs/systems.md.
 const std::vector<BuiltInCase>& example_systems();
 
+/// Returns the case of the paper or the example oscillator with this name; null if there is none.
 const BuiltInCase* find_built_in_case(std::string_view name);
 
 }  // namespace fpkcheck::problem

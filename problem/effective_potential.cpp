@@ -25,9 +25,9 @@ SearchInterval search_interval(const numerics::Polynomial& polynomial, const Sys
           .high = system.right_wall() ? system.right_wall()->position : bound};
 }
 
-// The knots of the table are the powers of sqrt 2 within these limits, with both signs.
+// Least and largest magnitude of the knots of the table, the powers of sqrt 2 with both signs.
 constexpr double kNearestKnot = 1e-12, kFarthestKnot = 1e30;
-// The potential of a formula beyond this limit counts as infinite.
+// The potential of a formula counts as infinite above kLargestPotential.
 constexpr double kLargestPotential = 1e200;
 
 }  // namespace
@@ -47,7 +47,7 @@ numerics::Polynomial effective_potential_polynomial(const Problem& problem) {
 EffectivePotential::EffectivePotential(const Problem& problem)
     : system_(problem.system), mean_force_(problem.impulses.rate_times_moment(1)) {
   if (!system_.has_polynomial_force()) {
-    tabulate();
+    tabulate_potential();
     return;
   }
   polynomial_ = effective_potential_polynomial(problem);
@@ -65,7 +65,7 @@ EffectivePotential::EffectivePotential(const Problem& problem)
 EffectivePotential::EffectivePotential(const System& system)
     : EffectivePotential(Problem{.name = "", .system = system}) {}
 
-void EffectivePotential::tabulate() {
+void EffectivePotential::tabulate_potential() {
   std::set<double> knots{0};
   for (double knot = kNearestKnot; knot < kFarthestKnot; knot *= std::sqrt(2.0)) {
     knots.insert(knot);
@@ -78,8 +78,8 @@ void EffectivePotential::tabulate() {
   const auto zero = std::ranges::find(knots_, 0.0) - knots_.begin();
   values_.assign(knots_.size(), 0);
   const auto add = [&](std::size_t from, std::size_t to) {
-    values_[to] = values_[from];  // integral() adds the last panel
-    values_[to] = integral(knots_[to]);
+    values_[to] = values_[from];  // integrate_force_up_to() adds the last panel
+    values_[to] = integrate_force_up_to(knots_[to]);
   };
   const auto middle = static_cast<std::size_t>(zero);
   for (std::size_t n = middle + 1; n < knots_.size(); ++n) add(n - 1, n);
@@ -108,11 +108,11 @@ void EffectivePotential::tabulate() {
     if (!left) low_ = 2 * std::min(extrema_.front(), 0.0) - 1;
     if (!right) high_ = 2 * std::max(extrema_.back(), 0.0) + 1;
   }
-  // V is unbounded if V increases over the last octave of the table by more than rounding. The
-  // slope of an oscillating force such as sin(y) has no resolved mean there: the mean must exceed 5
-  // standard errors of its samples.
+  // V is unbounded if V increases over the last octave of the table by more than rounding errors.
+  // The mean slope over the octave must also exceed 5 standard errors of the sampled slopes, since
+  // samples do not resolve the mean of an oscillating force such as sin(y).
   const auto rises = [&](double far) {
-    const double at_far = integral(far), before_far = integral(far / 2);
+    const double at_far = integrate_force_up_to(far), before_far = integrate_force_up_to(far / 2);
     if (at_far >= kLargestPotential) return true;
     constexpr int kSamples = 200;
     double sum = 0, squares = 0;
@@ -132,10 +132,10 @@ void EffectivePotential::tabulate() {
   rises_on_right_ = rises(kFar);
 }
 
-double EffectivePotential::integral(double y) const {
+double EffectivePotential::integrate_force_up_to(double y) const {
   using Gauss = boost::math::quadrature::gauss<double, 10>;
   if (y == 0) return 0;
-  // The knot between 0 and y that is nearest to y.
+  // The index n is that of the knot between 0 and y that is nearest to y.
   const auto after =
       y > 0 ? std::ranges::lower_bound(knots_, y) : std::ranges::upper_bound(knots_, y);
   const auto n = static_cast<std::size_t>(after - knots_.begin()) - (y > 0 ? 1 : 0);
@@ -146,24 +146,25 @@ double EffectivePotential::integral(double y) const {
   return value < kLargestPotential ? value : kLargestPotential;
 }
 
-std::optional<double> rest_displacement(const Problem& problem, double limit) {
+std::optional<double> rest_displacement(const Problem& problem, double y_limit) {
   const System& system = problem.system;
-  const auto ends = [&](double rest) {
+  const auto excitation_ends_rest = [&](double rest) {
     return problem.noise.is_present() || !problem.impulse_factor ||
            (*problem.impulse_factor)(rest, 0) != 0;
   };
   const auto& wall = system.left_wall();
   if (wall && system.force(wall->position, 0) >= 0) {
-    return ends(wall->position) ? std::optional(wall->position) : std::nullopt;
+    return excitation_ends_rest(wall->position) ? std::optional(wall->position) : std::nullopt;
   }
   const EffectivePotential potential(system);
-  // Distance at which the slopes beside a minimum are compared, in units of the range of the extrema
+  // Distance at which the slopes beside a minimum are compared, in units of the range of the
+  // extrema
   constexpr double kBeside = 1e-4;
-  const double beside = kBeside * (potential.high() - potential.low());
+  const double beside = kBeside * (potential.y_high() - potential.y_low());
   std::optional<double> rest;
   for (const double y : potential.extrema()) {
     const bool is_minimum = potential.slope(y - beside) < 0 && potential.slope(y + beside) > 0;
-    if (y >= limit || !is_minimum || !ends(y)) continue;
+    if (y >= y_limit || !is_minimum || !excitation_ends_rest(y)) continue;
     if (!rest || potential(y) < potential(*rest)) rest = y;
   }
   return rest;

@@ -7,8 +7,8 @@
 
 namespace fpkcheck::problem {
 
-/// Returns the polynomial of the effective potential V = U - lambda E[Y] y: the potential of the
-/// spring plus that of the mean force of the impulses.
+/// Returns the polynomial of the effective potential V = U - lambda E[Y] y, the sum of the
+/// potential U of the spring and the potential of the mean force of the impulses.
 /// @pre problem.system.has_polynomial_force()
 numerics::Polynomial effective_potential_polynomial(const Problem& problem);
 
@@ -20,28 +20,33 @@ std::vector<double> sign_change_points_between_walls(const numerics::Polynomial&
 class EffectivePotential {
  public:
   explicit EffectivePotential(const Problem& problem);
-  /// The potential U of the spring, without impulses
+  /// Constructs the potential U of the spring, without the mean force of impulses.
   explicit EffectivePotential(const System& system);
 
-  double operator()(double y) const { return polynomial_ ? (*polynomial_)(y) : integral(y); }
+  double operator()(double y) const {
+    return polynomial_ ? (*polynomial_)(y) : integrate_force_up_to(y);
+  }
   /// Returns the polynomial V; null for a formula.
   const numerics::Polynomial* polynomial() const { return polynomial_ ? &*polynomial_ : nullptr; }
+  /// Returns the slope V'(y).
   double slope(double y) const {
     return polynomial_ ? slope_polynomial_(y) : system_.force(y, 0) - mean_force_;
   }
-  /// Returns the extrema of V between the walls, increasing. Of a formula, two extrema can be
-  /// missed that are closer than 1/8 of their distance from y = 0.
+  /// Returns the displacements of the extrema of V between the walls, in increasing order. For a
+  /// formula, the search can miss two extrema whose distance from each other is below 1/8 of their
+  /// distance from y = 0.
   const std::vector<double>& extrema() const { return extrema_; }
   /// Returns whether V increases without bound towards the left, and towards the right.
   bool rises_on_left() const { return rises_on_left_; }
   bool rises_on_right() const { return rises_on_right_; }
-  /// Ends of the interval that contains all extrema: the walls, or points beyond the extrema.
-  double low() const { return low_; }
-  double high() const { return high_; }
+  /// Return the ends of an interval that contains all extrema: the walls, or points beyond the
+  /// extrema.
+  double y_low() const { return low_; }
+  double y_high() const { return high_; }
 
  private:
-  void tabulate();
-  double integral(double y) const;
+  void tabulate_potential();
+  double integrate_force_up_to(double y) const;
 
   System system_;
   double mean_force_;  // lambda E[Y]
@@ -53,9 +58,10 @@ class EffectivePotential {
   bool rises_on_left_ = false, rises_on_right_ = false;
 };
 
-/// Returns the displacement below `limit` at which the mass rests without excitation: the left wall, if
-/// no force lifts the mass off it, or the lowest minimum of the spring's potential. The result is empty
-/// if there is no such displacement, or if the excitation vanishes there, so that the rest never ends.
-std::optional<double> rest_displacement(const Problem& problem, double limit);
+/// Returns the displacement at which the mass rests without excitation: the left wall, if no force
+/// lifts the mass off the wall, otherwise the lowest minimum of the spring's potential below
+/// `y_limit`. The result is empty if there is no rest displacement, or if the excitation vanishes
+/// at the rest displacement, so that the rest never ends.
+std::optional<double> rest_displacement(const Problem& problem, double y_limit);
 
 }  // namespace fpkcheck::problem

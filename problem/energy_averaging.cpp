@@ -10,7 +10,8 @@
 namespace fpkcheck::problem {
 namespace {
 
-constexpr double kDepth = 60;  // densities below exp(-60) of the largest density are neglected
+// Densities below exp(-kDepth) times the largest density are neglected.
+constexpr double kDepth = 60;
 constexpr int kBandCount = 300;
 constexpr const char* kNoDissipation =
     "damping and impacts dissipate no energy at large amplitudes";
@@ -27,7 +28,7 @@ EnergyAveraging::EnergyAveraging(const Problem& problem) : orbits_(problem) {
   if (bands_.empty()) unconfined_reason_ = "the potential of the force has no resolved levels";
 }
 
-double EnergyAveraging::slope(const OrbitIntegrals& orbit) const {
+double EnergyAveraging::phi_slope(const OrbitIntegrals& orbit) const {
   return orbit.diffusion > 0 ? orbit.loss / orbit.diffusion : 0;
 }
 
@@ -100,15 +101,15 @@ void EnergyAveraging::compute_energy_bands(double lowest, double highest) {
       EnergyBand band{.energy = energy,
                       .orbit = orbits_.orbit_integrals(half_cycle, energy),
                       .potential = 0,
-                      .above = from_top.size()};
+                      .parent = from_top.size()};
       if (!(band.orbit.period > 0)) continue;
       const double middle = (half_cycle.left + half_cycle.right) / 2;
       for (std::size_t u = upper_begin; u < upper_end; ++u) {
         const HalfCycle& upper = from_top[u].orbit.half_cycle;
         if (middle < upper.left || middle > upper.right) continue;
-        band.above = u;
-        band.potential =
-            from_top[u].potential - step_ * (slope(band.orbit) + slope(from_top[u].orbit)) / 2;
+        band.parent = u;
+        band.potential = from_top[u].potential -
+                         step_ * (phi_slope(band.orbit) + phi_slope(from_top[u].orbit)) / 2;
       }
       from_top.push_back(band);
     }
@@ -124,17 +125,18 @@ void EnergyAveraging::compute_energy_bands(double lowest, double highest) {
   }
   for (EnergyBand& band : from_top) {
     band.mass /= total;
-    band.above = from_top.size() - 1 - band.above;
+    band.parent = from_top.size() - 1 - band.parent;
   }
   bands_.assign(from_top.rbegin(), from_top.rend());
 }
 
 // Inverse iteration solves equations with the matrix K by elimination from the leaves of the tree,
 // which creates no new nonzeros.
-double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> u) {
+double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> initial_vector) {
+  std::vector<double>& u = initial_vector;
   const auto& mass = tree.mass;
   const auto& conductance = tree.conductance;
-  const auto& above = tree.above;
+  const auto& above = tree.parent;  // node above each node of the tree
   const std::size_t n = mass.size();
   const auto centre_and_scale = [&] {
     double mean = 0, square = 0;
@@ -191,9 +193,9 @@ double EnergyAveraging::relaxation_rate() const {
   std::vector<double> start(n);
   for (std::size_t b = 0; b < n; ++b) {
     const EnergyBand& band = bands_[b];
-    const EnergyBand& upper = bands_[band.above];
+    const EnergyBand& upper = bands_[band.parent];
     tree.mass.push_back(band.mass);
-    tree.above.push_back(band.above);
+    tree.parent.push_back(band.parent);
     tree.conductance.push_back((band.orbit.diffusion + upper.orbit.diffusion) / 2 *
                                std::exp(-(band.potential + upper.potential) / 2) / (step_ * step_) /
                                unit);

@@ -11,14 +11,16 @@
 
 namespace fpkcheck::problem {
 
-/// Energy averaging of damping and excitation over the undamped orbits (Stratonovich; for several
-/// wells on the tree of orbits by Freidlin and Wentzell). With h = v^2/2 + V(y) and V = U
+/// Energy averaging of damping and excitation over the undamped orbits (Stratonovich). For several
+/// wells the average is taken on the tree of orbits of Freidlin and Wentzell. With h = v^2/2 + V(y)
+/// and V = U
 /// - lambda E[Y] y, the stationary density is approximately exp(-Phi(h)), where
 ///
 ///     dPhi/dh = (closed integral of (f + D G_v) dy + sum over walls hit of (1 - r^2) u^2 / 2)
-///               / closed integral of (D G + lambda E[Y^2]/2) v dy,
+///               / closed integral of (D G + lambda E[Y^2]/2) v dy.
 ///
-/// where G = g^2 belongs to the factor g of the noise, and f to the equation in Ito's sense.
+/// Here G = g^2 is the square of the noise factor g, u is the speed of an impact, and f is the
+/// damping force of the equation in Ito's sense.
 ///
 /// The method applies to single and multiple wells and to limit cycles. The density exp(-Phi(h)) of
 /// the energy h is exact for white noise and r = 1 if f/v and G depend on the energy alone.
@@ -27,7 +29,7 @@ class EnergyAveraging {
   /// @pre the potential is confining: UndampedOrbits::is_confining()
   explicit EnergyAveraging(const Problem& problem);
 
-  const UndampedOrbits& orbits() const { return orbits_; }
+  const UndampedOrbits& undamped_orbits() const { return orbits_; }
 
   /// Returns the reason, in one phrase, why the motion is not confined. The result is empty for
   /// confined motion, for which Phi(h) increases at the largest energies h.
@@ -41,7 +43,7 @@ class EnergyAveraging {
     double potential;
     double mass = 0;  ///< probability of the band; the probabilities of all bands have the sum 1
     /// Index of the next higher band in the tree of orbits; for the top band its own index.
-    std::size_t above;
+    std::size_t parent;
   };
   /// Returns all bands, sorted by energy.
   /// @pre the motion is confined
@@ -57,7 +59,8 @@ class EnergyAveraging {
   double relaxation_rate() const;
 
  private:
-  double slope(const OrbitIntegrals& orbit) const;
+  /// Returns dPhi/dh at the energy of an orbit, from the integrals over this orbit alone.
+  double phi_slope(const OrbitIntegrals& orbit) const;
   /// Finds the interval of energies h in which Phi(h) exceeds the minimum of Phi by at most kDepth.
   /// @return false if the motion is not confined
   bool find_energy_range(double& low, double& high);
@@ -66,7 +69,7 @@ class EnergyAveraging {
   UndampedOrbits orbits_;
   std::optional<std::string> unconfined_reason_;
   std::vector<EnergyBand> bands_;
-  double step_ = 0;
+  double step_ = 0;  // width of an energy band
 };
 
 /// The diffusion of the energy, discretised: the nodes are energies on the families of orbits,
@@ -75,13 +78,15 @@ class EnergyAveraging {
 struct DiffusionTree {
   std::vector<double> mass;         ///< stationary probabilities of the nodes, with the sum 1
   std::vector<double> conductance;  ///< conductance between each node and its parent node
-  std::vector<std::size_t> above;  ///< index of the parent of each node; for the root its own index
+  std::vector<std::size_t>
+      parent;  ///< index of the parent of each node; for the root its own index
 };
 
 /// Returns the smallest positive eigenvalue gamma of K u = gamma M u, the decay rate of the slowest
 /// deviation from the stationary probabilities. The diagonal matrix M has the probabilities of the
 /// nodes, and the matrix K is the weighted graph Laplacian of the conductances. The kernel of K
 /// consists of the constant vectors, which the iteration projects out.
-double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> start);
+/// @param initial_vector one value per node, from which the inverse iteration starts
+double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> initial_vector);
 
 }  // namespace fpkcheck::problem

@@ -70,11 +70,11 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   return {damping(k_eq), k_eq, s1, s1 * std::sqrt(k_eq)};
 }
 
-double slowest_decay_rate(const EquivalentLinearisation& linear) {
-  const double discriminant = linear.damping * linear.damping - 4 * linear.stiffness;
-  if (discriminant <= 0) return linear.damping / 2;
+double slowest_decay_rate(const EquivalentLinearisation& linearised) {
+  const double discriminant = linearised.damping * linearised.damping - 4 * linearised.stiffness;
+  if (discriminant <= 0) return linearised.damping / 2;
   // The quotient form of the decay rate avoids the cancellation in c - sqrt(c^2 - 4k).
-  return 2 * linear.stiffness / (linear.damping + std::sqrt(discriminant));
+  return 2 * linearised.stiffness / (linearised.damping + std::sqrt(discriminant));
 }
 
 double impulses_per_decay_time(const Problem& problem) {

@@ -7,15 +7,15 @@ namespace fpkcheck::problem {
 /// Result of equivalent linearisation: a Gaussian density of independent z and z' with mean zero,
 /// under white noise with the intensity of the impulses.
 struct EquivalentLinearisation {
-  double damping;
-  double stiffness;
+  double damping;    ///< equivalent damping coefficient c_eq
+  double stiffness;  ///< equivalent stiffness k_eq
   /// Standard deviation sigma_1 of the displacement z, paper (25).
   double displacement_deviation = 0;
   double velocity_deviation = 0;  ///< standard deviation sigma_2 of the velocity z', paper (26)
 };
 
-/// Returns whether the problem is the paper's oscillator, for which the formulas of
-/// equivalent_linearisation() hold. In wall coordinates, the paper's oscillator has one wall, at y
+/// Returns whether the problem is the paper's oscillator, for which equivalent_linearisation() is
+/// defined. In wall coordinates, the paper's oscillator has one wall, at y
 /// = 0 on the left, and the restoring force k y + mu y^3 with k, mu >= 0. The damping force is c y'
 /// with c > 0, and impulses act without white noise.
 bool has_equivalent_linearisation(const Problem& problem);
@@ -34,7 +34,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem);
 ///
 /// The decay rate kappa is c_eq/2 below critical damping, and about k_eq/c_eq far above critical
 /// damping.
-double slowest_decay_rate(const EquivalentLinearisation& linear);
+double slowest_decay_rate(const EquivalentLinearisation& linearised);
 
 /// Returns the mean number lambda/kappa of impulses in the decay time 1/kappa of the slowest mode
 /// of equivalent linearisation. Between impulses the amplitude of the motion decays like exp(-kappa

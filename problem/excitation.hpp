@@ -11,7 +11,7 @@ namespace fpkcheck::problem {
 
 /// Gaussian white noise sqrt(2 D) g(y, v) W(t) as excitation, alone or in addition to the impulses.
 struct WhiteNoise {
-  double intensity = 0;  ///< 2 D >= 0, an intensity like lambda E[Y^2] of impulses
+  double intensity = 0;  ///< intensity 2 D >= 0, comparable with lambda E[Y^2] of impulses
   std::optional<std::string> factor = {};  ///< formula of g (NoiseFactor); if absent, g = 1
   std::optional<NoiseInterpretation> interpretation = {};  ///< given if g depends on v
 
@@ -31,7 +31,8 @@ struct ImpulseParameters {
   std::optional<double> skewness = {};
   /// Amplitudes of a tabulated law, as a table literal (problem/amplitude_table.hpp).
   std::optional<std::string> table = {};
-  /// Formula of the factor b(y) of parametric impulses, which change y' by b(y) Y; if absent, b = 1
+  /// Formula of the factor b(y) of parametric impulses, which change y' by b(y) Y; if absent, b =
+  /// 1.
   std::optional<std::string> factor = {};
 };
 
@@ -49,9 +50,10 @@ class ImpulseTrain {
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
   const ImpulseParameters& parameters() const { return parameters_; }
+  /// Returns whether the arrival rate of impulses is positive.
   bool is_present() const { return arrival_rate() > 0; }
   double arrival_rate() const { return parameters_.arrival_rate; }
-  const ImpulseLaw& law() const { return law_; }
+  const ImpulseLaw& amplitude_law() const { return law_; }
 
   /// Returns the product lambda E[Y^order], a coefficient of paper (15).
   double rate_times_moment(int order) const { return arrival_rate() * law_.moment(order); }

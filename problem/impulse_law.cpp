@@ -14,7 +14,7 @@ namespace fpkcheck::problem {
 namespace {
 
 template <class Law>
-void validate(const Law& law) {
+void require_valid_law(const Law& law) {
   const double deviation = law.standard_deviation();
   if (std::isfinite(law.mean) && std::isfinite(deviation) && deviation > 0) return;
   throw InputError(
@@ -23,7 +23,7 @@ void validate(const Law& law) {
                   Law::kName, law.mean, Law::kWidthName, law.width()));
 }
 
-// Computes the moment E[Y^j] = sum_n binomial(j, n) mean^(j-n) E[(Y - mean)^n].
+// Returns the moment E[Y^j] = sum_n binomial(j, n) mean^(j-n) E[(Y - mean)^n].
 template <class Law>
 double raw_moment(const Law& law, int j) {
   const double variance = law.standard_deviation() * law.standard_deviation();
@@ -37,20 +37,21 @@ double raw_moment(const Law& law, int j) {
   return sum;
 }
 
-// A law that is not symmetric about its mean has a function with_negated_amplitudes(), which returns the law
-// of -Y.
+// A law that is not symmetric about its mean has a member function with_negated_amplitudes(), which
+// returns the law of -Y.
 template <class Law>
-concept Asymmetric = requires(Law law) {
+concept AsymmetricLaw = requires(Law law) {
   law.with_negated_amplitudes();
 };
+// A law with shape parameters besides its mean and standard deviation.
 template <class Law>
-concept Shaped = requires(LawShapeParameters shape) {
+concept LawWithShapeParameters = requires(LawShapeParameters shape) {
   Law::from_moments(0, 1, shape);
 };
 
 template <class Law>
-Law make_law(double mean, double deviation, const LawShapeParameters& shape) {
-  if constexpr (Shaped<Law>) {
+Law law_from_moments(double mean, double deviation, const LawShapeParameters& shape) {
+  if constexpr (LawWithShapeParameters<Law>) {
     return Law::from_moments(mean, deviation, shape);
   } else {
     if (shape.skewness.value_or(0) != 0) {
@@ -65,14 +66,14 @@ Law make_law(double mean, double deviation, const LawShapeParameters& shape) {
 
 template <class Function>
 void for_each_law(const Function& function) {
-  boost::mp11::mp_for_each<ImpulseLaw::LawVariant>(
-      function);  // mp_for_each passes a default value of each type
+  // mp_for_each passes a default-constructed value of each law.
+  boost::mp11::mp_for_each<ImpulseLaw::LawVariant>(function);
 }
 
 }  // namespace
 
-ImpulseLaw::ImpulseLaw(const LawVariant& kind) : kind_(kind) {
-  std::visit([](const auto& law) { validate(law); }, kind_);
+ImpulseLaw::ImpulseLaw(const LawVariant& law) : law_(law) {
+  std::visit([](const auto& alternative) { require_valid_law(alternative); }, law_);
   for (int j = 0; j < kMomentCount; ++j) moments_[j] = moment(j);
 }
 
@@ -92,7 +93,7 @@ ImpulseLaw ImpulseLaw::from_name(std::string_view name, double mean, double devi
   }
   std::optional<LawVariant> kind;
   for_each_law([&]<class Law>(const Law&) {
-    if (Law::kName == name) kind = make_law<Law>(mean, deviation, shape);
+    if (Law::kName == name) kind = law_from_moments<Law>(mean, deviation, shape);
   });
   if (kind) return ImpulseLaw(*kind);
   throw InputError(
@@ -102,54 +103,54 @@ ImpulseLaw ImpulseLaw::from_name(std::string_view name, double mean, double devi
 ImpulseLaw ImpulseLaw::with_negated_amplitudes() const {
   return std::visit(
       []<class Law>(Law law) {
-        if constexpr (Asymmetric<Law>) {
+        if constexpr (AsymmetricLaw<Law>) {
           return ImpulseLaw(law.with_negated_amplitudes());
         } else {
           law.mean = -law.mean;
           return ImpulseLaw(law);
         }
       },
-      kind_);
+      law_);
 }
 
 std::string_view ImpulseLaw::name() const {
-  return std::visit([](const auto& law) { return law.kName; }, kind_);
+  return std::visit([](const auto& law) { return law.kName; }, law_);
 }
 
 double ImpulseLaw::moment(int order) const {
-  return std::visit([&](const auto& law) { return raw_moment(law, order); }, kind_);
+  return std::visit([&](const auto& law) { return raw_moment(law, order); }, law_);
 }
 
 double ImpulseLaw::mean() const {
-  return std::visit([](const auto& law) { return law.mean; }, kind_);
+  return std::visit([](const auto& law) { return law.mean; }, law_);
 }
 
 double ImpulseLaw::deviation() const {
-  return std::visit([](const auto& law) { return law.standard_deviation(); }, kind_);
+  return std::visit([](const auto& law) { return law.standard_deviation(); }, law_);
 }
 
 double ImpulseLaw::skewness() const {
-  return std::visit([](const auto& law) { return law.standardised_moment(3); }, kind_);
+  return std::visit([](const auto& law) { return law.standardised_moment(3); }, law_);
 }
 
 bool ImpulseLaw::is_symmetric() const {
-  return std::visit([]<class Law>(const Law&) { return !Asymmetric<Law>; }, kind_);
+  return std::visit([]<class Law>(const Law&) { return !AsymmetricLaw<Law>; }, law_);
 }
 
 double ImpulseLaw::density(double amplitude) const {
-  return std::visit([&](const auto& law) { return law.density(amplitude); }, kind_);
+  return std::visit([&](const auto& law) { return law.density(amplitude); }, law_);
 }
 
 double ImpulseLaw::cumulative_probability(double amplitude) const {
-  return std::visit([&](const auto& law) { return law.cumulative_probability(amplitude); }, kind_);
+  return std::visit([&](const auto& law) { return law.cumulative_probability(amplitude); }, law_);
 }
 
 std::vector<AmplitudeAtom> ImpulseLaw::atoms() const {
-  return std::visit([](const auto& law) { return law.atoms(); }, kind_);
+  return std::visit([](const auto& law) { return law.atoms(); }, law_);
 }
 
 std::vector<double> ImpulseLaw::density_breakpoints() const {
-  return std::visit([](const auto& law) { return law.density_breakpoints(); }, kind_);
+  return std::visit([](const auto& law) { return law.density_breakpoints(); }, law_);
 }
 
 }  // namespace fpkcheck::problem

@@ -15,17 +15,19 @@ namespace fpkcheck::problem {
 /// Number of stored moments E[Y^k] of the impulse amplitude, k = 0 .. 6.
 inline constexpr int kMomentCount = 7;
 
-/// The law of the impulse amplitude Y of the Poisson impulse train, paper (3). A new law needs a
-/// header in problem/laws, an alternative of LawVariant, and a sampler in mcs/impulses.
+/// The probability law of the impulse amplitude Y of the Poisson impulse train, paper (3). A new
+/// law needs a header in problem/laws, an alternative of LawVariant, and a sampler in mcs/impulses.
 class ImpulseLaw {
  public:
   using LawVariant = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw, ExponentialLaw,
                                   GammaLaw, TabulatedLaw>;
 
   /// @throws InputError if the mean is not finite or the width is not a positive number
-  explicit ImpulseLaw(const LawVariant& kind);
+  explicit ImpulseLaw(const LawVariant& law);
 
+  /// Returns the names of all laws, as in the key `impulse.law` of a case file.
   static std::vector<std::string> law_names();
+  /// Returns the law with this name, mean and standard deviation.
   /// @throws InputError if the name is unknown (the message lists all names), if the law does not
   /// have a given shape parameter, if the mean is not finite, or if the width is not positive
   static ImpulseLaw from_name(std::string_view name, double mean, double deviation,
@@ -34,8 +36,9 @@ class ImpulseLaw {
   ImpulseLaw with_negated_amplitudes() const;
 
   std::string_view name() const;
-  const LawVariant& kind() const { return kind_; }
+  const LawVariant& law_variant() const { return law_; }
 
+  /// Returns the moment E[Y^order].
   double moment(int order) const;
   /// Returns the moments E[Y^k], k = 0 .. 6.
   const std::array<double, kMomentCount>& moments() const { return moments_; }
@@ -50,6 +53,7 @@ class ImpulseLaw {
 
   /// Returns the probability density of Y at an amplitude; 0 for a law that consists of atoms.
   double density(double amplitude) const;
+  /// Returns the probability P(Y <= amplitude).
   double cumulative_probability(double amplitude) const;
   /// Returns the amplitudes with positive probability, in increasing order. The list is empty for a
   /// law with a density.
@@ -60,7 +64,7 @@ class ImpulseLaw {
   std::vector<double> density_breakpoints() const;
 
  private:
-  LawVariant kind_;
+  LawVariant law_;
   std::array<double, kMomentCount> moments_;
 };
 

@@ -18,7 +18,7 @@ constexpr double kReachedDeviations = 6;
 // Returns the largest energy v^2/2 + V(y) between the walls, on the ellipse of
 // kReachedDeviations standard deviations of the initial density.
 double max_initial_energy(const System& system, const EffectivePotential& potential,
-                          const Gaussian& start) {
+                          const InitialGaussian& start) {
   constexpr int kDirections = 120;
   double most = -HUGE_VAL;
   for (int n = 0; n < kDirections; ++n) {
@@ -36,14 +36,15 @@ double max_initial_energy(const System& system, const EffectivePotential& potent
 
 }  // namespace
 
-Gaussian initial_density(const Problem& problem, const MotionScales& scales,
-                         const InitialDensityOptions& options) {
+InitialGaussian initial_density(const Problem& problem, const MotionScales& scales,
+                                const InitialDensityOptions& options) {
   constexpr double kDefault = 0.5;
-  Gaussian start{.displacement_deviation = options.displacement_deviation.value_or(
-                     kDefault * scales.displacement_deviation),
-                 .velocity_deviation =
-                     options.velocity_deviation.value_or(kDefault * scales.velocity_deviation),
-                 .mean_displacement = has_equivalent_linearisation(problem) ? 0 : scales.centre};
+  InitialGaussian start{
+      .displacement_deviation =
+          options.displacement_deviation.value_or(kDefault * scales.displacement_deviation),
+      .velocity_deviation =
+          options.velocity_deviation.value_or(kDefault * scales.velocity_deviation),
+      .mean_displacement = has_equivalent_linearisation(problem) ? 0 : scales.centre};
   // The mean displacement in a symmetric well is 0 up to rounding errors.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
@@ -62,7 +63,7 @@ Gaussian initial_density(const Problem& problem, const MotionScales& scales,
   return start;
 }
 
-StateRange reachable_states(const Problem& problem, const Gaussian& density) {
+StateRange reachable_state_range(const Problem& problem, const InitialGaussian& density) {
   const UndampedOrbits orbits(problem);
   const double energy = max_initial_energy(problem.system, orbits.potential(), density);
   const auto half_cycles = orbits.half_cycles(energy);

@@ -10,12 +10,12 @@ namespace fpkcheck::problem {
 
 /// The density equations, which differ in their excitation term.
 enum class DensityEquation {
-  white,  ///< term -lambda E[Y] p' + D2 p'' with D2 = lambda E[Y^2]/2
+  white,  ///< excitation term -lambda E[Y] p' + D2 p'' with D2 = lambda E[Y^2]/2
   km4,    ///< Kramers-Moyal series truncated after the fourth derivative: paper (16), (20)
   /// Well-posed Pade approximant of the Kramers-Moyal series, from the four coefficients of the
   /// truncated series `km4`.
   km4_pade,
-  kf  ///< the full jump integral lambda (E[p(x2 - Y)] - p)
+  kf  ///< excitation term lambda (E[p(x2 - Y)] - p), the full jump integral
 };
 inline constexpr base::EnumEntry<DensityEquation> kEquationNames[] = {
     {DensityEquation::white, "white", "white noise"},
@@ -26,7 +26,7 @@ constexpr const auto& enumerator_names(DensityEquation) { return kEquationNames;
 constexpr std::string_view name(DensityEquation equation) { return base::name_of(equation); }
 
 enum class ImpactCondition {
-  map,  ///< exact: p(0+, w) = p(0-, w/r) / r^2 for w > 0
+  map,  ///< exact impact condition p(0+, w) = p(0-, w/r) / r^2 for w > 0
   /// Impact condition to first order in 1-r, paper (12), with the term (1-r) x2 |x2| delta(x1).
   delta,
   exact  ///< a simulation reflects each trajectory at the impact, paper (2)

@@ -12,9 +12,10 @@
 namespace fpkcheck::problem {
 namespace {
 
+// Ends of the motion in standard deviations: the Gaussian density is there exp(-7^2/2) of its peak.
 constexpr double kDeviations = 7;
 
-MotionScales by_linearisation(const Problem& problem) {
+MotionScales scales_from_linearisation(const Problem& problem) {
   const auto linear = equivalent_linearisation(problem);
   const double centre = static_deflection(problem);
   return {.centre = centre,
@@ -33,7 +34,7 @@ MotionScales by_linearisation(const Problem& problem) {
 double overdamped_relaxation_rate(const Problem& problem, const MotionScales& scales,
                                   double damping) {
   constexpr std::size_t kCells = 200;
-  const double diffusion = total_intensity(problem) / 2;
+  const double diffusion = total_excitation_intensity(problem) / 2;
   const EffectivePotential potential(problem);
   const double step = (scales.y_high - scales.y_low) / kCells;
   const double over = diffusion / (damping * damping) / (step * step);
@@ -50,17 +51,18 @@ double overdamped_relaxation_rate(const Problem& problem, const MotionScales& sc
     const std::size_t next = std::min(n + 1, kCells - 1);
     chain.mass.push_back(std::exp(least - level[n]) / total);
     chain.conductance.push_back(over * std::exp(least - (level[n] + level[next]) / 2) / total);
-    chain.above.push_back(next);
+    chain.parent.push_back(next);
   }
   return slowest_relaxation_rate(chain, std::move(y));
 }
 
 }  // namespace
 
-MotionScales scales_by_averaging(const Problem& problem, const EnergyAveraging& averaging) {
+MotionScales scales_from_energy_averaging(const Problem& problem,
+                                          const EnergyAveraging& averaging) {
   constexpr double kLevel = kDeviations * kDeviations / 2;
   const auto& bands = averaging.energy_bands();
-  const double bottom = averaging.orbits().lowest_potential();
+  const double bottom = averaging.undamped_orbits().lowest_potential();
   MotionScales scales;
   double y2 = 0, v2 = 0, damping = 0, lowest = bands.front().orbit.half_cycle.left,
          highest = bands.front().orbit.half_cycle.right;
@@ -91,13 +93,13 @@ MotionScales scales_by_averaging(const Problem& problem, const EnergyAveraging& 
   return scales;
 }
 
-MotionScales scales(const Problem& problem) {
+MotionScales motion_scales(const Problem& problem) {
   return has_equivalent_linearisation(problem)
-             ? by_linearisation(problem)
-             : scales_by_averaging(problem, EnergyAveraging(problem));
+             ? scales_from_linearisation(problem)
+             : scales_from_energy_averaging(problem, EnergyAveraging(problem));
 }
 
-double decayed_part(const MotionScales& scales, double time) {
+double decayed_fraction(const MotionScales& scales, double time) {
   return -std::expm1(-scales.slowest_decay_rate * time);
 }
 

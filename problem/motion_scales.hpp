@@ -24,18 +24,18 @@ struct MotionScales {
   double slowest_decay_rate = 0;
 };
 
-/// Computes the scales of a problem, by equivalent linearisation for the paper's oscillator and by
-/// energy averaging for all other problems. Energy averaging treats multiple wells, limit cycles
-/// and two walls.
-MotionScales scales(const Problem& problem);
+/// Computes the motion scales of a problem, by equivalent linearisation for the paper's oscillator
+/// and by energy averaging for all other problems. Energy averaging treats multiple wells, limit
+/// cycles and two walls.
+MotionScales motion_scales(const Problem& problem);
 
-/// Computes the scales of a problem from its energy averaging.
-/// @pre the motion is confined: !averaging.unconfined_reason()
-MotionScales scales_by_averaging(const Problem& problem, const EnergyAveraging& averaging);
+/// Computes the motion scales of a problem from the energy averaging of the problem.
+/// @pre the motion is confined: averaging.unconfined_reason() is empty
+MotionScales scales_from_energy_averaging(const Problem& problem, const EnergyAveraging& averaging);
 
-/// Returns the part 1 - exp(-slowest_decay_rate T) of the slowest deviation from the stationary
+/// Returns the fraction 1 - exp(-slowest_decay_rate T) of the slowest deviation from the stationary
 /// density that decays in the time T.
-double decayed_part(const MotionScales& scales, double time);
+double decayed_fraction(const MotionScales& scales, double time);
 
 /// Returns the mean number of impulses in the time in which the slowest deviation from the
 /// stationary density decays by a factor e; 0 without impulses.

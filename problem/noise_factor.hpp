@@ -10,8 +10,8 @@
 
 namespace fpkcheck::problem {
 
-/// Sense in which an equation with noise sqrt(2D) g(y, v) W(t) is understood. The senses differ
-/// only if g depends on v.
+/// Interpretation of an equation with noise sqrt(2D) g(y, v) W(t). The interpretations of Ito and
+/// Stratonovich differ only if g depends on v.
 enum class NoiseInterpretation { ito, stratonovich };
 inline constexpr base::EnumEntry<NoiseInterpretation> kInterpretationNames[] = {
     {NoiseInterpretation::ito, "ito"}, {NoiseInterpretation::stratonovich, "stratonovich"}};
@@ -32,34 +32,35 @@ class NoiseFactor {
     return g * g;
   }
   /// Returns dG/dv = 2 g dg/dv.
-  double slope_of_square(double y, double v) const {
+  double square_slope_in_v(double y, double v) const {
     const numerics::DualNumber g = g_.with_slope_in_v(y, v);
     return 2 * g.value * g.derivative;
   }
-  /// Computes g at `count` <= Expression::kBatch points, faster than one by one.
-  void evaluate(std::size_t count, const double* y, const double* v, double* g) const {
-    g_.evaluate(count, y, v, g);
+  /// Computes g at `count` <= Expression::kBatch points, faster than by single evaluations.
+  void evaluate_batch(std::size_t count, const double* y, const double* v, double* g) const {
+    g_.evaluate_batch(count, y, v, g);
   }
 
   /// Computes dG/dv = 2 g dg/dv at `count` <= Expression::kBatch points.
-  void evaluate_slopes_of_square(std::size_t count, const double* y, const double* v,
-                                 double* slopes) const {
+  void evaluate_square_slopes_in_v(std::size_t count, const double* y, const double* v,
+                                   double* slopes) const {
     std::array<double, Expression::kBatch> g{};
-    g_.evaluate_with_slopes_in_v(count, y, v, g.data(), slopes);
+    g_.evaluate_batch_with_slopes_in_v(count, y, v, g.data(), slopes);
     for (std::size_t k = 0; k < count; ++k) slopes[k] *= 2 * g[k];
   }
 
-  const std::string& text() const { return g_.formula().text(); }
+  const std::string& formula_text() const { return g_.formula().text(); }
   bool depends_on_v() const { return g_.formula().depends_on_v(); }
   bool has_jumps() const { return g_.formula().has_jumps(); }
   bool has_kinks() const { return g_.formula().has_kinks(); }
-  /// Returns the values of y in (low, high) at which g or its slope jumps, increasing.
+  /// Returns the values of y in (low, high) at which g or its slope jumps, in increasing order.
   std::vector<double> kinks_in_y(double low, double high) const { return g_.kinks_in_x(low, high); }
-  /// Returns the values of v in (low, high) at which g or its slope jumps, increasing.
+  /// Returns the values of v in (low, high) at which g or its slope jumps, in increasing order.
   std::vector<double> kinks_in_v(double low, double high) const { return g_.kinks_in_v(low, high); }
   /// Returns the parity of g under (y, v) -> (-y, -v) in physical coordinates.
   Parity parity() const { return g_.formula().parity(); }
 
+  /// Returns the factor as a function of wall coordinates.
   NoiseFactor to_wall_coordinates(const WallFrame& frame) const {
     NoiseFactor transformed = *this;
     transformed.g_ = g_.to_wall_coordinates(frame);

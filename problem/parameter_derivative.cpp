@@ -15,8 +15,9 @@
 namespace fpkcheck::problem {
 namespace {
 
-// Returns the number of a parameter in the sections of a case; null if the case lacks the parameter.
-double* find_number(std::vector<CaseFileSection>& sections, const std::string& parameter) {
+// Returns the numeric value of a parameter in the sections of a case; null if the case lacks the
+// parameter.
+double* find_parameter_value(std::vector<CaseFileSection>& sections, const std::string& parameter) {
   for (CaseFileSection& section : sections) {
     for (auto& [name, value] : section.values) {
       if (section.name + '.' + name == parameter) return std::get_if<double>(&value);
@@ -25,10 +26,11 @@ double* find_number(std::vector<CaseFileSection>& sections, const std::string& p
   return nullptr;
 }
 
-std::optional<Problem> with_value(const Problem& problem, const std::string& parameter,
-                                  double value) {
-  auto changed = sections(problem);
-  *find_number(changed, parameter) = value;
+// Returns the problem with another value of a parameter; nullopt if the value is invalid.
+std::optional<Problem> with_parameter_value(const Problem& problem, const std::string& parameter,
+                                            double value) {
+  auto changed = case_file_sections(problem);
+  *find_parameter_value(changed, parameter) = value;
   try {
     return problem_from_sections(problem.name, changed);
   } catch (const InputError&) {
@@ -52,8 +54,8 @@ std::vector<std::string> differentiable_parameters(const Problem& problem) {
 
 ParameterDerivative parameter_derivative(const Problem& problem, const std::string& parameter,
                                          double relative_step) {
-  auto all = sections(problem);
-  const double* value = find_number(all, parameter);
+  auto all = case_file_sections(problem);
+  const double* value = find_parameter_value(all, parameter);
   if (value == nullptr || parameter == "wall.left" || parameter == "wall.right") {
     throw InputError(fmt::format("{} is no parameter with a derivative; use some of {}",
                                  base::in_quotes(parameter),
@@ -63,10 +65,10 @@ ParameterDerivative parameter_derivative(const Problem& problem, const std::stri
   const double widest = relative_step * (*value == 0 ? 1 : std::abs(*value));
   double step = widest;
   const auto at = [&](double steps) {
-    return with_value(problem, parameter, *value + steps * step);
+    return with_parameter_value(problem, parameter, *value + steps * step);
   };
-  // Close to an end of the range a function of the parameter may change strongly: the step is at most
-  // about a quarter of the distance to the end.
+  // A function of the parameter may change strongly close to an end of the range. The step is
+  // therefore at most about a quarter of the distance to the end.
   constexpr int kMostHalvings = 5;
   for (int n = 0; n < kMostHalvings && (!at(4) || !at(-4)); ++n) step /= 2;
   if (!at(1) || !at(-1)) step = widest;
@@ -75,7 +77,7 @@ ParameterDerivative parameter_derivative(const Problem& problem, const std::stri
     derivative.terms = {{1 / (2 * step), std::move(*above)}, {-1 / (2 * step), std::move(*below)}};
     return derivative;
   }
-  // F' ~ +-(-3 F(0) + 4 F(1) - F(2)) / 2 per step, upwards or downwards
+  // One-sided difference quotient F' ~ +-(-3 F(0) + 4 F(1) - F(2)) / (2 step), upwards or downwards
   for (const double sign : {1.0, -1.0}) {
     auto first = at(sign), second = at(2 * sign);
     if (!first || !second) continue;

@@ -13,23 +13,24 @@ struct WeightedProblem {
   Problem problem;
 };
 
-/// Difference quotient of second order for the derivative with respect to one parameter: for a
-/// function F of the problem, dF/dtheta ~ sum of weight F(problem).
+/// Difference quotient of second order for the derivative with respect to one parameter theta. For
+/// a function F of the problem, dF/dtheta is approximately the sum of weight F(problem) over all
+/// terms.
 struct ParameterDerivative {
   std::string parameter;  ///< key of the case file, such as "system.damping"
   double value;           ///< value of the parameter
   std::vector<WeightedProblem> terms;
 };
 
-/// Returns the keys of all parameters with a number that differs from the default value, without the
-/// positions of walls, whose change would move the domain of the density.
+/// Returns the keys of all numeric parameters with a value other than the default value. The result
+/// omits the positions of walls, since a change of a position would move the domain of the density.
 std::vector<std::string> differentiable_parameters(const Problem& problem);
 
-/// Returns a central difference quotient, or a one-sided one with three terms at an end of the range
-/// of the parameter, such as the restitution 1.
+/// Returns a central difference quotient with two terms. At an end of the range of the parameter,
+/// such as the restitution 1, the result is a one-sided difference quotient with three terms.
 /// @param problem problem in physical coordinates
-/// @param relative_step largest step relative to the value of the parameter; the absolute step for the
-/// value 0
+/// @param relative_step largest step relative to the value of the parameter; for the value 0 the
+/// largest absolute step
 /// @throws InputError if the problem has no such parameter, or if no step leaves the problem valid
 ParameterDerivative parameter_derivative(const Problem& problem, const std::string& parameter,
                                          double relative_step);

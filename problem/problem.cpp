@@ -16,8 +16,8 @@
 namespace fpkcheck::problem {
 namespace {
 
-const CaseFileSection* section_of(const std::vector<CaseFileSection>& sections,
-                                  const std::string& name) {
+const CaseFileSection* find_section(const std::vector<CaseFileSection>& sections,
+                                    const std::string& name) {
   const auto found = std::ranges::find(sections, name, &CaseFileSection::name);
   return found == sections.end() ? nullptr : &*found;
 }
@@ -25,14 +25,14 @@ const CaseFileSection* section_of(const std::vector<CaseFileSection>& sections,
 template <class Owner>
 Owner read_section(const std::vector<CaseFileSection>& sections, const std::string& name,
                    const base::Description<Owner>& description) {
-  const CaseFileSection* section = section_of(sections, name);
+  const CaseFileSection* section = find_section(sections, name);
   return section == nullptr ? Owner{} : description.read(section->values, name);
 }
 
 constexpr const char *kSystem = "system", *kParameters = "parameters", *kForce = "force";
 
 // Reads [system]. A formula of the force replaces all coefficients.
-SystemCoefficients read_system(base::Values values) {
+SystemCoefficients read_system_coefficients(base::Values values) {
   if (base::contains(values, kForce)) {
     for (const auto& parameter : system_parameter_description().parameters()) {
       const bool is_coefficient = parameter.name != kForce && parameter.name != "restitution";
@@ -47,14 +47,14 @@ SystemCoefficients read_system(base::Values values) {
   return system_parameter_description().read(values, kSystem);
 }
 
-NamedConstants read_constants(const std::vector<CaseFileSection>& sections) {
+NamedConstants read_named_constants(const std::vector<CaseFileSection>& sections) {
   NamedConstants constants;
-  if (const CaseFileSection* section = section_of(sections, kParameters)) {
+  if (const CaseFileSection* section = find_section(sections, kParameters)) {
     for (const auto& [name, value] : section->values) {
       const auto number = named_constant_parameter(name).convert_to_parameter_type(value);
       if (!number) {
         throw InputError(
-            fmt::format("parameters.{} = {} (must be a number)", name, base::text_of(value)));
+            fmt::format("parameters.{} = {} (must be a number)", name, base::value_as_text(value)));
       }
       constants.emplace(name, std::get<double>(*number));
     }
@@ -63,7 +63,7 @@ NamedConstants read_constants(const std::vector<CaseFileSection>& sections) {
 }
 
 // Sets the factor of multiplicative noise, and the force in Ito's sense.
-void read_noise_factor(Problem& problem) {
+void set_noise_factor(Problem& problem) {
   const WhiteNoise& noise = problem.noise;
   if (noise.interpretation && !noise.factor) {
     throw InputError("noise.interpretation is given without noise.factor; remove it");
@@ -87,7 +87,7 @@ void read_noise_factor(Problem& problem) {
 }
 
 // Sets the factor of parametric impulses, a formula of y alone.
-void read_impulse_factor(Problem& problem) {
+void set_impulse_factor(Problem& problem) {
   const auto& formula = problem.impulses.parameters().factor;
   if (!formula) return;
   problem.impulse_factor.emplace(
@@ -95,17 +95,18 @@ void read_impulse_factor(Problem& problem) {
 }
 
 // Sets the changes of the excitation in time.
-void read_time_dependence(const std::vector<CaseFileSection>& sections, Problem& problem) {
+void set_time_dependence(const std::vector<CaseFileSection>& sections, Problem& problem) {
   const auto formulas = read_section(sections, "time", time_parameter_description());
   problem.time = TimeDependence(formulas, problem.system.named_constants());
-  if (problem.time.has_rate() && !problem.impulses.is_present()) {
+  if (problem.time.has_rate_factor() && !problem.impulses.is_present()) {
     throw InputError("time.rate is given without [impulse]; remove it, or add impulses");
   }
-  if (problem.time.has_intensity() && !problem.noise.is_present()) {
+  if (problem.time.has_intensity_factor() && !problem.noise.is_present()) {
     throw InputError("time.intensity is given without [noise]; remove it, or add noise");
   }
-  // The drift D G_v / 2, by which the senses of Ito and Stratonovich differ, would change in time.
-  if (problem.time.has_intensity() && problem.noise_factor &&
+  // The equations of Ito and Stratonovich differ by the drift D G_v / 2. Under an intensity that
+  // changes in time, the drift would also change in time.
+  if (problem.time.has_intensity_factor() && problem.noise_factor &&
       problem.noise_factor->depends_on_v()) {
     throw InputError(
         "time.intensity with a noise.factor that depends on v is not supported; choose a factor of "
@@ -113,7 +114,7 @@ void read_time_dependence(const std::vector<CaseFileSection>& sections, Problem&
   }
 }
 
-std::string number_text(const base::Value& value) {
+std::string value_text(const base::Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:g}", *number) : std::get<std::string>(value);
 }
@@ -132,12 +133,12 @@ Problem without_noise(Problem problem) {
   return problem;
 }
 
-double noise_diffusion(const Problem& problem, double y, double v) {
+double noise_diffusion_coefficient(const Problem& problem, double y, double v) {
   return problem.noise.diffusion() *
          (problem.noise_factor ? problem.noise_factor->squared(y, v) : 1);
 }
 
-double square_impulse_factor(const Problem& problem, double y) {
+double squared_impulse_factor(const Problem& problem, double y) {
   if (!problem.impulse_factor) return 1;
   const double b = (*problem.impulse_factor)(y, 0);
   return b * b;
@@ -154,24 +155,24 @@ std::vector<double> sorted_union(std::vector<double> a, const std::vector<double
 
 }  // namespace
 
-std::vector<double> kinks_in_y(const Problem& problem, double low, double high) {
-  std::vector<double> kinks = problem.system.kinks_in_y(low, high);
+std::vector<double> coefficient_kinks_in_y(const Problem& problem, double y_low, double y_high) {
+  std::vector<double> kinks = problem.system.kinks_in_y(y_low, y_high);
   if (const auto& g = problem.noise_factor) {
-    kinks = sorted_union(std::move(kinks), g->kinks_in_y(low, high));
+    kinks = sorted_union(std::move(kinks), g->kinks_in_y(y_low, y_high));
   }
   if (const auto& b = problem.impulse_factor) {
-    kinks = sorted_union(std::move(kinks), b->kinks_in_x(low, high));
+    kinks = sorted_union(std::move(kinks), b->kinks_in_x(y_low, y_high));
   }
   return kinks;
 }
 
-std::vector<double> kinks_in_v(const Problem& problem, double low, double high) {
-  std::vector<double> kinks = problem.system.kinks_in_v(low, high);
+std::vector<double> coefficient_kinks_in_v(const Problem& problem, double v_low, double v_high) {
+  std::vector<double> kinks = problem.system.kinks_in_v(v_low, v_high);
   const auto& g = problem.noise_factor;
-  return g ? sorted_union(std::move(kinks), g->kinks_in_v(low, high)) : kinks;
+  return g ? sorted_union(std::move(kinks), g->kinks_in_v(v_low, v_high)) : kinks;
 }
 
-double total_intensity(const Problem& problem) {
+double total_excitation_intensity(const Problem& problem) {
   return problem.impulses.rate_times_moment(2) + problem.noise.intensity;
 }
 
@@ -188,7 +189,7 @@ const base::Parameter& named_constant_parameter(std::string_view name) {
                                          .help = "named constant of the formulas",
                                          .type = base::ParameterType::number,
                                          .range = base::finite_numbers()};
-  if (!is_name_of_constant(name)) {
+  if (!is_valid_constant_name(name)) {
     throw InputError(fmt::format(
         "parameters.{} is not a name of a constant; use letters, digits and '_', but not y, v, t, "
         "pi or the name of a function",
@@ -197,7 +198,7 @@ const base::Parameter& named_constant_parameter(std::string_view name) {
   return parameter;
 }
 
-std::vector<CaseFileSection> sections(const Problem& problem) {
+std::vector<CaseFileSection> case_file_sections(const Problem& problem) {
   const System& system = problem.system;
   base::Values values = system_parameter_description().stored_values(system.coefficients());
   if (system.coefficients().force) {
@@ -229,8 +230,8 @@ std::vector<CaseFileSection> sections(const Problem& problem) {
 }
 
 Problem problem_from_sections(const std::string& name, const std::vector<CaseFileSection>& sections,
-                              TimeSection time) {
-  const CaseFileSection* system = section_of(sections, kSystem);
+                              TimeSection time_section) {
+  const CaseFileSection* system = find_section(sections, kSystem);
   if (system == nullptr) {
     throw InputError(
         "system is missing: the file may be from another version of the program; run again");
@@ -239,19 +240,19 @@ Problem problem_from_sections(const std::string& name, const std::vector<CaseFil
   noise_parameter_description().validate(noise);
   require_magnitudes_in_range(noise_parameter_description(), noise);
   Problem problem{.name = name,
-                  .system = System(read_system(system->values),
+                  .system = System(read_system_coefficients(system->values),
                                    read_section(sections, "wall", wall_parameter_description()),
-                                   read_constants(sections)),
+                                   read_named_constants(sections)),
                   .impulses = {},
                   .noise = noise};
-  if (const CaseFileSection* impulse = section_of(sections, "impulse")) {
+  if (const CaseFileSection* impulse = find_section(sections, "impulse")) {
     problem.impulses =
         ImpulseTrain(impulse_parameter_description().read(impulse->values, "impulse"));
   }
-  read_noise_factor(problem);
-  read_impulse_factor(problem);
-  read_time_dependence(sections, problem);
-  if (problem.time.is_present() && time == TimeSection::refused) {
+  set_noise_factor(problem);
+  set_impulse_factor(problem);
+  set_time_dependence(sections, problem);
+  if (problem.time.is_present() && time_section == TimeSection::refused) {
     throw InputError(
         "the section [time] changes the excitation in time, so that there is no stationary "
         "density; compute densities over time: fpkcheck run CASE --until T");
@@ -268,7 +269,7 @@ base::Value display_value(const base::Parameter& parameter, const base::Value& v
 
 std::vector<DisplayedParameter> displayed_parameters(const Problem& problem) {
   std::vector<DisplayedParameter> displayed;
-  for (const CaseFileSection& section : sections(problem)) {
+  for (const CaseFileSection& section : case_file_sections(problem)) {
     if (section.name == kParameters) {
       for (const auto& [name, value] : section.values) {
         displayed.push_back(
@@ -297,9 +298,9 @@ std::string parameters_text(const Problem& problem, bool typeset) {
     if (std::holds_alternative<bool>(p.value)) {
       part.push_back("no wall");
     } else if (symbol.empty()) {
-      part.insert(part.begin(), fmt::format("{} impulses", number_text(p.value)));
+      part.insert(part.begin(), fmt::format("{} impulses", value_text(p.value)));
     } else {
-      std::string number = number_text(p.value);
+      std::string number = value_text(p.value);
       if (typeset && number.starts_with('-')) number.replace(0, 1, "\u2212");
       part.push_back(fmt::format("{} = {}", symbol, number));
     }
@@ -318,11 +319,11 @@ void require_valid_formulas(const Problem& problem, const EnergyAveraging& avera
     return;
   }
   constexpr int kPoints = 41;
-  const MotionScales reached = scales_by_averaging(problem, averaging);
+  const MotionScales reached = scales_from_energy_averaging(problem, averaging);
   require_valid_restitution(system.walls(), reached.v_high);
   for (int i = 0; i < kPoints; ++i) {
     const double y = reached.y_low + (reached.y_high - reached.y_low) * i / (kPoints - 1);
-    if (const double square = square_impulse_factor(problem, y); !std::isfinite(square)) {
+    if (const double square = squared_impulse_factor(problem, y); !std::isfinite(square)) {
       throw InputError(
           fmt::format("impulse.factor is not finite at y = {:.3g}, which the motion "
                       "reaches; choose a factor that is finite there",
@@ -347,9 +348,9 @@ void require_valid_formulas(const Problem& problem, const EnergyAveraging& avera
   }
 }
 
-// Requires that the restoring force is a number between the walls, at displacements of any
-// magnitude: the potential is undefined beyond any other point. The damping is checked later, at the
-// speeds that the motion reaches.
+// Requires that the restoring force between the walls is a number at displacements of magnitude
+// 1e-6 to 1e6, since an undefined force makes the potential undefined. require_valid_formulas()
+// checks the damping at the speeds that the motion reaches.
 void require_defined_restoring_force(const System& system) {
   if (system.has_polynomial_force()) return;
   constexpr int kDecades = 6, kPointsPerDecade = 8;
@@ -382,9 +383,9 @@ void require_stationary_density(const Problem& problem) {
   require_defined_restoring_force(problem.system);
   const bool has_formula = problem.system.coefficients().force.has_value();
   const UndampedOrbits orbits(problem);
-  for (const auto& [held, side] : {std::pair{orbits.is_confining_on_left(), "left"},
-                                   std::pair{orbits.is_confining_on_right(), "right"}}) {
-    if (held) continue;
+  for (const auto& [is_confined, side] : {std::pair{orbits.is_confining_on_left(), "left"},
+                                          std::pair{orbits.is_confining_on_right(), "right"}}) {
+    if (is_confined) continue;
     throw InputError(fmt::format(
         "there is no stationary density: the restoring force does not confine the mass on the {0}; "
         "{1}, or add wall.{0}",

@@ -30,31 +30,35 @@ struct Problem {
   WallFrame frame = {};
 };
 
+/// Returns the problem without impulses.
 Problem without_impulses(Problem problem);
+/// Returns the problem without white noise.
 Problem without_noise(Problem problem);
 
 /// Returns the diffusion coefficient D G(y, v) of the noise.
-double noise_diffusion(const Problem& problem, double y, double v);
+double noise_diffusion_coefficient(const Problem& problem, double y, double v);
 
-/// Returns b^2, the factor of E[Y^2] for impulses at the displacement y; 1 without a factor.
-double square_impulse_factor(const Problem& problem, double y);
+/// Returns the square b(y)^2 of the factor of parametric impulses; 1 without a factor.
+double squared_impulse_factor(const Problem& problem, double y);
 
-/// Returns the total intensity lambda E[Y^2] + 2D of impulses and noise, that is, the intensity of
-/// Gaussian white noise of equal power if g = b = 1.
-double total_intensity(const Problem& problem);
+/// Returns the total intensity lambda E[Y^2] + 2D of impulses and noise. If g = b = 1, Gaussian
+/// white noise of this intensity has the same power.
+double total_excitation_intensity(const Problem& problem);
 
-/// Returns the values of y in (low, high) at which the force, a factor of noise or impulses, or one
-/// of their slopes jumps, increasing.
-std::vector<double> kinks_in_y(const Problem& problem, double low, double high);
-/// Returns the values of v in (low, high) at which the force, the noise factor or one of their
-/// slopes jumps, increasing.
-std::vector<double> kinks_in_v(const Problem& problem, double low, double high);
+/// Returns the values of y in (y_low, y_high), in increasing order, at which the force, a factor of
+/// noise or impulses, or the slope of one of these functions jumps.
+std::vector<double> coefficient_kinks_in_y(const Problem& problem, double y_low, double y_high);
+/// Returns the values of v in (v_low, v_high), in increasing order, at which the force, the noise
+/// factor, or the slope of one of these functions jumps.
+std::vector<double> coefficient_kinks_in_v(const Problem& problem, double v_low, double v_high);
 
+/// A section of a case file: the name of the section, and the values of the keys of the section.
 struct CaseFileSection {
   std::string name;
   base::Values values;
 };
 
+/// Returns the descriptions of all sections of a case file except [parameters].
 const std::vector<const base::DescriptionBase*>& case_section_descriptions();
 
 /// Returns the description of a named constant, a parameter of the section [parameters].
@@ -63,28 +67,33 @@ const base::Parameter& named_constant_parameter(std::string_view name);
 
 /// Returns the sections of a case file for the problem: [system] and, if required, [wall],
 /// [impulse] and [noise].
-std::vector<CaseFileSection> sections(const Problem& problem);
+std::vector<CaseFileSection> case_file_sections(const Problem& problem);
 
 /// Whether a case file may contain the section [time], for densities over time.
 enum class TimeSection { refused, allowed };
 
-/// @throws InputError that names a key if the key is missing or unknown, or its value has the wrong
-/// type or is out of range, or if [time] is refused; also the exceptions of
+/// Builds the problem from the sections of a case file.
+/// @param time_section whether the sections may contain the section [time]
+/// @throws InputError that names a key if the key is missing or unknown, if the value of the key
+/// has the wrong type or is out of range, or if [time] is refused; also the exceptions of
 /// require_stationary_density()
 Problem problem_from_sections(const std::string& name, const std::vector<CaseFileSection>& sections,
-                              TimeSection time = TimeSection::refused);
+                              TimeSection time_section = TimeSection::refused);
 
+/// A parameter of a problem as displayed in reports.
 struct DisplayedParameter {
   std::string section, name;  ///< section and name of the parameter: "system", "damping"
   /// Plain and typeset symbol, such as "mu" and "μ"; empty for a parameter without a symbol.
   std::string symbol, typeset;
   std::string meaning;  ///< meaning of the parameter in words: "cubic stiffness"
   base::Value value;
-  bool is_default;  ///< whether the value equals the default value, which is not displayed
+  bool is_default;  ///< whether the value equals the default value; reports omit default values
 };
 
+/// Returns all parameters of a problem, in the order of the case file.
 std::vector<DisplayedParameter> displayed_parameters(const Problem& problem);
-/// Returns the value of a parameter for display, with a long word replaced by its display text.
+/// Returns the value of a parameter for reports. A long text, such as an amplitude table, is
+/// replaced by the display text of the parameter.
 base::Value display_value(const base::Parameter& parameter, const base::Value& value);
 
 /// Returns, in one line, all parameters of a problem that differ from their defaults, such as "c =
@@ -92,9 +101,9 @@ base::Value display_value(const base::Parameter& parameter, const base::Value& v
 /// @param typeset whether to use typeset symbols: "μ = 0.1"
 std::string parameters_text(const Problem& problem, bool typeset = false);
 
-/// Requires the conditions under which a stationary density of the constant excitation exists,
-/// without the section [time]: an excitation, a restoring force that confines the motion, and
-/// dissipation that exceeds the energy input at large energies (EnergyAveraging).
+/// Requires the conditions under which the oscillator has a stationary density under the constant
+/// excitation, without the section [time]: an excitation, a restoring force that confines the
+/// motion, and dissipation that exceeds the energy input at large energies (EnergyAveraging).
 /// @throws InputError that states which condition is violated and which parameters to change
 void require_stationary_density(const Problem& problem);
 

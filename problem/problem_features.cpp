@@ -13,7 +13,7 @@
 
 namespace fpkcheck::problem {
 
-ProblemFeatures features(const Problem& problem) {
+ProblemFeatures problem_features(const Problem& problem) {
   const System& system = problem.system;
   ProblemFeatures result{.no_wall = !system.left_wall() && !system.right_wall(),
                          .two_walls = system.left_wall() && system.right_wall(),
@@ -33,11 +33,11 @@ ProblemFeatures features(const Problem& problem) {
   inspect_wall(system.left_wall(), -1);
   inspect_wall(system.right_wall(), 1);
   if (!has_equivalent_linearisation(problem))
-    result.wells = static_cast<int>(UndampedOrbits(problem).minima().size());
+    result.wells = static_cast<int>(UndampedOrbits(problem).potential_minima().size());
   return result;
 }
 
-std::string polynomial_required_reason(const Problem& problem) {
+std::string polynomial_method_unsupported_reason(const Problem& problem) {
   if (problem.noise_factor) {
     return "the noise is multiplied by the factor noise.factor; use fd or mcs";
   }
@@ -87,11 +87,11 @@ const std::vector<UnsupportedFeature>& unsupported_features() {
   return all;
 }
 
-std::string unsupported_feature_message(std::string_view name) {
+std::string unsupported_feature_message(std::string_view key_or_command) {
   static const std::vector<std::string> words_of_forcing{"forcing", "harmonic", "periodic",
                                                          "sinusoidal", "frequency"};
   std::vector<std::string> parts;
-  const std::string lower = boost::algorithm::to_lower_copy(std::string(name));
+  const std::string lower = boost::algorithm::to_lower_copy(std::string(key_or_command));
   boost::algorithm::split(parts, lower, boost::algorithm::is_any_of("._-"));
   if (std::ranges::find_first_of(parts, words_of_forcing) != parts.end()) {
     return "not a key; a force F(t) is a formula, e.g. time.force = 0.3*cos(1.2*t)";

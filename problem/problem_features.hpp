@@ -19,17 +19,18 @@ struct ProblemFeatures {
   /// Whether inelastic collapse occurs, that is, noise acts and r <= kCollapseRestitution at a
   /// wall.
   bool collapse = false;
-  bool noise = false, impulses = true;
+  bool noise = false, impulses = true;  ///< whether white noise acts, and whether impulses act
   bool constant_damping = true;
   bool negative_damping = false;  ///< whether c or another coefficient of f is negative
   int wells = 1;  ///< number of minima of U - lambda E[Y] y, minima at walls included
 };
 
-ProblemFeatures features(const Problem& problem);
+ProblemFeatures problem_features(const Problem& problem);
 
-/// Explains that a method needs a polynomial force, noise and impulses without a factor and constant
-/// restitution coefficients; empty if the problem has them.
-std::string polynomial_required_reason(const Problem& problem);
+/// Returns why a method for polynomial problems does not support the problem; empty for a
+/// polynomial problem. A polynomial problem has a polynomial force, noise and impulses without a
+/// factor, and constant restitution coefficients.
+std::string polynomial_method_unsupported_reason(const Problem& problem);
 
 /// Critical restitution coefficient exp(-pi / sqrt 3) of inelastic collapse (Cornell, Swift and
 /// Bray, Physical Review Letters 81, 1142 (1998)). For restitution coefficients up to the critical
@@ -38,18 +39,19 @@ std::string polynomial_required_reason(const Problem& problem);
 /// leaves the wall again.
 inline constexpr double kCollapseRestitution = 0.16303353482158048;
 
-/// Returns a text on why inelastic collapse leaves the stationary density undetermined, and which
-/// change of the problem helps. The text is empty without inelastic collapse. Inelastic collapse
-/// needs white noise, either in the problem or in the equation `white`, since discrete impulses
-/// separate the particle from the wall.
+/// Returns a text that states inelastic collapse and a change of the problem that avoids the
+/// collapse; empty without inelastic collapse. Inelastic collapse needs white noise, either in the
+/// problem or in the equation `white`, since discrete impulses separate the particle from the wall.
 std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation);
 
-/// Returns why a passage above a barrier is not defined or not supported; empty for a valid barrier.
+/// Returns why a passage above a barrier is not defined or not supported; empty for a valid
+/// barrier.
 /// @param problem,barrier problem and barrier in wall coordinates
 std::string barrier_unsupported_reason(const Problem& problem, double barrier);
 
+/// A feature of oscillators that the program does not support.
 struct UnsupportedFeature {
-  std::string_view subject;
+  std::string_view subject;  ///< name of the feature in messages
   /// Words in lower case that identify the feature in a key. A key is split into words at '.', '_'
   /// and '-'.
   std::vector<std::string_view> words;
@@ -60,6 +62,6 @@ const std::vector<UnsupportedFeature>& unsupported_features();
 
 /// Returns one line that names the unsupported feature that a key or a command requests, or the key
 /// of a force that changes in time; empty for other keys and commands.
-std::string unsupported_feature_message(std::string_view name);
+std::string unsupported_feature_message(std::string_view key_or_command);
 
 }  // namespace fpkcheck::problem

@@ -57,7 +57,7 @@ struct Monomial {
   double SystemCoefficients::*coefficient;
 };
 
-/// The monomials y^i v^j of the force, with their coefficients.
+/// The monomials y^i v^j of the force, with the coefficient of each monomial.
 constexpr Monomial kMonomials[] = {
     {0, 0, &SystemCoefficients::constant},    {1, 0, &SystemCoefficients::stiffness},
     {2, 0, &SystemCoefficients::quadratic},   {3, 0, &SystemCoefficients::cubic},
@@ -74,7 +74,8 @@ void require_magnitude_in_range(int i, int j, double coefficient) {
       coefficient, i, j, kSmallestMagnitude, kLargestMagnitude));
 }
 
-// Sets the coefficients of a polynomial formula. Returns false if the formula has another term.
+// Sets the coefficients of a polynomial formula. Returns false if the formula contains a term that
+// is not in kMonomials.
 bool set_coefficients_of_formula(const Expression& formula, SystemCoefficients& c) {
   for (const Monomial& term : kMonomials) c.*term.coefficient = 0;
   const auto polynomial = formula.polynomial_coefficients();
@@ -92,7 +93,7 @@ bool set_coefficients_of_formula(const Expression& formula, SystemCoefficients& 
   return true;
 }
 
-// Returns the force as a formula.
+// Returns the formula of the polynomial force with the given coefficients.
 Expression formula_of_coefficients(const SystemCoefficients& c) {
   std::string text = "0";
   for (const auto& [y_power, v_power, coefficient] : kMonomials) {
@@ -102,7 +103,7 @@ Expression formula_of_coefficients(const SystemCoefficients& c) {
   return Expression::parse(text, {}, "system");
 }
 
-void validate_coefficients(const SystemCoefficients& coefficients) {
+void require_valid_coefficients(const SystemCoefficients& coefficients) {
   system_parameter_description().validate(coefficients);
   require_magnitudes_in_range(system_parameter_description(), coefficients);
 }
@@ -121,7 +122,7 @@ System::System(const SystemCoefficients& coefficients, const WallParameters& wal
       formula_.emplace(std::move(formula));
     }
   }
-  validate_coefficients(c_);
+  require_valid_coefficients(c_);
   force_ = numerics::Polynomial({c_.constant, c_.stiffness, c_.quadratic, c_.cubic, 0, c_.quintic});
   tangent_ = force_.derivative();
   potential_ = force_.antiderivative();
@@ -135,7 +136,7 @@ void System::evaluate_forces(std::size_t count, const double* y, const double* v
     for (std::size_t k = 0; k < count; ++k) force[k] = damping_force(y[k], v[k]) + force_(y[k]);
     return;
   }
-  formula_->evaluate(count, y, v, force);
+  formula_->evaluate_batch(count, y, v, force);
   if (sign_ == 1) return;
   for (std::size_t k = 0; k < count; ++k) force[k] *= sign_;
 }

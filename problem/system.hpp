@@ -23,7 +23,8 @@ struct SystemCoefficients {
   double quadratic = 0;    ///< stiffness coefficient of y^2
   double cubic = 0;        ///< cubic stiffness mu, coefficient of y^3
   double quintic = 0;      ///< stiffness coefficient of y^5
-  /// Formula of the force f + g (Expression); the coefficients above are then those of the formula.
+  /// Formula of the force f + g (Expression). If present, the polynomial coefficients are computed
+  /// from the formula.
   std::optional<std::string> force = {};
   /// Restitution coefficient r, 0 < r <= 1, of a wall at y = 0 on the left; absent if the section
   /// [wall] defines the walls.
@@ -50,14 +51,14 @@ class System {
   explicit System(const SystemCoefficients& coefficients, const WallParameters& walls = {},
                   const NamedConstants& constants = {});
 
-  /// Returns the coefficients of the case file or of its formula in physical coordinates, even for a
-  /// system in wall coordinates.
+  /// Returns the coefficients of the case file or of its formula in physical coordinates, even for
+  /// a system in wall coordinates.
   const SystemCoefficients& coefficients() const { return c_; }
   const WallParameters& wall_parameters() const { return wall_parameters_; }
   const NamedConstants& named_constants() const { return constants_; }
 
   /// Returns whether force and damping are the polynomials of the class comment, given by their
-  /// coefficients or by a formula. Otherwise only force() describes the force.
+  /// coefficients or by a formula. For other formulas only force() describes the force.
   bool has_polynomial_force() const { return !formula_; }
   /// Returns the total force f(y, v) + g(y). Under multiplicative noise the result is the force of
   /// the equation in Ito's sense, whose Fokker-Planck equation has the terms (f p)_v + D (G p)_vv.
@@ -65,36 +66,38 @@ class System {
     if (!formula_) return damping_force(y, v) + force_(y);
     double force = sign_ * (*formula_)(y, v);
     if (stratonovich_factor_) {
-      force -= stratonovich_diffusion_ / 2 * stratonovich_factor_->slope_of_square(y, v);
+      force -= stratonovich_diffusion_ / 2 * stratonovich_factor_->square_slope_in_v(y, v);
     }
     return force;
   }
   /// Returns the oscillator of an equation in Stratonovich's sense, with noise of diffusion
-  /// coefficient D and factor g: force() is then f - D G_v / 2.
+  /// coefficient D and factor g. The member force() of the result includes the drift -D G_v / 2.
   System in_ito_sense(const NoiseFactor& factor, double diffusion) const;
-  /// Computes the force f(y, v) + g(y) at `count` <= Expression::kBatch points, faster than one by
-  /// one. Under multiplicative noise the result is the force of the equation in the sense of
-  /// noise.interpretation, without the drift D G_v / 2.
+  /// Computes the force f(y, v) + g(y) at `count` <= Expression::kBatch points, faster than by
+  /// single evaluations. Under multiplicative noise the result is the force of the equation in the
+  /// sense of noise.interpretation, without the drift D G_v / 2.
   void evaluate_forces(std::size_t count, const double* y, const double* v, double* force) const;
   /// Returns the part f(y, v) of the force that vanishes at v = 0.
   double damping_force(double y, double v) const {
     if (formula_) return force(y, v) - force(y, 0);
     return v * (damping_(y) + c_.rayleigh * v * v);
   }
-  /// Returns the derivatives of the force with respect to y and to v, where they exist.
-  /// @pre the noise has no factor that depends on v
+  /// Returns the derivative of the force with respect to y.
+  /// @pre the derivative exists at (y, v), and the noise has no factor that depends on v
   double force_slope_in_y(double y, double v) const {
     assert(!stratonovich_factor_);
     return formula_ ? sign_ * formula_->with_slope_in_x(y, v).derivative
                     : tangent_(y) + v * damping_slope_(y);
   }
+  /// Returns the derivative of the force with respect to v.
+  /// @pre the derivative exists at (y, v), and the noise has no factor that depends on v
   double force_slope_in_v(double y, double v) const {
     assert(!stratonovich_factor_);
     return formula_ ? sign_ * formula_->with_slope_in_v(y, v).derivative
                     : damping_(y) + 3 * c_.rayleigh * v * v;
   }
   /// Returns the formula of the force. @pre !has_polynomial_force()
-  const Expression& formula() const {
+  const Expression& force_formula() const {
     assert(formula_);
     return formula_->formula();
   }
@@ -102,16 +105,18 @@ class System {
   bool has_force_jumps() const { return formula_ && formula_->formula().has_jumps(); }
   /// Returns whether the force jumps in v, as dry friction mu_c sign(v) does at v = 0.
   bool has_force_jumps_in_v() const { return formula_ && formula_->formula().has_jumps_in_v(); }
-  /// Returns whether the force jumps in v elsewhere than at v = 0, for |v| < `high`.
-  bool has_force_jumps_at_nonzero_v(double high) const {
-    return formula_ && formula_->formula().has_jumps_at_nonzero_v(high);
+  /// Returns whether the force jumps in v at a velocity 0 < |v| < `v_limit`.
+  bool has_force_jumps_at_nonzero_v(double v_limit) const {
+    return formula_ && formula_->formula().has_jumps_at_nonzero_v(v_limit);
   }
-  /// Returns the values of y in (low, high) at which the force or its slope jumps, increasing.
+  /// Returns the values of y in (low, high) at which the force or its slope jumps, in increasing
+  /// order.
   std::vector<double> kinks_in_y(double low, double high) const;
-  /// Returns the values of v in (low, high) at which the force or its slope jumps, increasing.
+  /// Returns the values of v in (low, high) at which the force or its slope jumps, in increasing
+  /// order.
   std::vector<double> kinks_in_v(double low, double high) const;
 
-  // The following polynomials exist if has_polynomial_force().
+  // The damping polynomials are defined only if has_polynomial_force().
 
   /// Returns the damping coefficient c(0), which is the only damping coefficient for constant
   /// damping.
@@ -173,9 +178,10 @@ class System {
   NamedConstants constants_;
   Walls walls_;
   numerics::Polynomial force_{{}}, tangent_{{}}, potential_{{}}, damping_{{}}, damping_slope_{{}};
-  std::optional<StateFunction> formula_;  // force that is no such polynomial
+  std::optional<StateFunction> formula_;  // force of a formula that is not a polynomial
   double sign_ = 1;                       // sign of velocities and forces in wall coordinates
-  // Noise in Stratonovich's sense, whose drift D G_v / 2 force() subtracts
+  // Factor of noise in Stratonovich's sense. The member function force() subtracts the drift
+  // D G_v / 2.
   std::optional<NoiseFactor> stratonovich_factor_;
   double stratonovich_diffusion_ = 0;
 };

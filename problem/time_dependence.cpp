@@ -45,16 +45,17 @@ TimeDependence::TimeDependence(const TimeFormulas& formulas, const NamedConstant
   force_ = parse(formulas.force, "time.force");
 }
 
-TimeDependence TimeDependence::with_force_of_sign(double sign) const {
+TimeDependence TimeDependence::with_force_sign(double sign) const {
   TimeDependence changed = *this;
   changed.sign_ = sign;
   return changed;
 }
 
-TimeDependence TimeDependence::with_factors_divided_by(double rate, double intensity) const {
+TimeDependence TimeDependence::with_factors_divided_by(double rate_divisor,
+                                                       double intensity_divisor) const {
   TimeDependence changed = *this;
-  changed.rate_unit_ *= rate;
-  changed.intensity_unit_ *= intensity;
+  changed.rate_unit_ *= rate_divisor;
+  changed.intensity_unit_ *= intensity_divisor;
   return changed;
 }
 
@@ -62,8 +63,9 @@ namespace {
 
 constexpr int kSampledTimes = 4096;
 
-// Returns equidistant times for even k = 0 .. kSampledTimes, and for odd k times whose distances
-// have no period: multiples of the golden ratio, modulo 1.
+// Returns the sampled time with the index k = 0 .. kSampledTimes. The times of even k are
+// equidistant. The times of odd k are multiples of the golden ratio modulo 1, in units of `until`,
+// whose distances have no period.
 double sampled_time(int k, double until) {
   return k % 2 == 0 ? until * k / kSampledTimes : until * std::fmod(k * std::numbers::phi, 1.0);
 }
@@ -84,7 +86,8 @@ double largest_value(const char* key, const Function& function, double until) {
   return largest;
 }
 
-// Returns the largest value of a factor, which must not be negative.
+// Returns the largest value of a factor between 0 and `until`.
+// @throws InputError if the factor is negative at a sampled time, or 0 at all sampled times
 template <class Function>
 double largest_factor(const char* key, const Function& factor, double until) {
   const auto not_negative = [&](double t) {
@@ -105,15 +108,15 @@ double largest_factor(const char* key, const Function& factor, double until) {
   return largest;
 }
 
-// Requires that the functions of time have the period T.
-void require_period(const TimeDependence& time, double period) {
+// Requires that all functions of time have the period `period`.
+void require_excitation_period(const TimeDependence& time, double period) {
   if (!time.is_present()) {
     throw InputError(
         "--periodic: the excitation is constant; add the section [time], or omit --periodic");
   }
   const auto require = [&](const char* key, const auto& function) {
-    // A period with five digits is accepted. At a jump, rounding may give the value of the other
-    // side.
+    // The tolerance accepts a period with five digits. At most kMostJumps sampled times may differ,
+    // since rounding at a jump may give the value on the other side of the jump.
     constexpr double kTolerance = 1e-4;
     constexpr int kMostJumps = kSampledTimes / 100;
     const double largest = largest_value(
@@ -144,7 +147,7 @@ void require_magnitude(const char* key, const char* quantity, double magnitude) 
 
 Problem with_largest_excitation(const Problem& problem, const TimeSpan& span) {
   const TimeDependence& time = problem.time;
-  if (span.periodic) require_period(time, span.until);
+  if (span.periodic) require_excitation_period(time, span.until);
   if (!time.is_present()) return problem;
   const double rate = largest_factor(
       "time.rate", [&](double t) { return time.rate_factor(t); }, span.until);
@@ -154,12 +157,12 @@ Problem with_largest_excitation(const Problem& problem, const TimeSpan& span) {
       "time.force", [&](double t) { return std::abs(time.force(t)); }, span.until);
   if (force > 0) require_magnitude("time.force", "force", force);
   Problem strongest = problem;
-  if (time.has_rate()) {
+  if (time.has_rate_factor()) {
     require_magnitude("time.rate", "rate of impulses", rate * problem.impulses.arrival_rate());
     require_magnitude("time.rate", "intensity of impulses", rate * problem.impulses.intensity());
     strongest.impulses = problem.impulses.with_rate_multiplied_by(rate);
   }
-  if (time.has_intensity()) {
+  if (time.has_intensity_factor()) {
     require_magnitude("time.intensity", "noise intensity", intensity * problem.noise.intensity);
     strongest.noise.intensity *= intensity;
   }
@@ -182,12 +185,12 @@ Problem with_excitation_at_time(const Problem& problem, double t) {
 }
 
 MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span) {
-  if (!problem.time.has_force()) return {};
-  const MotionScales motion = scales(problem);
+  if (!problem.time.has_external_force()) return {};
+  const MotionScales motion = motion_scales(problem);
   const System& system = problem.system;
   const EffectivePotential potential(system);
-  // Steps of 1/50 radian of the local frequency: the extent is needed to 1 % only. The motion after
-  // kMostSteps is not followed.
+  // A step is 1/50 radian of the local frequency, since an extent accurate to 1 % suffices. The
+  // integration ends after kMostSteps steps.
   constexpr double kStep = 0.02, kDecayTimes = 5;
   constexpr int kMostSteps = 1000000;
   const double end =
@@ -212,11 +215,11 @@ MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span) 
     t += step;
     if (const auto& wall = system.left_wall(); wall && y < wall->position) {
       y = wall->position;
-      if (v < 0) v *= -wall->restitution_at(-v);
+      if (v < 0) v *= -wall->restitution_at_speed(-v);
     }
     if (const auto& wall = system.right_wall(); wall && y > wall->position) {
       y = wall->position;
-      if (v > 0) v *= -wall->restitution_at(v);
+      if (v > 0) v *= -wall->restitution_at_speed(v);
     }
     if (!std::isfinite(y) || !std::isfinite(v)) {
       throw InputError(

@@ -22,11 +22,11 @@ const base::Description<TimeFormulas>& time_parameter_description();
 ///
 ///     y'' + f(y, y') + g(y) = xi(t) + F(t).
 ///
-/// The densities over time then follow from the equations of the constant excitation with these
-/// factors, and with the additional term -F(t) dp/dv.
+/// The equation of the density over time is the equation of the constant excitation with the
+/// factors a(t) and b(t), and with the additional term -F(t) dp/dv.
 class TimeDependence {
  public:
-  /// Constant excitation: a = b = 1, F = 0.
+  /// Constructs a constant excitation: a = b = 1, F = 0.
   TimeDependence() = default;
   /// @param constants named constants of the formulas, section [parameters]
   /// @throws InputError for an invalid formula
@@ -34,24 +34,29 @@ class TimeDependence {
 
   const TimeFormulas& formulas() const { return formulas_; }
   bool is_present() const { return rate_ || intensity_ || force_; }
-  bool has_rate() const { return rate_.has_value(); }
-  bool has_intensity() const { return intensity_.has_value(); }
-  bool has_force() const { return force_.has_value(); }
+  bool has_rate_factor() const { return rate_.has_value(); }
+  bool has_intensity_factor() const { return intensity_.has_value(); }
+  bool has_external_force() const { return force_.has_value(); }
 
-  double rate_factor(double t) const { return rate_ ? value(*rate_, t) / rate_unit_ : 1; }
+  double rate_factor(double t) const {
+    return rate_ ? evaluate_formula_at_time(*rate_, t) / rate_unit_ : 1;
+  }
   double intensity_factor(double t) const {
-    return intensity_ ? value(*intensity_, t) / intensity_unit_ : 1;
+    return intensity_ ? evaluate_formula_at_time(*intensity_, t) / intensity_unit_ : 1;
   }
   /// Returns the force in the coordinates of the problem.
-  double force(double t) const { return force_ ? sign_ * value(*force_, t) : 0; }
+  double force(double t) const { return force_ ? sign_ * evaluate_formula_at_time(*force_, t) : 0; }
 
-  /// @param sign -1 for mirrored coordinates, in which the force has the opposite sign
-  TimeDependence with_force_of_sign(double sign) const;
+  /// Returns the same functions with the force multiplied by `sign`.
+  /// @param sign 1, or -1 for mirrored coordinates, in which the force has the opposite sign
+  TimeDependence with_force_sign(double sign) const;
   /// Returns the same functions with the factors divided by the given numbers.
-  TimeDependence with_factors_divided_by(double rate, double intensity) const;
+  TimeDependence with_factors_divided_by(double rate_divisor, double intensity_divisor) const;
 
  private:
-  static double value(const Expression& formula, double t) { return formula(t, 0.0); }
+  static double evaluate_formula_at_time(const Expression& formula, double t) {
+    return formula(t, 0.0);
+  }
 
   TimeFormulas formulas_;
   std::optional<Expression> rate_, intensity_, force_;
@@ -60,16 +65,17 @@ class TimeDependence {
 
 struct Problem;
 
-/// The times 0 .. `until` of a computation. If `periodic`, they are a period of the excitation, and
-/// the state is the periodic one.
+/// The times 0 .. `until` of a computation. If `periodic`, the time span is one period of the
+/// excitation, and the computation determines the periodic state.
 struct TimeSpan {
   double until;
   bool periodic = false;
 };
 
-/// Returns the problem whose rate of impulses and noise intensity are the largest of the time span.
-/// The factors of the result are relative to these values, at most 1 up to the distance of 4096
-/// sampled times. The constant excitation of the result bounds boxes, grids and scales of motion.
+/// Returns the problem with the largest rate of impulses and the largest noise intensity of the
+/// time span, among 4096 sampled times. The factors of the result are relative to these largest
+/// values, so that the factors are at most 1 at the sampled times. Boxes, grids and motion scales
+/// are determined from the constant excitation of the result.
 /// @throws InputError if a factor is negative or 0 throughout, a function is not finite, a periodic
 /// excitation is constant or has another period, or the largest excitation has no stationary
 /// density
@@ -79,8 +85,8 @@ Problem with_largest_excitation(const Problem& problem, const TimeSpan& span);
 /// without the force F.
 Problem with_excitation_at_time(const Problem& problem, double t);
 
-/// Largest distance from the equilibrium, largest speed, and largest sqrt(2 H) of a motion with the
-/// energy H above that of the equilibrium.
+/// Largest distance from the equilibrium, largest speed, and largest amplitude sqrt(2 H) of a
+/// motion. The energy H is measured from the energy of the equilibrium.
 struct MotionExtent {
   double displacement = 0, speed = 0, amplitude = 0;
 };

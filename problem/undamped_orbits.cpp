@@ -13,10 +13,10 @@
 namespace fpkcheck::problem {
 namespace {
 
-constexpr int kRootBits = 50;  // number of correct bits of turning points
+constexpr int kRootBits = 50;  // number of correct bits of a turning point
 
-// Returns the damping coefficient that both directions of the motion have on average at the speed
-// v: the odd part of the damping force, divided by v.
+// Returns the mean of the damping coefficients at the velocities v and -v, that is, the odd part of
+// the damping force divided by v.
 double mean_damping(const System& system, double y, double v) {
   if (system.has_polynomial_force()) {
     return system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v;
@@ -29,16 +29,16 @@ double mean_damping(const System& system, double y, double v) {
 UndampedOrbits::UndampedOrbits(const Problem& problem) : problem_(problem), potential_(problem) {
   // V is monotone between neighbouring knots. The slope of V after a knot decides whether the knot
   // is a minimum.
-  std::vector<double> knots{potential_.low()};
+  std::vector<double> knots{potential_.y_low()};
   knots.insert(knots.end(), potential_.extrema().begin(), potential_.extrema().end());
-  knots.push_back(potential_.high());
+  knots.push_back(potential_.y_high());
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
     const double after = potential_.slope((knots[n] + knots[n + 1]) / 2);
     const bool is_turn = n > 0;
     if (is_turn ? after > 0 : problem_.system.left_wall() && after >= 0)
       minima_.push_back(knots[n]);
     const bool last = n + 2 == knots.size();
-    if (last && problem_.system.right_wall() && after < 0) minima_.push_back(potential_.high());
+    if (last && problem_.system.right_wall() && after < 0) minima_.push_back(potential_.y_high());
   }
 }
 
@@ -55,15 +55,15 @@ double UndampedOrbits::deepest_minimum() const {
   return *std::ranges::min_element(minima_, {}, [&](double y) { return potential_(y); });
 }
 
-// Returns the turning point, where the potential V equals the energy, on the outer side of a knot
-// with V < energy. The parameter `outwards` (+1 or -1) is the direction from the knot in which V
-// increases without bound.
-double UndampedOrbits::half_cycle_end(double knot, double outwards, double energy) const {
+// Returns the turning point, where the potential V equals the energy, beyond a knot with V <
+// energy. The parameter `direction` (+1 or -1) is the direction from the knot in which V increases
+// without bound.
+double UndampedOrbits::find_turning_point(double knot, double direction, double energy) const {
   const auto above = [&](double distance) {
-    return potential_(knot + outwards * distance) - energy;
+    return potential_(knot + direction * distance) - energy;
   };
-  // The distance of the turning point lies between two powers of two. Their exponents are found by
-  // doubled steps from the distance 1, then by bisection.
+  // The distance of the turning point lies between two powers of two. The exponents of the two
+  // powers are found by doubled steps from the distance 1, then by bisection.
   const int least = std::ilogb(std::max(std::abs(knot) * 1e-8, 1e-30));
   const auto is_above = [&](int exponent) { return !(above(std::ldexp(1.0, exponent)) < 0); };
   int inside = 0, outside = 0;
@@ -84,7 +84,7 @@ double UndampedOrbits::half_cycle_end(double knot, double outwards, double energ
   }
   const double nearest = inside > least ? std::ldexp(1.0, inside) : 0;
   return knot +
-         outwards * numerics::bracketed_root(above, nearest, std::ldexp(1.0, outside), kRootBits);
+         direction * numerics::bracketed_root(above, nearest, std::ldexp(1.0, outside), kRootBits);
 }
 
 std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
@@ -100,8 +100,8 @@ std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
   HalfCycle open{};
   bool inside = below(knots.front());
   if (inside) {
-    open.at_left = problem_.system.left_wall().has_value();
-    open.left = open.at_left ? knots.front() : half_cycle_end(knots.front(), -1, energy);
+    open.left_is_wall = problem_.system.left_wall().has_value();
+    open.left = open.left_is_wall ? knots.front() : find_turning_point(knots.front(), -1, energy);
   }
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
     const bool next = below(knots[n + 1]);
@@ -109,16 +109,16 @@ std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
     const double at = numerics::bracketed_root(above, knots[n], knots[n + 1], kRootBits);
     if (inside) {
       open.right = at;
-      open.at_right = false;
+      open.right_is_wall = false;
       all.push_back(open);
     } else {
-      open = {.left = at, .right = at, .at_left = false, .at_right = false};
+      open = {.left = at, .right = at, .left_is_wall = false, .right_is_wall = false};
     }
     inside = next;
   }
   if (inside) {
-    open.at_right = problem_.system.right_wall().has_value();
-    open.right = open.at_right ? knots.back() : half_cycle_end(knots.back(), 1, energy);
+    open.right_is_wall = problem_.system.right_wall().has_value();
+    open.right = open.right_is_wall ? knots.back() : find_turning_point(knots.back(), 1, energy);
     all.push_back(open);
   }
   return all;
@@ -146,12 +146,14 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     orbit.action += v * dy;
     orbit.loss += damping * v * dy;
     if (const auto& g = problem_.noise_factor) {
-      const double slope = (g->slope_of_square(y, v) - g->slope_of_square(y, -v)) / 2;
+      const double slope = (g->square_slope_in_v(y, v) - g->square_slope_in_v(y, -v)) / 2;
       orbit.loss += problem_.noise.diffusion() * slope * dy;
-      of_noise += (noise_diffusion(problem_, y, v) + noise_diffusion(problem_, y, -v)) / 2 * v * dy;
+      of_noise += (noise_diffusion_coefficient(problem_, y, v) +
+                   noise_diffusion_coefficient(problem_, y, -v)) /
+                  2 * v * dy;
     }
     if (problem_.impulse_factor) {
-      of_impulses += impulse_diffusion * square_impulse_factor(problem_, y) * v * dy;
+      of_impulses += impulse_diffusion * squared_impulse_factor(problem_, y) * v * dy;
     }
     if (v <= 0) return;
     orbit.period += dy / v;
@@ -168,10 +170,10 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
   orbit.diffusion = (problem_.noise_factor ? of_noise : problem_.noise.diffusion() * orbit.action) +
                     (problem_.impulse_factor ? of_impulses : impulse_diffusion * orbit.action);
   const auto bounce = [&](const Wall& wall) {
-    orbit.loss += energy_lost(wall, ImpactCondition::map, speed(wall.position));
+    orbit.loss += energy_loss_at_impact(wall, ImpactCondition::map, speed(wall.position));
   };
-  if (half_cycle.at_left) bounce(*problem_.system.left_wall());
-  if (half_cycle.at_right) bounce(*problem_.system.right_wall());
+  if (half_cycle.left_is_wall) bounce(*problem_.system.left_wall());
+  if (half_cycle.right_is_wall) bounce(*problem_.system.right_wall());
   return orbit;
 }
 

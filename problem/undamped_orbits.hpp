@@ -9,8 +9,8 @@ namespace fpkcheck::problem {
 /// A half-cycle of the undamped motion at one energy, from one end of an interval of y to the other
 /// end.
 struct HalfCycle {
-  double left, right;      ///< ends of the interval of y: turning points or walls
-  bool at_left, at_right;  ///< whether the left end and the right end of the half-cycle are walls
+  double left, right;                ///< ends of the interval of y: turning points or walls
+  bool left_is_wall, right_is_wall;  ///< whether the left end and the right end are walls
 };
 
 /// Integrals over one period of an undamped orbit with energy h = v^2/2 + V(y).
@@ -38,13 +38,13 @@ class UndampedOrbits {
   const EffectivePotential& potential() const { return potential_; }
   /// Returns the positions of the minima of the effective potential V, in increasing order. A wall
   /// against which the effective force presses the mass is also a minimum.
-  const std::vector<double>& minima() const { return minima_; }
+  const std::vector<double>& potential_minima() const { return minima_; }
   /// Returns the position of the lowest minimum of the effective potential V.
   /// @pre is_confining()
   double deepest_minimum() const;
   double lowest_potential() const { return potential_(deepest_minimum()); }
 
-  /// Returns whether a wall, or a potential V that increases without bound, confines the motion on
+  /// Return whether a wall, or a potential V that increases without bound, confines the motion on
   /// the left side, on the right side, or on both sides.
   bool is_confining_on_left() const;
   bool is_confining_on_right() const;
@@ -53,10 +53,11 @@ class UndampedOrbits {
   /// Returns all half-cycles of the undamped motion with this energy, from left to right.
   /// @pre is_confining()
   std::vector<HalfCycle> half_cycles(double energy) const;
+  /// Returns the integrals over the orbit with this energy that contains the half-cycle.
   OrbitIntegrals orbit_integrals(const HalfCycle& half_cycle, double energy) const;
 
  private:
-  double half_cycle_end(double knot, double outwards, double energy) const;
+  double find_turning_point(double knot, double direction, double energy) const;
 
   const Problem problem_;
   EffectivePotential potential_;

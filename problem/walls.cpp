@@ -44,13 +44,13 @@ const Description<WallParameters>& wall_parameter_description() {
 
 namespace {
 
-void require_valid_restitution(const char* side, const Wall& wall, double speed) {
+void require_valid_wall_restitution(const char* side, const Wall& wall, double largest_speed) {
   constexpr int kSpeeds = 2000;
   double before = 0;
   for (int n = 0; n <= kSpeeds; ++n) {
     // The quadratic spacing resolves low speeds, where powers of the speed change most.
     const double fraction = static_cast<double>(n) / kSpeeds;
-    const double u = speed * fraction * fraction;
+    const double u = largest_speed * fraction * fraction;
     const double r =
         wall.restitution_formula ? (*wall.restitution_formula)(0.0, u) : wall.restitution;
     if (!restitution_range().contains(r)) {
@@ -69,9 +69,9 @@ void require_valid_restitution(const char* side, const Wall& wall, double speed)
   }
 }
 
-std::optional<Wall> wall(const char* side, const std::optional<double>& position,
-                         const std::optional<NumberOrFormula>& restitution,
-                         const NamedConstants& constants) {
+std::optional<Wall> make_wall(const char* side, const std::optional<double>& position,
+                              const std::optional<NumberOrFormula>& restitution,
+                              const NamedConstants& constants) {
   if (position.has_value() != restitution.has_value()) {
     throw InputError(fmt::format(
         "wall.{0}{1} is missing: a wall has a position and a restitution; give wall.{0} and "
@@ -85,7 +85,7 @@ std::optional<Wall> wall(const char* side, const std::optional<double>& position
   const double at_rest = formula(0.0, 0.0);
   if (!formula.depends_on_v()) {
     const Wall constant{*position, at_rest};
-    require_valid_restitution(side, constant, 1);
+    require_valid_wall_restitution(side, constant, 1);
     return constant;
   }
   return Wall{*position, at_rest, std::make_shared<const Expression>(std::move(formula))};
@@ -93,14 +93,15 @@ std::optional<Wall> wall(const char* side, const std::optional<double>& position
 
 }  // namespace
 
-double speed_before_impact(const Wall& wall, double v) {
+double speed_before_impact(const Wall& wall, double speed_after) {
+  const double v = speed_after;
   if (v <= 0) return 0;
   if (wall.has_constant_restitution()) return v / wall.restitution;
   constexpr int kMostDoublings = 40;
   double high = v;
-  for (int k = 0; k < kMostDoublings && high * wall.restitution_at(high) < v; ++k) high *= 2;
-  if (high == v || high * wall.restitution_at(high) < v) return high;
-  return numerics::bracketed_root([&](double u) { return u * wall.restitution_at(u) - v; }, v,
+  for (int k = 0; k < kMostDoublings && high * wall.restitution_at_speed(high) < v; ++k) high *= 2;
+  if (high == v || high * wall.restitution_at_speed(high) < v) return high;
+  return numerics::bracketed_root([&](double u) { return u * wall.restitution_at_speed(u) - v; }, v,
                                   high);
 }
 
@@ -122,8 +123,8 @@ Walls make_walls(const WallParameters& parameters, const std::optional<double>& 
         *restitution));
   }
   const Walls walls{
-      .left = wall("left", parameters.left, parameters.left_restitution, constants),
-      .right = wall("right", parameters.right, parameters.right_restitution, constants)};
+      .left = make_wall("left", parameters.left, parameters.left_restitution, constants),
+      .right = make_wall("right", parameters.right, parameters.right_restitution, constants)};
   if (parameters.none && (walls.left || walls.right)) {
     throw InputError("wall.none = true beside a wall; remove wall.none, or the keys of the wall");
   }
@@ -134,9 +135,9 @@ Walls make_walls(const WallParameters& parameters, const std::optional<double>& 
   return walls;
 }
 
-void require_valid_restitution(const Walls& walls, double speed) {
-  if (walls.left) require_valid_restitution("left", *walls.left, speed);
-  if (walls.right) require_valid_restitution("right", *walls.right, speed);
+void require_valid_restitution(const Walls& walls, double largest_speed) {
+  if (walls.left) require_valid_wall_restitution("left", *walls.left, largest_speed);
+  if (walls.right) require_valid_wall_restitution("right", *walls.right, largest_speed);
 }
 
 WallFrame wall_frame(const System& system) {
@@ -151,7 +152,7 @@ Problem to_wall_coordinates(const WallFrame& frame, const Problem& problem) {
   transformed.system = problem.system.to_wall_coordinates(frame);
   transformed.frame = frame;
   if (frame.mirrored) transformed.impulses = problem.impulses.with_negated_amplitudes();
-  transformed.time = transformed.time.with_force_of_sign(frame.sign());
+  transformed.time = transformed.time.with_force_sign(frame.sign());
   if (transformed.noise_factor) {
     transformed.noise_factor = transformed.noise_factor->to_wall_coordinates(frame);
   }

@@ -9,9 +9,9 @@
 
 namespace fpkcheck::problem {
 
-/// Least restitution coefficient of a formula r(u) at impact speeds above those that
-/// require_valid_restitution() checks. The value is arbitrary, but positive, so that the mass
-/// leaves the wall.
+/// Least restitution coefficient of a formula r(u) at impact speeds above the range that
+/// require_valid_restitution() checks. The value is arbitrary but positive, so that the mass leaves
+/// the wall.
 inline constexpr double kSmallestRestitution = 1e-6;
 
 /// A rigid wall, at which an impact multiplies the velocity y' by -r.
@@ -25,9 +25,9 @@ struct Wall {
 
   bool has_constant_restitution() const { return !restitution_formula; }
   /// Returns the restitution coefficient r(u) at an impact speed u >= 0.
-  double restitution_at(double u) const {
+  double restitution_at_speed(double impact_speed) const {
     return restitution_formula
-               ? std::clamp((*restitution_formula)(0.0, u), kSmallestRestitution, 1.0)
+               ? std::clamp((*restitution_formula)(0.0, impact_speed), kSmallestRestitution, 1.0)
                : restitution;
   }
   bool operator==(const Wall&) const = default;
@@ -63,14 +63,15 @@ struct Walls {
 Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution,
                  const NamedConstants& constants = {});
 
-/// Returns the speed u of an impact that is followed by the speed v, u r(u) = v; 0 for v <= 0. If the
-/// formula of r gives no such speed, the result is a speed far above all speeds of the motion.
-double speed_before_impact(const Wall& wall, double v);
+/// Returns the impact speed u before an impact for the speed v = u r(u) after the impact; 0 for
+/// v <= 0. If no speed u satisfies u r(u) = v, the result is a speed far above all speeds of the
+/// motion.
+double speed_before_impact(const Wall& wall, double speed_after);
 
-/// Requires 0 < r(u) <= 1 and an increasing speed u r(u) after the impact, for impact speeds up to
-/// `speed`.
+/// Requires 0 < r(u) <= 1 and an increasing speed u r(u) after the impact, for impact speeds
+/// u <= `largest_speed`.
 /// @throws InputError that states the key and a speed at which a formula violates a condition
-void require_valid_restitution(const Walls& walls, double speed);
+void require_valid_restitution(const Walls& walls, double largest_speed);
 
 class System;
 struct Problem;

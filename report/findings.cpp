@@ -30,45 +30,47 @@ using transform::StateVariable;
 
 using Sentences = std::vector<std::string>;
 
-std::string number_pair_text(const MarginalDistances& pair) {
+std::string l1_pair_text(const MarginalDistances& pair) {
   if (pair.has_both_distances()) return fmt::format("{:.2g} and {:.2g}", *pair.y, *pair.ydot);
   return fmt::format("{:.2g}", pair.y ? *pair.y : pair.ydot.value_or(0));
 }
 
-MarginalDistances l1_distances(const CaseResult& one, const Solution& a, const Solution& b) {
-  return {one.l1(a.id(), b.id(), StateVariable::y), one.l1(a.id(), b.id(), StateVariable::ydot)};
+MarginalDistances l1_distances(const CaseResult& case_result, const Solution& a,
+                               const Solution& b) {
+  return {case_result.l1_distance(a.id(), b.id(), StateVariable::y),
+          case_result.l1_distance(a.id(), b.id(), StateVariable::ydot)};
 }
 
-std::optional<double> l1_standard_error(const CaseResult& one, const Solution& a, const Solution& b,
-                                        StateVariable variable) {
-  const auto* pair = compare::find_pair_distances(one.pairs, a.id(), b.id(), variable);
+std::optional<double> l1_standard_error(const CaseResult& case_result, const Solution& a,
+                                        const Solution& b, StateVariable variable) {
+  const auto* pair = compare::find_pair_distances(case_result.pairs, a.id(), b.id(), variable);
   return pair == nullptr ? std::nullopt : pair->l1_standard_error;
 }
 
-/// Returns whether two solutions have a distance over smooth bins: only such distances have
-/// standard errors.
-bool has_smooth_distances(const CaseResult& one, const Solution& a, const Solution& b) {
-  return l1_standard_error(one, a, b, StateVariable::y) &&
-         l1_standard_error(one, a, b, StateVariable::ydot);
+/// Returns whether the distances of two solutions are over smooth bins. Only distances over smooth
+/// bins have standard errors.
+bool has_smooth_distances(const CaseResult& case_result, const Solution& a, const Solution& b) {
+  return l1_standard_error(case_result, a, b, StateVariable::y) &&
+         l1_standard_error(case_result, a, b, StateVariable::ydot);
 }
 
-std::string solution_description(const Solution& solution) {
+std::string describe_solution(const Solution& solution) {
   return fmt::format(
       "the {} ({})",
       solution.identity.role == SolutionRole::simulation ? "simulation" : "full jump equation",
       solution.id());
 }
 
-std::string capitalised(std::string sentence) {
+std::string capitalise_first_letter(std::string sentence) {
   sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
   return sentence;
 }
 
-void add_discretisation_errors(const CaseResult& one, Sentences& sentences) {
-  if (!one.budget.empty()) return;  // the error budget has the discretisation errors
+void add_discretisation_errors(const CaseResult& case_result, Sentences& sentences) {
+  if (!case_result.budget.empty()) return;  // the error budget has the discretisation errors
   Sentences ids;
   transform::ErrorEstimate largest;
-  for (const auto& solution : one.solutions) {
+  for (const auto& solution : case_result.solutions) {
     if (solution.identity.role != SolutionRole::equation || !solution.error) continue;
     const auto& error = *solution.error;
     if (!std::isfinite(error.y_l1 + error.ydot_l1 + error.moments.y2 + error.moments.v2)) continue;
@@ -89,10 +91,10 @@ void add_discretisation_errors(const CaseResult& one, Sentences& sentences) {
       largest.moments.v2));
 }
 
-void add_approximation_errors(const CaseResult& one, Sentences& sentences) {
+void add_approximation_errors(const CaseResult& case_result, Sentences& sentences) {
   Sentences of_equations, of_impacts;
-  for (const auto& a : one.solutions) {
-    for (const auto& b : one.solutions) {
+  for (const auto& a : case_result.solutions) {
+    for (const auto& b : case_result.solutions) {
       const auto &approximate = a.identity, &exact = b.identity;
       if (approximate.role != SolutionRole::equation || exact.role != SolutionRole::equation)
         continue;
@@ -104,7 +106,7 @@ void add_approximation_errors(const CaseResult& one, Sentences& sentences) {
       const bool costs = other_equation
                              ? !other_impact && exact.equation == DensityEquation::kf
                              : other_impact && approximate.impact == ImpactCondition::delta;
-      const MarginalDistances cost = l1_distances(one, a, b);
+      const MarginalDistances cost = l1_distances(case_result, a, b);
       if (!known || !costs || !cost.has_both_distances()) continue;
       const std::string what =
           other_equation ? fmt::format("{} in place of the {}", meaning_of(*approximate.equation),
@@ -121,19 +123,19 @@ void add_approximation_errors(const CaseResult& one, Sentences& sentences) {
       fmt::format("L1 error of each approximation: {}.", fmt::join(of_equations, "; ")));
 }
 
-void add_residual_based_errors(const CaseResult& one, Sentences& sentences) {
+void add_residual_based_errors(const CaseResult& case_result, Sentences& sentences) {
   Sentences parts;
   double largest_gap = 0;
   const results::MomentErrorEstimate* first = nullptr;
-  for (const auto& own : one.moment_error_estimates) {
-    const Solution* solution = one.find(own.solution);
+  for (const auto& own : case_result.moment_error_estimates) {
+    const Solution* solution = case_result.find(own.solution);
     if (solution == nullptr || !compare::is_solution_of_full_problem(*solution)) continue;
     if (first == nullptr) first = &own;
     parts.push_back(
         fmt::format("{:.1e} and {:.1e} in {}", own.error.y2, own.error.v2, own.solution));
   }
   if (parts.empty()) return;
-  for (const auto& solution : one.solutions) {
+  for (const auto& solution : case_result.solutions) {
     if (!solution.smooth_sampling || !compare::is_solution_of_full_problem(solution)) continue;
     largest_gap = std::max({largest_gap, std::abs(solution.moments.y2 - first->corrected.y2),
                             std::abs(solution.moments.v2 - first->corrected.v2)});
@@ -156,10 +158,11 @@ void add_residual_based_errors(const CaseResult& one, Sentences& sentences) {
       largest_gap > 0 ? fmt::format(", within {:.0e} of the simulation", largest_gap) : ""));
 }
 
-void add_closest_closures(const CaseResult& one, Sentences& sentences) {
-  const auto& assessment = one.assessment;
-  const bool any = std::ranges::any_of(
-      one.solutions, [](const Solution& s) { return s.identity.role == SolutionRole::closure; });
+void add_closest_closures(const CaseResult& case_result, Sentences& sentences) {
+  const auto& assessment = case_result.assessment;
+  const bool any = std::ranges::any_of(case_result.solutions, [](const Solution& s) {
+    return s.identity.role == SolutionRole::closure;
+  });
   if (assessment.reference.empty() || !any) return;
   auto ranks = assessment.ranked_closures();
   if (ranks.empty()) {
@@ -181,7 +184,7 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
       groups;
   bool several = false;
   for (const auto* rank : ranks) {
-    const auto& identity = one.find(rank->id)->identity;
+    const auto& identity = case_result.find(rank->id)->identity;
     auto& closest = groups[{identity.family, identity.formulation}];
     const bool first = closest.empty();
     if (first || assessment.are_closures_indistinguishable(*closest.front(), *rank)) {
@@ -217,9 +220,9 @@ MarginalDistances sampling_errors(const Solution& solution, bool smooth = false)
   return stated ? MarginalDistances{stated->y, stated->ydot} : MarginalDistances{};
 }
 
-void add_sampling_errors(const CaseResult& one, Sentences& sentences) {
-  if (!one.budget.empty()) return;  // the error budget has the sampling errors
-  for (const auto& solution : one.solutions) {
+void add_sampling_errors(const CaseResult& case_result, Sentences& sentences) {
+  if (!case_result.budget.empty()) return;  // the error budget has the sampling errors
+  for (const auto& solution : case_result.solutions) {
     const MarginalDistances l1 = sampling_errors(solution);
     if (!l1.has_any_distance() || !solution.standard_errors) continue;
     const auto& moments = solution.standard_errors->moments;
@@ -254,7 +257,7 @@ std::string agreement_text(const MarginalDistances& gap, const MarginalDistances
   return fmt::format(
       "; {} {}; all errors explain up to {} (exceeded by chance in 1 run of {:.0f}): the "
       "densities {}",
-      error_source, l1_distances_text(expected), number_pair_text(explained),
+      error_source, l1_distances_text(expected), l1_pair_text(explained),
       1 / compare::kAgreementSignificance, agree ? "agree" : "disagree");
 }
 
@@ -264,18 +267,18 @@ struct MeasuredL1Error {
   double l1, error, chance, stated;
   bool explained;  ///< whether the errors of both solutions explain l1 (compare/agreement.hpp)
 
-  /// Returns whether the L1 error is significant: a smaller L1 error is mostly sampling error of
-  /// the simulation.
+  /// Returns whether the L1 error exceeds three expected sampling errors of the simulation. A
+  /// smaller L1 error is mostly sampling error.
   bool is_significant() const { return l1 > 3 * chance; }
   bool exceeds_stated_error() const { return std::isfinite(stated) && !explained; }
 };
 
-MeasuredL1Error measured_error(const CaseResult& one, const Solution& solution,
-                               const Solution& measure, StateVariable variable) {
-  const double l1 = one.l1(solution.id(), measure.id(), variable).value_or(0);
+MeasuredL1Error measure_l1_error(const CaseResult& case_result, const Solution& solution,
+                                 const Solution& measure, StateVariable variable) {
+  const double l1 = case_result.l1_distance(solution.id(), measure.id(), variable).value_or(0);
   const auto most = compare::critical_l1_distance(solution, measure, variable, true);
   return {.l1 = l1,
-          .error = *l1_standard_error(one, solution, measure, variable),
+          .error = *l1_standard_error(case_result, solution, measure, variable),
           .chance = expected_l1_error(*best_sampling_error(measure), variable).value_or(0),
           .stated = compare::l1_error_estimate(solution, variable),
           .explained = !most || l1 <= *most};
@@ -295,30 +298,31 @@ std::string measured_error_text(const MeasuredL1Error& marginal_error, StateVari
                      stated);
 }
 
-void add_measured_errors(const CaseResult& one, Sentences& sentences) {
-  const Solution* measure = one.reference();
+void add_measured_errors(const CaseResult& case_result, Sentences& sentences) {
+  const Solution* measure = case_result.reference();
   if (measure == nullptr || !measure->smooth_sampling) return;
-  for (const Solution* other : solutions_of_full_problem(one)) {
-    if (other == measure || !has_smooth_distances(one, *other, *measure)) continue;
-    const MeasuredL1Error y = measured_error(one, *other, *measure, StateVariable::y);
-    const MeasuredL1Error ydot = measured_error(one, *other, *measure, StateVariable::ydot);
+  for (const Solution* other : solutions_of_full_problem(case_result)) {
+    if (other == measure || !has_smooth_distances(case_result, *other, *measure)) continue;
+    const MeasuredL1Error y = measure_l1_error(case_result, *other, *measure, StateVariable::y);
+    const MeasuredL1Error ydot =
+        measure_l1_error(case_result, *other, *measure, StateVariable::ydot);
     const bool more = y.exceeds_stated_error() || ydot.exceeds_stated_error();
     sentences.push_back(fmt::format(
         "{} has an L1 error of {} and {} over smooth bins, measured by {}{}.",
-        capitalised(solution_description(*other)), measured_error_text(y, StateVariable::y),
-        measured_error_text(ydot, StateVariable::ydot), solution_description(*measure),
-        more ? ": larger than the estimate" : ""));
+        capitalise_first_letter(describe_solution(*other)),
+        measured_error_text(y, StateVariable::y), measured_error_text(ydot, StateVariable::ydot),
+        describe_solution(*measure), more ? ": larger than the estimate" : ""));
   }
 }
 
-void add_agreement_of_references(const CaseResult& one, Sentences& sentences) {
-  const auto all = solutions_of_full_problem(one);
+void add_agreement_of_references(const CaseResult& case_result, Sentences& sentences) {
+  const auto all = solutions_of_full_problem(case_result);
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Solution &reference = *all.front(), &other = *all[k];
-    if (reference.smooth_sampling && has_smooth_distances(one, other, reference)) continue;
-    const MarginalDistances gap = l1_distances(one, reference, other);
+    if (reference.smooth_sampling && has_smooth_distances(case_result, other, reference)) continue;
+    const MarginalDistances gap = l1_distances(case_result, reference, other);
     if (!gap.has_both_distances()) continue;
-    const bool smooth = has_smooth_distances(one, reference, other);
+    const bool smooth = has_smooth_distances(case_result, reference, other);
     const MarginalDistances own = sampling_errors(reference, smooth),
                             others = sampling_errors(other, smooth);
     std::string chance;
@@ -327,26 +331,26 @@ void add_agreement_of_references(const CaseResult& one, Sentences& sentences) {
           own.has_any_distance() && others.has_any_distance()
               ? "their sampling errors account for about"
               : fmt::format("the sampling error of {} is",
-                            solution_description(own.has_any_distance() ? reference : other));
+                            describe_solution(own.has_any_distance() ? reference : other));
       chance = agreement_text(gap, combined_errors(own, others),
                               critical_l1_distance(reference, other, smooth), error_source);
     }
-    sentences.push_back(
-        capitalised(fmt::format("{} and {} differ by L1 {}{}.", solution_description(reference),
-                                solution_description(other), l1_distances_text(gap), chance)));
+    sentences.push_back(capitalise_first_letter(
+        fmt::format("{} and {} differ by L1 {}{}.", describe_solution(reference),
+                    describe_solution(other), l1_distances_text(gap), chance)));
   }
 }
 
-void add_distances_of_external_densities(const CaseResult& one, Sentences& sentences) {
-  const auto all = solutions_of_full_problem(one);
-  for (const auto& given : one.solutions) {
+void add_distances_of_external_densities(const CaseResult& case_result, Sentences& sentences) {
+  const auto all = solutions_of_full_problem(case_result);
+  for (const auto& given : case_result.solutions) {
     if (given.identity.role != SolutionRole::external) continue;
     for (const Solution* reference : all) {
-      const MarginalDistances gap = l1_distances(one, given, *reference);
+      const MarginalDistances gap = l1_distances(case_result, given, *reference);
       if (!gap.has_any_distance()) continue;
       // The comparison covers only those marginal densities for which the external density has
       // standard errors.
-      const bool smooth = has_smooth_distances(one, given, *reference);
+      const bool smooth = has_smooth_distances(case_result, given, *reference);
       const MarginalDistances own = sampling_errors(given);
       MarginalDistances other = sampling_errors(*reference, smooth);
       MarginalDistances explained = critical_l1_distance(given, *reference, smooth);
@@ -362,15 +366,15 @@ void add_distances_of_external_densities(const CaseResult& one, Sentences& sente
                         other.has_any_distance() ? " and those of " + reference->id() : ""));
       }
       sentences.push_back(fmt::format("{} differs from {} by L1 {}{}.", given.id(),
-                                      solution_description(*reference), l1_distances_text(gap),
+                                      describe_solution(*reference), l1_distances_text(gap),
                                       chance));
     }
   }
 }
 
-void add_solver_notes(const CaseResult& one, Sentences& sentences) {
+void add_solver_notes(const CaseResult& case_result, Sentences& sentences) {
   constexpr std::string_view kNotes = "notes[";
-  for (const auto& solution : one.solutions) {
+  for (const auto& solution : case_result.solutions) {
     std::map<std::string, Sentences> notes;  // notes, by the prefix of the path of the metric
     for (const auto& observation : solution.metrics) {
       const auto mark = observation.path.rfind(kNotes);
@@ -391,18 +395,18 @@ void add_solver_notes(const CaseResult& one, Sentences& sentences) {
 
 }  // namespace
 
-std::vector<std::string> findings(const CaseResult& one) {
-  Sentences sentences = guaranteed_bounds_findings(one);
-  if (one.solutions.size() > 1) sentences.push_back(describe_reference(one));
-  add_discretisation_errors(one, sentences);
-  add_sampling_errors(one, sentences);
-  add_approximation_errors(one, sentences);
-  add_closest_closures(one, sentences);
-  add_measured_errors(one, sentences);
-  add_residual_based_errors(one, sentences);
-  add_agreement_of_references(one, sentences);
-  add_distances_of_external_densities(one, sentences);
-  add_solver_notes(one, sentences);
+std::vector<std::string> finding_sentences(const CaseResult& case_result) {
+  Sentences sentences = guaranteed_bounds_findings(case_result);
+  if (case_result.solutions.size() > 1) sentences.push_back(describe_reference(case_result));
+  add_discretisation_errors(case_result, sentences);
+  add_sampling_errors(case_result, sentences);
+  add_approximation_errors(case_result, sentences);
+  add_closest_closures(case_result, sentences);
+  add_measured_errors(case_result, sentences);
+  add_residual_based_errors(case_result, sentences);
+  add_agreement_of_references(case_result, sentences);
+  add_distances_of_external_densities(case_result, sentences);
+  add_solver_notes(case_result, sentences);
   return sentences;
 }
 

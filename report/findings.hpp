@@ -24,6 +24,6 @@ namespace fpkcheck::report {
 ///   errors;
 /// - notes of the solvers (metrics `notes[k]`), or notes on a file (metrics `X.notes[k]` and the
 ///   file name `X.file`).
-std::vector<std::string> findings(const results::CaseResult& case_result);
+std::vector<std::string> finding_sentences(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "compare/assessment.hpp"
-#include "report/table.hpp"
-#include "report/text/columns.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/number_text.hpp"
+#include "report/text/text_columns.hpp"
 #include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::report {
@@ -19,7 +19,7 @@ using compare::BoundViolation;
 using compare::GuaranteedBound;
 using compare::GuaranteedBounds;
 
-std::string text(const GuaranteedBound& bound) {
+std::string bound_text(const GuaranteedBound& bound) {
   const auto [lower, upper] = round_interval_outward(bound.lower, bound.upper);
   return fmt::format("{} in [{}, {}]", bound.functional, lower, upper);
 }
@@ -57,7 +57,7 @@ std::vector<std::string> guaranteed_bounds_findings(const results::CaseResult& c
   }
   for (const auto moment : {&transform::Moments::y2, &transform::Moments::v2}) {
     if (const GuaranteedBound* bound = compare::find_moment_bound(bounds, moment))
-      shown.push_back(text(*bound));
+      shown.push_back(bound_text(*bound));
   }
   sentences.push_back(fmt::format("Guaranteed bounds: {}. Outside the bounds: {}.",
                                   fmt::join(shown, ", "),

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problem/problem.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {

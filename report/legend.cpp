@@ -8,7 +8,7 @@
 
 #include "compare/error_budget.hpp"
 #include "problem/model.hpp"
-#include "report/budget/table.hpp"
+#include "report/budget/budget_table.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -17,19 +17,19 @@ using compare::Approximation;
 
 constexpr const char* kSolvesColumn = "solves";
 
-bool any_group(const std::vector<TextColumn>& columns, std::string_view start) {
+bool has_group_with_prefix(const std::vector<TextColumn>& columns, std::string_view start) {
   return std::ranges::any_of(columns,
                              [&](const TextColumn& c) { return c.group.starts_with(start); });
 }
 
-bool any_header(const std::vector<TextColumn>& columns, std::string_view part) {
+bool has_header_containing(const std::vector<TextColumn>& columns, std::string_view part) {
   return std::ranges::any_of(
       columns, [&](const TextColumn& c) { return c.header.find(part) != std::string::npos; });
 }
 
 template <class Condition>
-bool any_cell(const std::vector<TextColumn>& columns, std::string_view header,
-              Condition condition) {
+bool has_cell_satisfying(const std::vector<TextColumn>& columns, std::string_view header,
+                         Condition condition) {
   return std::ranges::any_of(columns, [&](const TextColumn& c) {
     return c.header == header && std::ranges::any_of(c.cells, condition);
   });
@@ -41,7 +41,7 @@ std::string enum_legend(const std::vector<TextColumn>& results, const std::strin
   std::vector<std::string> terms;
   for (const auto& [value, name, meaning] : enumerator_names(Enum{})) {
     const std::string part = fmt::format("{}{}{}", before, name, after);
-    if (any_cell(results, kSolvesColumn, [&](const auto& cell) {
+    if (has_cell_satisfying(results, kSolvesColumn, [&](const auto& cell) {
           return after.empty() ? cell.ends_with(part) : cell.starts_with(part);
         })) {
       terms.push_back(fmt::format("{}: {}", name, meaning));
@@ -56,8 +56,8 @@ std::string solves_legend(const std::vector<TextColumn>& results) {
   std::vector<std::string> terms;
   if (!equations.empty()) terms.push_back(fmt::format("the excitation term ({})", equations));
   if (!impacts.empty()) terms.push_back(fmt::format("the impact ({})", impacts));
-  if (any_cell(results, kSolvesColumn,
-               [](const auto& cell) { return cell.starts_with("given/"); })) {
+  if (has_cell_satisfying(results, kSolvesColumn,
+                          [](const auto& cell) { return cell.starts_with("given/"); })) {
     terms.emplace_back("given: an external density");
   }
   return fmt::format("{}: {}.", kSolvesColumn, fmt::join(terms, " / "));
@@ -65,9 +65,10 @@ std::string solves_legend(const std::vector<TextColumn>& results) {
 
 }  // namespace
 
-std::string results_legend(const std::vector<TextColumn>& results, const results::Run& run) {
+std::string solutions_table_legend(const std::vector<TextColumn>& results,
+                                   const results::Run& run) {
   std::vector<std::string> sentences;
-  const bool distances = any_group(results, "L1");
+  const bool distances = has_group_with_prefix(results, "L1");
   if (distances) {
     sentences.emplace_back(
         "L1: integral of |p - reference|, 0 for equal densities, 2 for disjoint ones.");
@@ -80,22 +81,24 @@ std::string results_legend(const std::vector<TextColumn>& results, const results
           "resolve narrower features.");
     }
   }
-  if (any_header(results, kSolvesColumn)) sentences.push_back(solves_legend(results));
-  if (any_header(results, "energy")) {
+  if (has_header_containing(results, kSolvesColumn)) sentences.push_back(solves_legend(results));
+  if (has_header_containing(results, "energy")) {
     sentences.emplace_back("energy: residual of the power balance relative to the input.");
   }
-  if (any_header(results, "sec")) sentences.emplace_back("sec: wall-clock time.");
-  if (distances || any_header(results, "E[")) {
-    sentences.emplace_back(any_header(results, "sec") ? "All other quantities are non-dimensional."
-                                                      : "All quantities are non-dimensional.");
+  if (has_header_containing(results, "sec")) sentences.emplace_back("sec: wall-clock time.");
+  if (distances || has_header_containing(results, "E[")) {
+    sentences.emplace_back(has_header_containing(results, "sec")
+                               ? "All other quantities are non-dimensional."
+                               : "All quantities are non-dimensional.");
   }
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-std::string budget_legend(const std::vector<TextColumn>& budgets) {
+std::string budget_table_legend(const std::vector<TextColumn>& budgets) {
   if (budgets.empty()) return "";
   const auto has_row = [&](std::string_view name) {
-    return any_cell(budgets, "error budget", [&](const auto& cell) { return cell == name; });
+    return has_cell_satisfying(budgets, "error budget",
+                               [&](const auto& cell) { return cell == name; });
   };
   std::vector<std::string> rows_below;
   for (const auto& approximations :
@@ -114,14 +117,15 @@ std::string budget_legend(const std::vector<TextColumn>& budgets) {
     const std::string header = budget_part_header(std::string(name));
     // If the solution between two approximations is missing, the approximations share a column:
     // closure + impact.
-    if (!any_header(budgets, header) && !any_header(budgets, name)) continue;
+    if (!has_header_containing(budgets, header) && !has_header_containing(budgets, name)) continue;
     text += fmt::format("; {}: {}", header, meaning);
     if (approximation == Approximation::closure) text += ", against its own equation discretised";
   }
-  if (any_group(budgets, "tail")) {
+  if (has_group_with_prefix(budgets, "tail")) {
     text += "; tail: mean |log10 p - log10 q|, with q the end of the chain";
   }
-  if (any_cell(budgets, "error budget", [](const auto& cell) { return cell.ends_with('*'); })) {
+  if (has_cell_satisfying(budgets, "error budget",
+                          [](const auto& cell) { return cell.ends_with('*'); })) {
     text += "; *: the closure is not ok";
   }
   return text + '.';

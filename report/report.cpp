@@ -5,8 +5,8 @@
 #include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "report/figure/pictures.hpp"
-#include "report/page/page.hpp"
-#include "report/table.hpp"
+#include "report/page/report_page.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/saved_run.hpp"
 
@@ -20,7 +20,7 @@ constexpr const char* kPageFile = "report.html";
 // Returns the run saved in the directory, or nothing if the directory has no readable summary.
 // The pictures in a directory without a summary may belong to another program. Such pictures are
 // kept.
-std::optional<results::Run> earlier_run(const fs::path& directory) {
+std::optional<results::Run> load_earlier_run(const fs::path& directory) {
   std::error_code ignored;
   if (!fs::exists(directory / results::kSummaryFile, ignored)) return std::nullopt;
   try {
@@ -34,22 +34,22 @@ std::optional<results::Run> earlier_run(const fs::path& directory) {
 
 std::vector<std::string> write_report(const fs::path& directory, const results::Run& run,
                                       const FigureOptions& figures, const Supplement& supplement) {
-  const auto earlier = earlier_run(directory);
+  const auto earlier = load_earlier_run(directory);
   base::FileTransaction files;
   results::add_run_files(files, directory, run);
-  files.add(directory / kPageFile, page(run, supplement));
+  files.add(directory / kPageFile, report_page_html(run, supplement));
   for (const auto& [name, text] : supplement.files) files.add(directory / name, text);
   files.commit();
-  if (earlier) remove_pictures(directory, *earlier);
-  return draw_pictures(directory, run, figures, "gnuplot", supplement.pictures);
+  if (earlier) remove_pictures_of_cases(directory, *earlier);
+  return draw_pictures_of_cases(directory, run, figures, "gnuplot", supplement.pictures);
 }
 
-std::string terminal_text(const results::Run& run, const Supplement& supplement,
-                          const TextFormat& format) {
+std::string terminal_report_text(const results::Run& run, const Supplement& supplement,
+                                 const TextFormat& format) {
   std::string text;
   for (const auto& sentence : supplement.summary) text += wrap_text(sentence, format.width);
   if (!text.empty()) text += '\n';
-  return text + table(run, format) + supplement.text;
+  return text + terminal_tables_text(run, format) + supplement.text;
 }
 
 RebuiltReport rebuild_report(const fs::path& directory, const results::Run& run,
@@ -57,12 +57,12 @@ RebuiltReport rebuild_report(const fs::path& directory, const results::Run& run,
                              const Supplement& supplement) {
   // The terminal text is made before any file is written, so that an exception leaves all files
   // unchanged.
-  RebuiltReport again{terminal_text(run, supplement, format), {}};
+  RebuiltReport again{terminal_report_text(run, supplement, format), {}};
   base::FileTransaction files;
-  files.add(directory / kPageFile, page(run, supplement));
+  files.add(directory / kPageFile, report_page_html(run, supplement));
   for (const auto& [name, text] : supplement.files) files.add(directory / name, text);
   files.commit();
-  again.warnings = draw_pictures(directory, run, figures, "gnuplot", supplement.pictures);
+  again.warnings = draw_pictures_of_cases(directory, run, figures, "gnuplot", supplement.pictures);
   return again;
 }
 

@@ -6,16 +6,16 @@
 
 #include "report/figure/options.hpp"
 #include "report/supplement.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {
 
 /// Writes marginals.csv, joint.nc, summary.json, report.html and figures/ into a directory that
-/// results::prepare_output_directory() prepared. Either all files of an earlier run in the
-/// directory are replaced, or none. Pictures and joint densities of the earlier run are removed.
-/// After a stop request (base/process/stop_request.hpp) no pictures are drawn and no warning is
-/// returned.
+/// results::prepare_output_directory() prepared. The function replaces either all files of an
+/// earlier run in the directory or none of these files. Pictures and joint densities of the earlier
+/// run are removed. After a stop request (base/process/stop_request.hpp) no pictures are drawn and
+/// no warning is returned.
 /// @param supplement texts and files of a command, written together with the files of the run
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
@@ -23,9 +23,10 @@ std::vector<std::string> write_report(const std::filesystem::path& directory,
                                       const results::Run& run, const FigureOptions& figures = {},
                                       const Supplement& supplement = {});
 
-/// Returns the summary of the supplement, the tables of the run and the text of the supplement.
-std::string terminal_text(const results::Run& run, const Supplement& supplement,
-                          const TextFormat& format = {});
+/// Returns the text that the program prints for a run: the summary of the supplement, then the
+/// tables of the run, then the text of the supplement.
+std::string terminal_report_text(const results::Run& run, const Supplement& supplement,
+                                 const TextFormat& format = {});
 
 struct RebuiltReport {
   std::string text;

@@ -4,7 +4,7 @@
 
 namespace fpkcheck::report {
 
-std::vector<StatusReason> status_reasons(const results::CaseResult& case_result) {
+std::vector<StatusReason> group_status_reasons(const results::CaseResult& case_result) {
   std::vector<StatusReason> all;
   for (const auto& solution : case_result.solutions) {
     if (solution.is_ok()) continue;

@@ -15,6 +15,6 @@ struct StatusReason {
   std::string text;
 };
 
-std::vector<StatusReason> status_reasons(const results::CaseResult& case_result);
+std::vector<StatusReason> group_status_reasons(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

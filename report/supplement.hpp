@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/page/plot.hpp"
+#include "report/page/page_plots.hpp"
 
 namespace fpkcheck::report {
 
@@ -24,7 +24,7 @@ struct PageSection {
   std::string html;
   /// Groups of plots. A click on a legend entry hides or shows its curves in all plots of the
   /// group.
-  std::vector<std::vector<Plot>> groups;
+  std::vector<std::vector<PagePlot>> groups;
 };
 
 /// The texts, files, pictures and page sections that a command adds to the report of a run.

@@ -37,7 +37,8 @@ std::vector<std::string> solution_ids(const Run& run) {
   return ids;
 }
 
-void write_problem(NetCdfWriter& file, const problem::Problem& problem, int variable) {
+void write_case_name_and_parameters(NetCdfWriter& file, const problem::Problem& problem,
+                                    int variable) {
   file.write_attribute("case", problem.name, variable);
   write_problem_attributes(file, problem, variable);
 }
@@ -51,7 +52,7 @@ class NetCdfSolutionVariable {
         cells_(cells),
         values_(solutions.size() * cells, std::numeric_limits<float>::quiet_NaN()) {}
 
-  void put(const std::string& solution, const std::vector<double>& averages) {
+  void set_solution_values(const std::string& solution, const std::vector<double>& averages) {
     const auto place = std::ranges::find(solutions_, solution) - solutions_.begin();
     std::ranges::transform(averages, values_.begin() + place * static_cast<std::ptrdiff_t>(cells_),
                            [](double average) { return static_cast<float>(average); });
@@ -79,11 +80,12 @@ std::string atoms_text(const CaseResult& case_result) {
   return fmt::format("{}", fmt::join(solutions, "; "));
 }
 
-void write_case(NetCdfWriter& file, const CaseResult& case_result,
-                const std::vector<std::string>& solutions, int solution, int bounds) {
+void write_joint_densities_of_case(NetCdfWriter& file, const CaseResult& case_result,
+                                   const std::vector<std::string>& solutions, int solution,
+                                   int bounds) {
   if (case_result.joints.empty()) return;
   const auto& cells = case_result.joints.front().density;
-  const std::string name = file_stem(case_result.name());
+  const std::string name = case_file_stem(case_result.name());
   const int y = file.write_cell_coordinate("y_" + name, "displacement y", bounds, cells.y_edges);
   const int ydot = file.write_cell_coordinate("ydot_" + name, "velocity y'", bounds, cells.v_edges);
   const auto write = [&](const std::string& prefix, const std::string& meaning,
@@ -91,11 +93,12 @@ void write_case(NetCdfWriter& file, const CaseResult& case_result,
     const int variable = file.write_compressed<float>(prefix + '_' + name, {solution, y, ydot},
                                                       meaning, over.values());
     file.write_attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), variable);
-    write_problem(file, case_result.problem, variable);
+    write_case_name_and_parameters(file, case_result.problem, variable);
     return variable;
   };
   NetCdfSolutionVariable densities(solutions, cells.averages.size());
-  for (const auto& [id, density] : case_result.joints) densities.put(id, density.averages);
+  for (const auto& [id, density] : case_result.joints)
+    densities.set_solution_values(id, density.averages);
   const int p = write("p", "joint probability density of y and y'", densities);
   if (const std::string atoms = atoms_text(case_result); !atoms.empty()) {
     file.write_attribute("rest_in_contact", atoms, p);
@@ -105,7 +108,7 @@ void write_case(NetCdfWriter& file, const CaseResult& case_result,
     bool any = false;
     for (const auto& [id, of, density] : case_result.error_sources) {
       if (of != moment.name) continue;
-      sources.put(id, density.averages);
+      sources.set_solution_values(id, density.averages);
       any = true;
     }
     if (!any) continue;
@@ -116,8 +119,8 @@ void write_case(NetCdfWriter& file, const CaseResult& case_result,
 
 /// Calls use(case, solution, density) for each solution with values in a netCDF variable.
 template <class Use>
-void read_variable(NetCdfReader& file, const std::string& name,
-                   const std::vector<std::string>& solutions, Use use) {
+void for_each_stored_density(NetCdfReader& file, const std::string& name,
+                             const std::vector<std::string>& solutions, Use use) {
   const auto axes = file.dimension_names(name);
   if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not three dimensions", name));
   const auto shape = file.dimension_lengths(name);
@@ -154,7 +157,7 @@ std::vector<double> every_second_edge(const std::vector<double>& edges) {
 
 }  // namespace
 
-std::string joint_netcdf(const Run& run) {
+std::string joint_netcdf_bytes(const Run& run) {
   NetCdfWriter file;
   file.write_attribute("Conventions", "CF-1.8");
   file.write_attribute("title",
@@ -166,7 +169,7 @@ std::string joint_netcdf(const Run& run) {
   const int bounds = file.define_dimension("bounds", 2);
   file.write_labels("solution", solution, solutions);
   for (const auto& case_result : run.cases)
-    write_case(file, case_result, solutions, solution, bounds);
+    write_joint_densities_of_case(file, case_result, solutions, solution, bounds);
   return file.close_and_take_bytes();
 }
 
@@ -191,16 +194,18 @@ JointFileContent read_joint_netcdf(const fs::path& path,
     const auto names = file.variable_names();
     for (const auto& name : names) {
       if (!name.starts_with("p_")) continue;
-      read_variable(file, name, solutions, [&](auto&& case_result, auto& id, auto&& density) {
-        found.joints.push_back({case_result, {id, std::move(density)}});
-      });
+      for_each_stored_density(file, name, solutions,
+                              [&](auto&& case_result, auto& id, auto&& density) {
+                                found.joints.push_back({case_result, {id, std::move(density)}});
+                              });
     }
     for (const auto& moment : transform::kMoments) {
       for (const auto& name : names) {
         if (!name.starts_with(kSourcePrefix + moment.name + '_')) continue;
-        read_variable(file, name, solutions, [&](auto&& case_result, auto& id, auto&& density) {
-          found.sources.push_back({case_result, {id, moment.name, std::move(density)}});
-        });
+        for_each_stored_density(
+            file, name, solutions, [&](auto&& case_result, auto& id, auto&& density) {
+              found.sources.push_back({case_result, {id, moment.name, std::move(density)}});
+            });
       }
     }
     return found;
@@ -242,8 +247,8 @@ NetCdfGridVariable read_gridded_variable(std::string bytes, const std::string& f
   }
 }
 
-std::vector<JointDensity> joint_densities(const compare::ComparisonAxes& axes,
-                                          std::span<const transform::Solution> solutions) {
+std::vector<JointDensity> make_joint_densities(const compare::ComparisonAxes& axes,
+                                               std::span<const transform::Solution> solutions) {
   std::vector<JointDensity> joints;
   const auto even = compare::undivided_axes(axes);
   const auto y_edges = every_second_edge(even.y_edges);

@@ -13,7 +13,7 @@
 namespace fpkcheck::results {
 
 /// Returns the bytes of a netCDF-4 file (CF conventions) with the joint densities of all cases of a
-/// run. The suffix NAME in the names of variables is the `file_stem` of the name of the case:
+/// run. The suffix NAME in the names of variables is the `case_file_stem` of the name of the case:
 ///
 ///     dimensions   solution, y_NAME, ydot_NAME, bounds = 2
 ///     labels       solution(solution, solution_length): ids of the solutions, as characters
@@ -28,7 +28,7 @@ namespace fpkcheck::results {
 /// of the run is a global attribute of the file. All quantities are non-dimensional.
 /// @param run run that has at least one joint density
 /// @throws std::runtime_error with a message of one line
-std::string joint_netcdf(const Run& run);
+std::string joint_netcdf_bytes(const Run& run);
 
 struct CaseJointDensity {
   std::string case_name;
@@ -43,7 +43,7 @@ struct JointFileContent {
   std::vector<CaseErrorSource> sources;
 };
 
-/// Returns whether the bytes are a netCDF file with the variables of joint_netcdf().
+/// Returns whether the bytes are a netCDF file with the variables of joint_netcdf_bytes().
 bool is_joint_netcdf(const std::string& bytes);
 
 /// @param inspect optional function that receives the bytes of the file before parsing and may
@@ -72,7 +72,7 @@ NetCdfGridVariable read_gridded_variable(std::string bytes, const std::string& f
 /// solutions. The cell widths in y and in y' are a tenth of a standard deviation. Along y each cell
 /// joins two adjacent comparison bins (compare/comparison_axes.hpp), so that histograms of
 /// simulations need no interpolation. The averages are rounded to single precision, as in joint.nc.
-std::vector<JointDensity> joint_densities(const compare::ComparisonAxes& axes,
-                                          std::span<const transform::Solution> solutions);
+std::vector<JointDensity> make_joint_densities(const compare::ComparisonAxes& axes,
+                                               std::span<const transform::Solution> solutions);
 
 }  // namespace fpkcheck::results

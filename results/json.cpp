@@ -85,11 +85,11 @@ Json program_to_json(const ProgramInfo& program) {
 
 Json problem_to_json(const problem::Problem& problem) {
   Json json{{"name", problem.name}};
-  for (const auto& section : problem::sections(problem)) {
+  for (const auto& section : problem::case_file_sections(problem)) {
     json[section.name] = values_to_json(section.values);
   }
   if (problem.impulses.is_present()) {
-    json["impulse"]["moments"] = problem.impulses.law().moments();
+    json["impulse"]["moments"] = problem.impulses.amplitude_law().moments();
   }
   return json;
 }
@@ -177,8 +177,8 @@ int integer_at_key(const Json& object, const char* key) {
   const base::Value value = value_from_json(object.at(key));
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (whole == nullptr || !std::in_range<int>(*whole)) {
-    throw InputError(
-        fmt::format("\"{}\" is {} (must be an integer); run again", key, base::text_of(value)));
+    throw InputError(fmt::format("\"{}\" is {} (must be an integer); run again", key,
+                                 base::value_as_text(value)));
   }
   return static_cast<int>(*whole);
 }

@@ -61,8 +61,8 @@ int integer_at_key(const Json& object, const char* key);
 /// @throws nlohmann::json::exception
 std::optional<double> optional_number_at_key(const Json& object, const char* key);
 
-/// Returns a copy of a JSON value in which null replaces each infinity and NaN, since JSON cannot
-/// represent these.
+/// Returns a copy of a JSON value in which null replaces each infinity and NaN, since JSON has no
+/// infinity and no NaN.
 Json replace_non_finite_by_null(Json value);
 
 /// Returns the text of a JSON value. Bytes that are not valid UTF-8, which file names may contain,

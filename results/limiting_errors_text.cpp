@@ -32,28 +32,28 @@ std::string closure_id_list(const CaseResult& case_result, const LimitingErrorGr
   return fmt::format("{} and {}", fmt::join(ids, ", "), last);
 }
 
-std::string part_meaning(const std::string& part) {
+std::string budget_part_meaning(const std::string& part) {
   const auto approximations = compare::parse_approximations(part);
   return approximations.size() == 1 ? std::string(base::meaning_of(approximations.front())) : part;
 }
 
-std::string fractions_text(const LimitingErrorGroup& group) {
+std::string error_fractions_text(const LimitingErrorGroup& group) {
   const auto percent = [](double fraction) { return fmt::format("{:.0f}", 100 * fraction); };
   const auto least = percent(group.least_fraction), greatest = percent(group.greatest_fraction);
   return least == greatest ? fmt::format("{} %", least)
                            : fmt::format("{} to {} %", least, greatest);
 }
 
-// Returns the text of a group of closures. Only the first percentage of the sentence gets the
-// explanation "of the sum of the parts".
+// Returns the text of a group of closures with the same limiting error. Only the first percentage
+// in the sentence has the explanation "of the sum of the parts".
 std::string closure_group_text(const CaseResult& case_result, const LimitingErrorGroup& group,
                                bool& explained) {
   const std::string closures = closure_id_list(case_result, group);
   if (!group.part.empty()) {
     const char* of_what = explained ? "" : " of the sum of the parts";
     explained = true;
-    return fmt::format("{} in {} ({}{})", part_meaning(group.part), closures, fractions_text(group),
-                       of_what);
+    return fmt::format("{} in {} ({}{})", budget_part_meaning(group.part), closures,
+                       error_fractions_text(group), of_what);
   }
   const auto row = std::ranges::find(case_result.budget, group.closures.front(),
                                      &compare::ErrorBudgetRow::solution);

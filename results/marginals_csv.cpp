@@ -39,7 +39,7 @@ std::vector<std::string> split_csv_fields(const std::string& line) {
   return fields;
 }
 
-std::string interval_end(const std::vector<double>& ends, std::size_t k) {
+std::string interval_end_text(const std::vector<double>& ends, std::size_t k) {
   return ends.empty() ? "" : fmt::format("{}", ends[k]);
 }
 
@@ -74,10 +74,10 @@ class CsvRowReader {
       requires_finite_ = !(allows_non_finite_ && allows_non_finite_(fields[0], fields[1]));
     }
     DensityCurve& curve = curves.back().curve;
-    curve.abscissa.push_back(number(fields[3], true));
-    curve.density.push_back(number(fields[4], requires_finite_));
-    if (!fields[5].empty()) curve.lower.push_back(number(fields[5], requires_finite_));
-    if (!fields[6].empty()) curve.upper.push_back(number(fields[6], requires_finite_));
+    curve.abscissa.push_back(parse_csv_number(fields[3], true));
+    curve.density.push_back(parse_csv_number(fields[4], requires_finite_));
+    if (!fields[5].empty()) curve.lower.push_back(parse_csv_number(fields[5], requires_finite_));
+    if (!fields[6].empty()) curve.upper.push_back(parse_csv_number(fields[6], requires_finite_));
     for (const auto* ends : {&curve.lower, &curve.upper}) {
       if (!ends->empty() && ends->size() != curve.density.size()) {
         fail("a curve has intervals in some of its rows only");
@@ -91,7 +91,7 @@ class CsvRowReader {
   }
 
  private:
-  double number(const std::string& text, bool finite) const {
+  double parse_csv_number(const std::string& text, bool finite) const {
     double value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
@@ -117,8 +117,8 @@ void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
     for (const auto& curve : case_result.*curves) {
       for (std::size_t k = 0; k < curve.abscissa.size(); ++k) {
         fmt::print(out, "{},{},{},{},{},{},{}\n", case_name, curve.solution, name(curve.variable),
-                   curve.abscissa[k], curve.density[k], interval_end(curve.lower, k),
-                   interval_end(curve.upper, k));
+                   curve.abscissa[k], curve.density[k], interval_end_text(curve.lower, k),
+                   interval_end_text(curve.upper, k));
       }
     }
   }

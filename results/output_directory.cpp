@@ -57,7 +57,7 @@ OutputDirectoryLock try_prepare_directory(const fs::path& directory) {
 
 }  // namespace
 
-std::string file_stem(const std::string& case_name) {
+std::string case_file_stem(const std::string& case_name) {
   std::string stem;
   bool replaced = false;
   for (const unsigned char c : case_name) {

@@ -9,7 +9,7 @@ namespace fpkcheck::results {
 
 /// Returns the file name of a case without extension. Each sequence of characters other than
 /// letters, digits, '-', '_' and '.' becomes one '_': "case1, r = 0.9" gives "case1_r_0.9".
-std::string file_stem(const std::string& case_name);
+std::string case_file_stem(const std::string& case_name);
 
 /// Lock on an output directory. While the lock exists, a hidden file prevents other runs from
 /// removing the directory. The destructor removes the hidden file and those directories in

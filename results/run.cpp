@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "results/joint_netcdf.hpp"
-#include "results/make_curve.hpp"
+#include "results/make_density_curve.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -21,7 +21,7 @@ const DensityCurve* find_curve(const std::vector<DensityCurve>& curves, std::str
 }
 
 // Returns the common width of all bins; empty if the widths differ.
-std::optional<double> common_width(const std::vector<double>& centres) {
+std::optional<double> common_bin_width(const std::vector<double>& centres) {
   if (centres.size() < 2) return std::nullopt;
   constexpr double kRounding = 1e-6;
   const double width = (centres.back() - centres.front()) / static_cast<double>(centres.size() - 1);
@@ -35,7 +35,7 @@ std::optional<double> common_width(const std::vector<double>& centres) {
 
 std::vector<double> bin_widths(const DensityCurve& curve) {
   const auto& centres = curve.abscissa;
-  if (const auto width = common_width(centres)) return std::vector(centres.size(), *width);
+  if (const auto width = common_bin_width(centres)) return std::vector(centres.size(), *width);
   std::vector<double> widths(centres.size());
   // The widths are computed outwards from the edge at 0, separately on each side.
   const auto outwards = [](auto centre, auto end, auto width) {
@@ -51,8 +51,8 @@ std::vector<double> bin_widths(const DensityCurve& curve) {
   return widths;
 }
 
-const DensityCurve* CaseResult::curve(std::string_view solution,
-                                      transform::StateVariable variable) const {
+const DensityCurve* CaseResult::marginal_curve(std::string_view solution,
+                                               transform::StateVariable variable) const {
   return find_curve(curves, solution, variable);
 }
 
@@ -79,7 +79,7 @@ ProgramInfo current_program(const std::string& command) {
   return {"fpkcheck", FPKCHECK_VERSION, command};
 }
 
-DensityCurve make_curve(compare::SolutionMarginal&& found) {
+DensityCurve make_density_curve(compare::SolutionMarginal&& found) {
   auto& [solution, variable, marginal] = found;
   std::vector<double> centres;
   for (std::size_t b = 0; b < marginal.size(); ++b) centres.push_back(marginal.centre(b));
@@ -97,9 +97,11 @@ CaseResult make_case_result(const problem::Problem& problem, const compare::Comp
                     .budget = std::move(comparison.budget),
                     .curves = {},
                     .joints = {}};
-  for (auto& found : comparison.marginals) result.curves.push_back(make_curve(std::move(found)));
-  for (auto& found : comparison.smooth) result.smooth.push_back(make_curve(std::move(found)));
-  result.joints = joint_densities(axes, result.solutions);
+  for (auto& found : comparison.marginals)
+    result.curves.push_back(make_density_curve(std::move(found)));
+  for (auto& found : comparison.smooth)
+    result.smooth.push_back(make_density_curve(std::move(found)));
+  result.joints = make_joint_densities(axes, result.solutions);
   result.assess();
   return result;
 }

@@ -82,16 +82,19 @@ struct CaseResult {
   }
   /// Returns the reference (the most accurate solution of the case), or null.
   const transform::Solution* reference() const { return find(assessment.reference); }
-  /// Callers must update the assessment after a change of the solutions, distances or error
-  /// budgets.
+  /// Recomputes `assessment` from the solutions, distances and error budget. Callers must call
+  /// assess() after a change of these three members.
   void assess() { assessment = compare::assess_solutions(solutions, pairs, budget); }
-  const DensityCurve* curve(std::string_view solution, transform::StateVariable variable) const;
+  const DensityCurve* marginal_curve(std::string_view solution,
+                                     transform::StateVariable variable) const;
   const DensityCurve* smooth_curve(std::string_view solution,
                                    transform::StateVariable variable) const;
+  /// Returns the residual-based moment error estimate of a solution, or null.
   const MomentErrorEstimate* moment_error_estimate(std::string_view solution) const;
+  /// Returns the error source of one moment (y2 or v2) of a solution, or null.
   const ErrorSource* error_source(std::string_view solution, std::string_view moment) const;
-  std::optional<double> l1(std::string_view one, std::string_view other,
-                           transform::StateVariable variable) const {
+  std::optional<double> l1_distance(std::string_view one, std::string_view other,
+                                    transform::StateVariable variable) const {
     return compare::l1_distance_between(pairs, one, other, variable);
   }
 };
@@ -104,7 +107,7 @@ ProgramInfo current_program(const std::string& command);
 
 struct FileChecksum {
   std::string file;
-  std::string crc32;  ///< checksum by results::crc32
+  std::string crc32;  ///< checksum by results::crc32_hex
 };
 
 struct Run {

@@ -13,7 +13,7 @@ std::optional<double> larger_of(std::optional<double> one, std::optional<double>
   return one ? one : other;
 }
 
-AgreementInCase agreement_entry(const results::CaseResult& one, std::string_view id) {
+AgreementInCase agreement_in_case(const results::CaseResult& one, std::string_view id) {
   const auto* assessed = one.assessment.find(id);
   return assessed == nullptr ? AgreementInCase{} : AgreementInCase{{*assessed}, one.find(id)};
 }
@@ -35,7 +35,7 @@ std::vector<SolutionAgreements> agreement_rows(const results::Run& run) {
   }
   for (auto& row : all) {
     for (const auto& one : run.cases) {
-      row.entries.push_back(agreement_entry(one, row.identity->id));
+      row.entries.push_back(agreement_in_case(one, row.identity->id));
     }
   }
   // A solution that is not applicable in any case gets no row.
@@ -89,7 +89,7 @@ void MarginalDistances::update_maximum_distances(const std::optional<double>& ot
   ydot = larger_of(ydot, other_ydot);
 }
 
-int case_count(const CaseNamesBySolution& cases) {
+int total_case_count(const CaseNamesBySolution& cases) {
   std::size_t count = 0;
   for (const auto& [id, names] : cases) count += names.size();
   return static_cast<int>(count);

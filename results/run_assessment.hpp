@@ -48,7 +48,7 @@ struct MarginalDistances {
 /// Names of the cases that belong to each solution id.
 using CaseNamesBySolution = std::map<std::string, std::vector<std::string>>;
 /// Returns the number of cases, summed over all solutions.
-int case_count(const CaseNamesBySolution& cases);
+int total_case_count(const CaseNamesBySolution& cases);
 
 /// The assessment of a run over all its cases. The pointers in the rows point into the run.
 struct RunAssessment {

@@ -26,7 +26,7 @@ using transform::StateVariable;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Json pair_json(const PairDistances& pair) {
+Json pair_distances_json(const PairDistances& pair) {
   const Distances& d = pair.distances;
   Json tail = Json::array();
   for (const auto& part : d.log10_tail) {
@@ -75,21 +75,21 @@ Json budget_row_json(const ErrorBudgetRow& row) {
           {"parts", parts}};
 }
 
-Json bound_json(const compare::GuaranteedBound& bound) {
+Json guaranteed_bound_json(const compare::GuaranteedBound& bound) {
   return {{"functional", bound.functional}, {"lower", bound.lower}, {"upper", bound.upper}};
 }
 
 template <class Element>
-Json json_list(const std::vector<Element>& elements, Json (*json_of)(const Element&)) {
+Json list_to_json(const std::vector<Element>& elements, Json (*element_to_json)(const Element&)) {
   Json list = Json::array();
-  for (const auto& element : elements) list.push_back(json_of(element));
+  for (const auto& element : elements) list.push_back(element_to_json(element));
   return list;
 }
 
 Json bounds_json(const compare::GuaranteedBounds& bounds) {
   return {{"reason", bounds.reason},
           {"seconds", bounds.seconds},
-          {"each", json_list(bounds.each, bound_json)}};
+          {"each", list_to_json(bounds.each, guaranteed_bound_json)}};
 }
 
 Json moment_error_estimate_json(const MomentErrorEstimate& own) {
@@ -124,27 +124,28 @@ Json assessment_json(const compare::Assessment& assessment) {
                                  {"rank", solution.rank ? Json(*solution.rank) : Json()}});
   }
   const auto& [groups, has_reference_disagreement] = assessment.limiting_errors;
-  json["limiting_errors"] = json_list(groups, limiting_error_json);
+  json["limiting_errors"] = list_to_json(groups, limiting_error_json);
   json["reference_disagreement"] = has_reference_disagreement;
   return json;
 }
 
 Json case_json(const CaseResult& case_result) {
   Json json = problem_to_json(case_result.problem);
-  json["solutions"] = json_list(case_result.solutions, solution_json);
-  json["comparisons"] = json_list(case_result.pairs, pair_json);
-  json["budget"] = json_list(case_result.budget, budget_row_json);
+  json["solutions"] = list_to_json(case_result.solutions, solution_json);
+  json["comparisons"] = list_to_json(case_result.pairs, pair_distances_json);
+  json["budget"] = list_to_json(case_result.budget, budget_row_json);
   json["limits"] = limiting_errors_text(case_result);
   if (case_result.bounds) json["bounds"] = bounds_json(*case_result.bounds);
   if (!case_result.moment_error_estimates.empty())
-    json["own_errors"] = json_list(case_result.moment_error_estimates, moment_error_estimate_json);
+    json["own_errors"] =
+        list_to_json(case_result.moment_error_estimates, moment_error_estimate_json);
   const auto& reference = case_result.assessment.reference;
   json["reference"] = reference.empty() ? Json() : Json(reference);
   json["assessment"] = assessment_json(case_result.assessment);
   return json;
 }
 
-StateVariable variable_from_json(const Json& object) {
+StateVariable state_variable_from_json(const Json& object) {
   const auto text = object.at("variable").get<std::string>();
   const auto variable = base::enum_from_name<StateVariable>(text);
   if (!variable)
@@ -158,10 +159,10 @@ double number_or_default(double default_value, const Json& value) {
   return value.is_null() ? default_value : value.get<double>();
 }
 
-PairDistances pair_from_json(const Json& json) {
+PairDistances pair_distances_from_json(const Json& json) {
   PairDistances pair{json.at("a"),
                      json.at("b"),
-                     variable_from_json(json),
+                     state_variable_from_json(json),
                      {},
                      optional_number_at_key(json, "l1_standard_error")};
   Distances& d = pair.distances;
@@ -185,7 +186,7 @@ PairDistances pair_from_json(const Json& json) {
 ErrorBudgetRow budget_row_from_json(const Json& json) {
   const Json& tail = json.at("tail");
   ErrorBudgetRow row{.solution = json.at("solution"),
-                     .variable = variable_from_json(json),
+                     .variable = state_variable_from_json(json),
                      .reference = json.at("reference"),
                      .total = number_or_default(kNotANumber, json.at("total")),
                      .total_tail = number_or_default(kNotANumber, json.at("total_tail")),
@@ -292,7 +293,8 @@ CaseResult case_from_json(const Json& json) {
                        " occurs twice; run again");
     }
   }
-  for (const auto& pair : json.at("comparisons")) case_result.pairs.push_back(pair_from_json(pair));
+  for (const auto& pair : json.at("comparisons"))
+    case_result.pairs.push_back(pair_distances_from_json(pair));
   if (json.contains("budget")) {
     for (const auto& row : json.at("budget"))
       case_result.budget.push_back(budget_row_from_json(row));
@@ -313,7 +315,7 @@ CaseResult case_from_json(const Json& json) {
   return case_result;
 }
 
-void require_summary(const Json& json, const std::string& file_name) {
+void require_summary_schema(const Json& json, const std::string& file_name) {
   if (!json.is_object() || !json.contains("schema")) {
     throw InputError(
         fmt::format("{} is not the summary of a run: \"schema\" is missing", file_name));
@@ -330,14 +332,14 @@ void require_summary(const Json& json, const std::string& file_name) {
 std::string run_summary_text(const Run& run, std::span<const FileChecksum> files) {
   Json json{{"schema", kSummarySchema}, {"program", program_to_json(run.program)}};
   if (!run.stopped.empty()) json["stopped"] = run.stopped;
-  json["cases"] = json_list(run.cases, case_json);
+  json["cases"] = list_to_json(run.cases, case_json);
   for (const auto& [file, crc32] : files) json["files"][file] = crc32;
   return serialise_json(replace_non_finite_by_null(std::move(json)));
 }
 
 Run read_run_summary(std::istream& in, const std::string& file_name) {
   const Json json = parse_json(in, file_name);
-  require_summary(json, file_name);
+  require_summary_schema(json, file_name);
   try {
     const Json& program = json.at("program");
     Run run{{program.at("name"), program.at("version"), program.at("command")},

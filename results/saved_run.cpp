@@ -59,7 +59,7 @@ CaseResult* find_case(Run& run, const std::string& name) {
 // older versions have no checksums.
 void require_same_run(const fs::path& file, std::string_view contents, const Run& run) {
   const auto recorded = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
-  if (recorded != run.files.end() && recorded->crc32 != crc32(contents)) refuse_other_run(file);
+  if (recorded != run.files.end() && recorded->crc32 != crc32_hex(contents)) refuse_other_run(file);
 }
 
 void read_curves(const fs::path& file, Run& run, std::vector<DensityCurve> CaseResult::*curves) {
@@ -103,7 +103,7 @@ class ChecksummedFiles {
 
   void add(const char* name, const std::string& bytes) {
     files_.add(directory_ / name, bytes);
-    checksums_.push_back({name, crc32(bytes)});
+    checksums_.push_back({name, crc32_hex(bytes)});
   }
   void remove(const char* name) { files_.remove(directory_ / name); }
   void add_summary(const Run& run) {
@@ -165,7 +165,7 @@ void add_run_files(base::FileTransaction& files, const fs::path& directory, cons
   ChecksummedFiles saved(files, directory);
   add_curve_files(saved, run);
   if (has_any_element(run, &CaseResult::joints)) {
-    saved.add(kJointFile, joint_netcdf(run));
+    saved.add(kJointFile, joint_netcdf_bytes(run));
   } else {
     saved.remove(kJointFile);
   }
@@ -182,21 +182,21 @@ void load_smooth_curves(const fs::path& file, Run& run) {
   read_curves(file, run, &CaseResult::smooth);
 }
 
-void load_curves(const fs::path& file, Run& run) {
+void load_marginal_curves(const fs::path& file, Run& run) {
   read_curves(file, run, &CaseResult::curves);
   if (!std::ranges::all_of(run.cases, has_matching_curves)) refuse_other_run(file);
 }
 
 Run load_run(const fs::path& directory) {
   Run run = load_run_summary(directory / kSummaryFile);
-  load_curves(directory / kMarginalsFile, run);
+  load_marginal_curves(directory / kMarginalsFile, run);
   if (fs::exists(directory / kSmoothMarginalsFile))
     load_smooth_curves(directory / kSmoothMarginalsFile, run);
   if (fs::exists(directory / kJointFile)) load_joint_densities(directory / kJointFile, run);
   return run;
 }
 
-std::string crc32(std::string_view bytes) {
+std::string crc32_hex(std::string_view bytes) {
   boost::crc_32_type crc;
   while (!bytes.empty()) {
     const std::string_view part = bytes.substr(0, bytes.find('\r'));

@@ -38,7 +38,7 @@ Run load_run_summary(const std::filesystem::path& file);
 /// @throws InputError with a message of one line, if the file does not exist, contains no
 ///         marginals, or belongs to another run (its checksum differs from the checksum in the
 ///         summary)
-void load_curves(const std::filesystem::path& file, Run& run);
+void load_marginal_curves(const std::filesystem::path& file, Run& run);
 
 /// Reads the curves of a smooth.csv into the cases of a run. A solution may lack curves over smooth
 /// bins.
@@ -52,7 +52,7 @@ Run load_run(const std::filesystem::path& directory);
 
 /// Returns the CRC-32 checksum of bytes, as eight hexadecimal digits. The checksum ignores carriage
 /// returns, since version control may change line ends.
-std::string crc32(std::string_view bytes);
+std::string crc32_hex(std::string_view bytes);
 
 /// Returns the names and versions of the libraries that write files. The version of netCDF is the
 /// version of the loaded library. The version of nlohmann-json is the version of the headers at

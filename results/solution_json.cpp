@@ -47,7 +47,7 @@ constexpr std::array<std::string_view, 17> kCommonKeys{"id",
 constexpr std::array<std::string_view, 3> kCommonErrorKeys{"y_l1", "ydot_l1", "moments"};
 
 template <std::size_t N>
-bool is_one_of(const std::array<std::string_view, N>& keys, std::string_view key) {
+bool contains_key(const std::array<std::string_view, N>& keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
@@ -68,7 +68,7 @@ Json identity_json(const SolutionIdentity& identity) {
             {"symbol", plot_style.symbol}}}};
 }
 
-void read_identity(const Json& json, SolutionIdentity& identity) {
+void read_solution_identity(const Json& json, SolutionIdentity& identity) {
   const auto role =
       base::enum_from_name<transform::SolutionRole>(json.at("role").get<std::string>());
   if (!role)
@@ -110,7 +110,7 @@ std::vector<transform::RestAtom> atoms_from_json(const Json& json) {
   return atoms;
 }
 
-Json sampling_json(const transform::SamplingError& sampling) {
+Json sampling_error_json(const transform::SamplingError& sampling) {
   Json json = Json::object();
   const auto put = [&](const char* key, const std::optional<double>& value) {
     if (value) json[key] = *value;
@@ -167,13 +167,13 @@ void read_solution_numbers(const Json& json, Solution& s) {
 Json solver_metrics_part(const Json& json) {
   Json rest = Json::object();
   for (const auto& [key, value] : json.items()) {
-    if (is_one_of(kCommonKeys, key)) continue;
+    if (contains_key(kCommonKeys, key)) continue;
     if (key != "error") {
       rest[key] = value;
       continue;
     }
     for (const auto& [leaf, of_error] : value.items()) {
-      if (!is_one_of(kCommonErrorKeys, leaf)) rest["error"][leaf] = of_error;
+      if (!contains_key(kCommonErrorKeys, leaf)) rest["error"][leaf] = of_error;
     }
   }
   return rest;
@@ -207,8 +207,8 @@ Json solution_json(const Solution& s) {
     json["standard_errors"] = moments_to_json(s.standard_errors->moments);
     json["standard_errors"]["energy_residual"] = s.standard_errors->energy_residual;
   }
-  if (s.sampling) json["sampling_l1"] = sampling_json(*s.sampling);
-  if (s.smooth_sampling) json["smooth_sampling_l1"] = sampling_json(*s.smooth_sampling);
+  if (s.sampling) json["sampling_l1"] = sampling_error_json(*s.sampling);
+  if (s.smooth_sampling) json["smooth_sampling_l1"] = sampling_error_json(*s.smooth_sampling);
   if (s.error) {
     json["error"] = {{"y_l1", s.error->y_l1},
                      {"ydot_l1", s.error->ydot_l1},
@@ -216,7 +216,7 @@ Json solution_json(const Solution& s) {
   }
   for (const auto& observation : s.metrics) {
     const std::string_view path = observation.path;
-    if (is_one_of(kCommonKeys, path.substr(0, path.find_first_of(".[")))) {
+    if (contains_key(kCommonKeys, path.substr(0, path.find_first_of(".[")))) {
       throw std::logic_error("a metric of " + s.id() + " has the reserved key " + observation.path);
     }
   }
@@ -231,7 +231,7 @@ Solution solution_from_json(const Json& json) {
   identity.method = json.at("method");
   identity.equation = enumerator_from_json<DensityEquation>(json, "equation", kUnknownEquation);
   identity.impact = enumerator_from_json<ImpactCondition>(json, "impact", kUnknownImpact);
-  if (json.contains("identity")) read_identity(json.at("identity"), identity);
+  if (json.contains("identity")) read_solution_identity(json.at("identity"), identity);
   s.options = values_from_json(json.at("options"));
   const auto status = enumerator_from_json<transform::Status>(json, "status", "");
   if (!status) throw InputError("the status is empty; run again");

@@ -13,8 +13,9 @@ namespace {
 constexpr std::ptrdiff_t kInterpolationPoints =
     8;  // 8 interpolation points give polynomials of degree 7
 // Tolerated overshoot of the interpolated cumulative distribution, relative to the total mass. The
-// largest overshoot is 2e-7 in the densities of the regression baselines and 1e-2 at a spike.
-// Smooth densities are therefore not clipped, and their remapping is linear in the masses.
+// largest overshoot is 2e-7 in the densities of the regression baselines and 1e-2 at a spike. The
+// masses of smooth densities are therefore not clipped, and the remapping of smooth densities is
+// linear in the masses.
 constexpr double kOvershootTolerance = 1e-6;
 
 }  // namespace
@@ -22,15 +23,15 @@ constexpr double kOvershootTolerance = 1e-6;
 // Returns the weights of the bin masses in the Lagrange interpolation of the cumulative
 // distribution at x. The weights exclude the bins before the bin of x, whose masses enter with
 // weight 1.
-ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const double> edges,
-                                                               double x) {
+ConservativeRemap::EdgeStencil ConservativeRemap::interpolation_stencil(
+    std::span<const double> edges, double x) {
   const auto above = std::ranges::lower_bound(edges, x);
   if (above == edges.end()) return {edges.size() - 1, 0, {}};
   const auto k = above - edges.begin();
   if (*above == x || k == 0) return {static_cast<std::size_t>(k), 0, {}};
 
-  // The interpolation stencil consists of the edges begin .. end - 1. If an edge is at 0, all
-  // stencil edges are on the side of 0 on which x is.
+  // The stencil is chosen from the edges begin .. end - 1. If one of these edges is at 0, all
+  // stencil edges have the sign of x or are 0.
   std::ptrdiff_t begin = 0, end = std::ssize(edges);
   if (const auto zero = std::ranges::lower_bound(edges, 0.0); zero != edges.end() && *zero == 0) {
     if (x > 0) begin = zero - edges.begin();
@@ -55,7 +56,7 @@ ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const d
 
 ConservativeRemap::ConservativeRemap(std::span<const double> source,
                                      std::span<const double> target) {
-  for (const double edge : target) edges_.push_back(edge_stencil(source, edge));
+  for (const double edge : target) edges_.push_back(interpolation_stencil(source, edge));
 }
 
 std::vector<double> ConservativeRemap::operator()(std::span<const double> masses) const {

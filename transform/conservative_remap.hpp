@@ -19,9 +19,9 @@ namespace fpkcheck::transform {
 /// made monotone wherever it decreases by more than 1e-6 of the total mass.
 class ConservativeRemap {
  public:
-  /// @param source n + 1 increasing edges of the old bins
-  /// @param target m + 1 increasing edges of the new bins
-  ConservativeRemap(std::span<const double> source, std::span<const double> target);
+  /// @param source_edges n + 1 increasing edges of the old bins
+  /// @param target_edges m + 1 increasing edges of the new bins
+  ConservativeRemap(std::span<const double> source_edges, std::span<const double> target_edges);
 
   /// @param masses masses of the old bins, shape (n)
   /// @return masses of the new bins, shape (m)
@@ -29,14 +29,14 @@ class ConservativeRemap {
 
  private:
   /// Weights of the old masses in the cumulative distribution at an edge of the new bins. The
-  /// cumulative distribution is the sum of the masses of all source bins before `bin`, plus the sum
-  /// over k of weights[k] times the mass of source bin first + k.
+  /// cumulative distribution is the sum of the masses of all old bins before `bin`, plus the sum
+  /// over k of weights[k] times the mass of the old bin first + k.
   struct EdgeStencil {
     std::size_t bin;
     std::size_t first;
     std::vector<double> weights;
   };
-  static EdgeStencil edge_stencil(std::span<const double> source, double x);
+  static EdgeStencil interpolation_stencil(std::span<const double> source_edges, double x);
 
   std::vector<EdgeStencil> edges_;
 };

@@ -16,7 +16,8 @@ SmoothDensity zhuravlev_transform(ZhuravlevDensity density) {
 namespace {
 
 template <class Coordinate>
-std::vector<double> transformed(std::vector<double> edges, bool mirrored, const Coordinate& at) {
+std::vector<double> transform_edges(std::vector<double> edges, bool mirrored,
+                                    const Coordinate& at) {
   for (double& edge : edges) edge = at(edge) + 0.0;  // adding 0 turns -0 into +0
   if (mirrored) std::ranges::reverse(edges);
   return edges;
@@ -24,19 +25,21 @@ std::vector<double> transformed(std::vector<double> edges, bool mirrored, const 
 
 using Edges = std::vector<double>;
 
-Edges exact_y_edges(const problem::WallFrame& frame, const Edges& x_edges, const Edges& known) {
-  return x_edges == to_x_edges(frame, known) ? known : to_y_edges(frame, x_edges);
+Edges exact_y_edges(const problem::WallFrame& frame, const Edges& x_edges, const Edges& y_edges) {
+  return x_edges == to_x_edges(frame, y_edges) ? y_edges : to_y_edges(frame, x_edges);
 }
 
-GridDensity transformed(const problem::WallFrame& frame, GridDensity grid, const Edges& known) {
-  grid.y_edges = exact_y_edges(frame, grid.y_edges, known);
+GridDensity to_physical_form(const problem::WallFrame& frame, GridDensity grid,
+                             const Edges& y_edges) {
+  grid.y_edges = exact_y_edges(frame, grid.y_edges, y_edges);
   grid.v_edges = transform_v_edges(frame, grid.v_edges);
   if (frame.mirrored)
     std::ranges::reverse(grid.averages);  // reversing the row-major averages mirrors both axes
   return grid;
 }
 
-SmoothDensity transformed(const problem::WallFrame& frame, SmoothDensity smooth, const Edges&) {
+SmoothDensity to_physical_form(const problem::WallFrame& frame, SmoothDensity smooth,
+                               const Edges&) {
   const double from = frame.physical_y(smooth.y_min), to = frame.physical_y(smooth.y_max);
   return {.value = [frame, value = std::move(smooth.value)](
                        double y,
@@ -46,9 +49,9 @@ SmoothDensity transformed(const problem::WallFrame& frame, SmoothDensity smooth,
           .y_min = std::min(from, to)};
 }
 
-Marginal transformed(const problem::WallFrame& frame, StateVariable variable, Marginal marginal,
-                     const Edges& known) {
-  marginal.edges = variable == StateVariable::y ? exact_y_edges(frame, marginal.edges, known)
+Marginal to_physical_form(const problem::WallFrame& frame, StateVariable variable,
+                          Marginal marginal, const Edges& y_edges) {
+  marginal.edges = variable == StateVariable::y ? exact_y_edges(frame, marginal.edges, y_edges)
                                                 : transform_v_edges(frame, marginal.edges);
   if (frame.mirrored) {
     for (auto* values : {&marginal.density, &marginal.lower, &marginal.upper}) {
@@ -62,24 +65,26 @@ Marginal transformed(const problem::WallFrame& frame, StateVariable variable, Ma
 
 std::vector<double> to_y_edges(const problem::WallFrame& frame,
                                const std::vector<double>& x_edges) {
-  return transformed(x_edges, frame.mirrored, [&](double x) { return frame.physical_y(x); });
+  return transform_edges(x_edges, frame.mirrored, [&](double x) { return frame.physical_y(x); });
 }
 
 std::vector<double> to_x_edges(const problem::WallFrame& frame,
                                const std::vector<double>& y_edges) {
-  return transformed(y_edges, frame.mirrored, [&](double y) { return frame.wall_x(y); });
+  return transform_edges(y_edges, frame.mirrored, [&](double y) { return frame.wall_x(y); });
 }
 
 std::vector<double> transform_v_edges(const problem::WallFrame& frame,
                                       const std::vector<double>& edges) {
-  return transformed(edges, frame.mirrored, [&](double v) { return frame.physical_velocity(v); });
+  return transform_edges(edges, frame.mirrored,
+                         [&](double v) { return frame.physical_velocity(v); });
 }
 
 Density to_physical_coordinates(const problem::WallFrame& frame, Density density,
                                 const Edges& y_edges) {
   if (frame.is_identity()) return density;
   return std::visit(
-      [&](auto& form) { return Density(transformed(frame, std::move(form), y_edges)); }, density);
+      [&](auto& form) { return Density(to_physical_form(frame, std::move(form), y_edges)); },
+      density);
 }
 
 Density to_wall_coordinates(const problem::WallFrame& frame, Density density) {
@@ -97,7 +102,7 @@ Solution to_physical_coordinates(const problem::WallFrame& frame, Solution solut
         to_physical_coordinates(frame, std::move(solution.extrapolation->coarser), y_edges);
   }
   for (auto& [variable, marginal] : solution.estimated_marginals) {
-    marginal = transformed(frame, variable, std::move(marginal), y_edges);
+    marginal = to_physical_form(frame, variable, std::move(marginal), y_edges);
   }
   for (RestAtom& atom : solution.atoms) atom.y = frame.physical_y(atom.y);
   return solution;

@@ -25,16 +25,17 @@ struct ZhuravlevDensity {
 SmoothDensity zhuravlev_transform(ZhuravlevDensity density);
 
 /// The function to_y_edges() transforms increasing cell edges from wall coordinates x to physical
-/// coordinates y, and to_x_edges() from y to x.
+/// coordinates y. The function to_x_edges() is the inverse transformation.
 std::vector<double> to_y_edges(const problem::WallFrame& frame, const std::vector<double>& x_edges);
 std::vector<double> to_x_edges(const problem::WallFrame& frame, const std::vector<double>& y_edges);
-/// Transforms increasing cell edges of the velocity from wall to physical coordinates or back. The
-/// transformation is its own inverse, since at most the sign of the velocity changes.
+/// Transforms increasing cell edges of the velocity from wall to physical coordinates or back. This
+/// transformation is its own inverse, since it changes at most the sign of the velocity.
 std::vector<double> transform_v_edges(const problem::WallFrame& frame,
                                       const std::vector<double>& edges);
 
 /// The function to_physical_coordinates() transforms a density of (x, x') in wall coordinates to a
-/// density of (y, y') in physical coordinates, and to_wall_coordinates() back.
+/// density of (y, y') in physical coordinates. The function to_wall_coordinates() is the inverse
+/// transformation.
 /// @param y_edges cell edges in y. Edges of the density equal to to_x_edges(frame, y_edges) become
 /// exactly `y_edges`, without rounding errors, since histograms are compared only on equal edges.
 Density to_physical_coordinates(const problem::WallFrame& frame, Density density,

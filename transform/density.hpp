@@ -40,7 +40,8 @@ struct NamedMoment {
   const char* name;
   const char* symbol;
   double Moments::*moment;
-  /// Scale of relative errors; for E[y'], which is exactly 0, the scale is E[y'^2].
+  /// Moment that scales relative errors of this moment; E[y'^2] scales the errors of E[y'], which
+  /// is exactly 0.
   double Moments::*size;
 };
 inline constexpr NamedMoment kMoments[] = {
@@ -65,8 +66,8 @@ GridDensity average_over_cells(const SmoothDensity& density, std::span<const dou
                                std::span<const double> v_edges);
 
 /// Averages a density on cells over new cells, with ConservativeRemap along both axes. The averages
-/// are exact where old and new edges coincide. If the density is a histogram, its edges should
-/// include the new edges, since polynomial interpolation is inaccurate for noisy data.
+/// are exact for new cells whose edges coincide with old edges. If the density is a histogram, its
+/// edges should include the new edges, since polynomial interpolation is inaccurate for noisy data.
 GridDensity average_over_cells(const GridDensity& density, std::span<const double> y_edges,
                                std::span<const double> v_edges);
 

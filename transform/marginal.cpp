@@ -62,7 +62,7 @@ Marginal marginal(const Density& density, StateVariable variable, std::span<cons
           .upper = {}};
 }
 
-double l1(const Marginal& a, const Marginal& b) {
+double l1_distance(const Marginal& a, const Marginal& b) {
   if (a.edges != b.edges || a.size() != b.size()) {
     throw std::invalid_argument("L1 distance undefined: the marginals have different bins");
   }

@@ -38,7 +38,7 @@ Marginal marginal(const Density& density, StateVariable variable, std::span<cons
 /// Returns the L1 distance int |a - b| of two marginals with the same bins: 0 for equal marginals,
 /// 2 for marginals of mass 1 with disjoint supports.
 /// @throws std::invalid_argument if the bins of a and b differ
-double l1(const Marginal& a, const Marginal& b);
+double l1_distance(const Marginal& a, const Marginal& b);
 
 enum class QuadraturePanelSpacing {
   uniform,
@@ -62,8 +62,8 @@ struct QuadratureMarginals {
 };
 
 /// Computes the marginals of a density on a given domain, for example the domain of another density
-/// for a comparison. The spacing `panels` applies to y only for a density with a wall at y = 0.
-/// Otherwise the panels of y have equal widths.
+/// for a comparison. For a density without a wall at y = 0, the panels of y have equal widths for
+/// every value of `panels`.
 QuadratureMarginals quadrature_marginals(
     const SmoothDensity& density, double y_max, double v_max,
     QuadraturePanelSpacing panels = QuadraturePanelSpacing::uniform);

@@ -75,8 +75,8 @@ inline base::Value value_from_optional(const std::optional<double>& number) {
 
 /// Relative residuals of the virial balance and of the momentum balance (problem/balances.hpp). A
 /// balance residual is 0 for the exact stationary density of any density equation and impact
-/// condition. The residual is empty if the solution lacks a quantity of the balance. A density with
-/// zero balance residuals may still be wrong.
+/// condition. The residual is empty if the solution lacks a quantity of the balance. Zero balance
+/// residuals do not prove that a density is correct.
 struct BalanceResiduals {
   std::optional<double> virial = {};    ///< relative residual of the virial balance
   std::optional<double> momentum = {};  ///< relative residual of the momentum balance

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::transform {
 
-/// A value with its error: an estimated discretisation error, or a standard error.
+/// A value with an absolute error, which is an estimated discretisation error or a standard error.
 struct ValueWithError {
   double value = 0;
   double error = 0;
@@ -36,9 +36,9 @@ struct MeanTimeMap {
 };
 
 /// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Passage times
-/// from a point belong to a StartState, or to a start at rest on the wall or at the equilibrium;
-/// stationary ones to the stationary law below the barrier. Absent values are not computed by the
-/// method.
+/// `from_point` start in a StartState, or at rest on the wall or at the equilibrium. Passage times
+/// `from_stationary` start from the stationary distribution below the barrier. A value is absent if
+/// the method does not compute this value.
 struct Passage {
   std::string id;  ///< id of the solution, such as "fd-kf", "mcs" or "rice"
   Status status = Status::failed;

@@ -11,7 +11,7 @@ double l1_of_both_marginals(const GridLevelDifference& grid_level_difference) {
   return grid_level_difference.y_l1 + grid_level_difference.ydot_l1;
 }
 
-double order(double before, double last, double ratio) {
+double observed_order(double before, double last, double ratio) {
   return std::log(before / last) / std::log(ratio);
 }
 
@@ -25,12 +25,12 @@ Marginal richardson_limit(const Marginal& middle, const Marginal& fine, double f
 
 }  // namespace
 
-double difference_error(double before, double last, double reduction_ratio, double factor) {
+double error_from_differences(double before, double last, double reduction_ratio, double factor) {
   return factor * std::max(std::abs(last), std::abs(before) / reduction_ratio);
 }
 
-GridLevel grid_level(const Solution& solution, std::span<const double> y_edges,
-                     std::span<const double> ydot_edges) {
+GridLevel make_grid_level(const Solution& solution, std::span<const double> y_edges,
+                          std::span<const double> ydot_edges) {
   GridLevel level{marginal(solution, StateVariable::y, y_edges),
                   marginal(solution, StateVariable::ydot, ydot_edges), solution.moments};
   for (const RestAtom& atom : solution.atoms) level.rest_probabilities.push_back(atom.probability);
@@ -38,8 +38,8 @@ GridLevel grid_level(const Solution& solution, std::span<const double> y_edges,
 }
 
 GridLevelDifference grid_level_difference(const GridLevel& coarser, const GridLevel& finer) {
-  GridLevelDifference grid_level_difference{.y_l1 = l1(coarser.y, finer.y),
-                                            .ydot_l1 = l1(coarser.ydot, finer.ydot),
+  GridLevelDifference grid_level_difference{.y_l1 = l1_distance(coarser.y, finer.y),
+                                            .ydot_l1 = l1_distance(coarser.ydot, finer.ydot),
                                             .moments = {},
                                             .impact_rate = finer.impact_rate - coarser.impact_rate};
   for (const auto& [name, symbol, moment, size] : kMoments) {
@@ -63,9 +63,9 @@ ObservedConvergenceOrders observed_convergence_orders(const GridLevelDifference&
                                                       const GridLevelDifference& last,
                                                       double ratio) {
   const auto of = [&](double Moments::*moment) {
-    return order(std::abs(before.moments.*moment), std::abs(last.moments.*moment), ratio);
+    return observed_order(std::abs(before.moments.*moment), std::abs(last.moments.*moment), ratio);
   };
-  return {.l1 = order(l1_of_both_marginals(before), l1_of_both_marginals(last), ratio),
+  return {.l1 = observed_order(l1_of_both_marginals(before), l1_of_both_marginals(last), ratio),
           .y2 = of(&Moments::y2),
           .v2 = of(&Moments::v2)};
 }
@@ -92,17 +92,17 @@ RichardsonEstimate richardson_estimate(const GridLevelDifference& before,
       .factor = 1 / (reduction_ratio - 1),
       .error = {.y_l1 = last.y_l1 * credible, .ydot_l1 = last.ydot_l1 * credible}};
   for (const auto& [name, symbol, moment, size] : kMoments) {
-    result.error.moments.*moment =
-        difference_error(before.moments.*moment, last.moments.*moment, reduction_ratio, credible);
+    result.error.moments.*moment = error_from_differences(
+        before.moments.*moment, last.moments.*moment, reduction_ratio, credible);
   }
   for (std::size_t k = 0; k < last.rest_probabilities.size(); ++k) {
-    result.rest_probabilities.push_back(difference_error(
+    result.rest_probabilities.push_back(error_from_differences(
         before.rest_probabilities[k], last.rest_probabilities[k], reduction_ratio, credible));
   }
   const double impact_rate_ratio =
       std::clamp(std::abs(before.impact_rate / last.impact_rate), ratio, reduction_ratio);
-  result.impact_rate = difference_error(before.impact_rate, last.impact_rate, reduction_ratio,
-                                        std::max(credible, 1 / (impact_rate_ratio - 1)));
+  result.impact_rate = error_from_differences(before.impact_rate, last.impact_rate, reduction_ratio,
+                                              std::max(credible, 1 / (impact_rate_ratio - 1)));
   return result;
 }
 

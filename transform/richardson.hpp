@@ -41,10 +41,11 @@ double credible_convergence_order(double observed, int scheme_order);
 bool has_richardson_limit(double observed, int scheme_order);
 
 /// Returns the error estimate of a quantity on the finest grid from the last two differences of the
-/// quantity. The last difference may be small by chance, so that the previous difference, divided by
-/// the reduction ratio R, is the other estimate.
+/// quantity. The last difference may be small by chance. The function therefore returns `factor`
+/// times the larger of the last difference and the previous difference divided by the reduction
+/// ratio R.
 /// @param factor ratio of the error to the last difference, about 1 / (R - 1)
-double difference_error(double before, double last, double reduction_ratio, double factor);
+double error_from_differences(double before, double last, double reduction_ratio, double factor);
 
 /// The converging quantities of a solution on one grid level: marginals, moments, probabilities of
 /// the atoms at rest, and impact rate.
@@ -58,10 +59,10 @@ struct GridLevel {
 };
 /// Returns the converging quantities of a solution, with marginals over the bins between the edges.
 /// @throws std::logic_error if the solution has no density
-GridLevel grid_level(const Solution& solution, std::span<const double> y_edges,
-                     std::span<const double> ydot_edges);
+GridLevel make_grid_level(const Solution& solution, std::span<const double> y_edges,
+                          std::span<const double> ydot_edges);
 
-/// The finer minus the coarser of two consecutive grid levels.
+/// The differences of the converging quantities between two consecutive grid levels.
 struct GridLevelDifference {
   double y_l1;      ///< L1 distance of p(y) between the two levels, atoms included
   double ydot_l1;   ///< L1 distance of p(y') between the two levels, atoms included

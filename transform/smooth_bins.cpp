@@ -25,7 +25,7 @@ double cubic_spline_slope(double t) {
 /// Returns increasing points between which the integrand F M' is smooth: the knots of the
 /// B-splines, the midpoints between knots, and the edges of the sharp bins. The returned points are
 /// in the support of the smooth bins.
-std::vector<double> segment_ends(const SmoothBins& bins, const std::vector<double>& edges) {
+std::vector<double> smooth_segment_ends(const SmoothBins& bins, const std::vector<double>& edges) {
   const double begin = bins.first - kSupportHalfWidth * bins.spacing;
   const int halves = 2 * (bins.count - 1 + 2 * kSupportHalfWidth);
   std::vector<double> cuts;
@@ -50,9 +50,9 @@ double cardinal_cubic_spline(double t) {
   return (outer * outer * outer - 4 * inner * inner * inner) / 6;
 }
 
-double bin_weight(const SmoothBins& bins, int bin) {
+double smooth_bin_weight(const SmoothBins& bins, int bin) {
   const double t = (bins.from - bins.first) / bins.spacing - bin, u = std::abs(t);
-  // The variable `beyond` is the integral of the B-spline M from u to 2, for u >= 0.
+  // The variable `beyond` is the integral of the B-spline M over (u, 2).
   const double outer = std::max(0.0, 2 - u), inner = std::max(0.0, 1 - u);
   const double beyond = (std::pow(outer, 4) - 4 * std::pow(inner, 4)) / 24;
   return bins.spacing * (t >= 0 ? beyond : 1 - beyond);
@@ -60,7 +60,7 @@ double bin_weight(const SmoothBins& bins, int bin) {
 
 Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> averages) {
   std::vector<double> edges{std::isfinite(bins.from) ? bins.from : bins.first - bins.spacing / 2};
-  for (int b = 0; b < bins.count; ++b) edges.push_back(edges.back() + bin_weight(bins, b));
+  for (int b = 0; b < bins.count; ++b) edges.push_back(edges.back() + smooth_bin_weight(bins, b));
   return {.edges = std::move(edges), .density = std::move(averages), .lower = {}, .upper = {}};
 }
 
@@ -69,7 +69,7 @@ Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins)
   for (std::size_t k = 0; k < sharp.size(); ++k) {
     masses.push_back(sharp.density[k] * sharp.width(k));
   }
-  const std::vector<double> cuts = segment_ends(bins, sharp.edges);
+  const std::vector<double> cuts = smooth_segment_ends(bins, sharp.edges);
   std::vector<double> nodes;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     for (int n = 0; n < kBooleIntervals; ++n) {
@@ -99,7 +99,7 @@ Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins)
             width * kBoole[n] * cumulative * cubic_spline_slope(scaled_position(nodes[at]) - b);
       }
     }
-    averages.push_back(integral / bin_weight(bins, b));
+    averages.push_back(integral / smooth_bin_weight(bins, b));
   }
   return smooth_bin_marginal(bins, std::move(averages));
 }

@@ -9,9 +9,9 @@ namespace fpkcheck::transform {
 
 /// Smooth bins: bin b, b = 0 .. count - 1, has the weight function M((x - first)/spacing - b),
 /// where M is the cubic cardinal B-spline with support (-2, 2). The weight functions of all bins
-/// have the sum 1. Trajectories that graze the edges of a sharp bin make the average over a sharp
-/// bin a non-smooth functional. The average over a smooth bin can be computed by simulation with an
-/// error of 1e-6.
+/// have the sum 1. The average over a sharp bin is a non-smooth functional of the trajectories,
+/// since trajectories graze the edges of the bin. A simulation can compute the average over a
+/// smooth bin with an error of 1e-6.
 struct SmoothBins {
   double first = 0;  ///< centre of bin 0
   double spacing = 1;
@@ -25,15 +25,16 @@ struct SmoothBins {
 
 double cardinal_cubic_spline(double t);
 /// Returns the weight of bin b, the integral of M((x - first)/spacing - b) over x > from.
-double bin_weight(const SmoothBins& bins, int bin);
+double smooth_bin_weight(const SmoothBins& bins, int bin);
 
 /// Converts averages over smooth bins to a marginal. The width of bin b in the marginal is
-/// bin_weight(bins, b), and therefore sums of averages times widths are integrals.
+/// smooth_bin_weight(bins, b), and therefore sums of averages times widths are integrals.
 Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> averages);
 
-/// Averages a density p on sharp bins over smooth bins, int M p dx / bin_weight. ConservativeRemap
-/// interpolates the cumulative distribution F of p between the edges, and Boole's rule computes int
-/// M p dx = -int M' F dx. Beyond the edges of the sharp bins the density is taken as 0.
+/// Averages a density p on sharp bins over smooth bins. The average over a bin is int M p dx /
+/// smooth_bin_weight(). ConservativeRemap interpolates the cumulative distribution F of p between
+/// the edges, and Boole's rule computes int M p dx = -int M' F dx. Beyond the edges of the sharp
+/// bins the density is taken as 0.
 /// @param sharp density on sharp bins, which must be narrower than the smooth bins
 Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins);
 

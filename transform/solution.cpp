@@ -15,7 +15,8 @@ bool has_error_estimate(const Solution& solution) {
         solution.estimated_marginals, [&](const auto& one) { return one.first == variable; });
     // An error estimate is required only for marginals that exist.
     if (!solution.density && !solution.had_density && !estimated) return true;
-    if (solution.error && std::isfinite(l1(*solution.error, variable))) return true;
+    if (solution.error && std::isfinite(l1_error_of_marginal(*solution.error, variable)))
+      return true;
     return sampling && std::isfinite(expected_l1_error(*sampling, variable).value_or(HUGE_VAL));
   });
 }
@@ -81,7 +82,7 @@ std::optional<double> l1_error_quantile_99(const SamplingError& sampling, StateV
   return variable == StateVariable::y ? sampling.y_99 : sampling.ydot_99;
 }
 
-double l1(const ErrorEstimate& error, StateVariable variable) {
+double l1_error_of_marginal(const ErrorEstimate& error, StateVariable variable) {
   return variable == StateVariable::y ? error.y_l1 : error.ydot_l1;
 }
 

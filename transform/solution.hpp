@@ -90,8 +90,9 @@ struct Solution {
   std::optional<Density> density = {};
   /// Marginals with confidence intervals, estimated by a simulation; empty for other solvers.
   std::vector<std::pair<StateVariable, Marginal>> estimated_marginals = {};
-  /// Marginals over smooth bins from a simulation with control variates, far more accurate than
-  /// marginals over sharp bins. Other solvers and saved runs have no such marginals.
+  /// Marginals over smooth bins from a simulation with control variates. Their sampling errors are
+  /// far smaller than the sampling errors of marginals over sharp bins. Other solvers and saved
+  /// runs have no such marginals.
   std::vector<std::pair<StateVariable, SmoothBinEstimate>> smooth_estimates = {};
   /// Richardson extrapolation, if the solver estimated its discretisation error from a coarser
   /// grid.
@@ -100,9 +101,9 @@ struct Solution {
   /// Moments of the density; not set if there is no density.
   Moments moments = {};
   double mass = 0;  ///< integral of the density plus the probabilities of the atoms
-  std::vector<RestAtom> atoms = {};  ///< mass at rest on walls to which a force presses it
+  std::vector<RestAtom> atoms = {};  ///< probabilities of rest on the walls
   double min_density = 0;      ///< smallest value of the density, relative to the largest value
-  double energy_residual = 0;  ///< result of problem::energy_residual()
+  double energy_residual = 0;  ///< result of problem::power_balance_residual()
 
   std::optional<StandardErrors> standard_errors = {};
   std::optional<SamplingError> sampling = {};
@@ -145,13 +146,13 @@ Marginal marginal(const Solution& solution, StateVariable variable, std::span<co
 Marginal richardson_limit_marginal(const Solution& solution, StateVariable variable,
                                    std::span<const double> edges);
 
-/// Returns the sampling error of the marginals over smooth bins. If the solution has none, the
-/// result is the sampling error of the marginals over sharp bins.
+/// Returns the sampling error of the marginals over smooth bins. If the solution has no marginals
+/// over smooth bins, the result is the sampling error of the marginals over sharp bins.
 const std::optional<SamplingError>& best_sampling_error(const Solution& solution);
 const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, StateVariable variable);
 
 std::optional<double> expected_l1_error(const SamplingError& sampling, StateVariable variable);
 std::optional<double> l1_error_quantile_99(const SamplingError& sampling, StateVariable variable);
-double l1(const ErrorEstimate& error, StateVariable variable);
+double l1_error_of_marginal(const ErrorEstimate& error, StateVariable variable);
 
 }  // namespace fpkcheck::transform

@@ -74,8 +74,8 @@ bool differs_by_order_in_family(const SolutionIdentity& identity);
 /// Returns the names of the density equation and the impact condition, such as "km4/delta".
 std::string equation_and_impact_text(const SolutionIdentity& identity);
 
-/// Returns the short name of a solution within its family, such as "n6" or "kf", or the id without
-/// a shorter name.
-std::string short_name(const SolutionIdentity& identity);
+/// Returns the short name of a solution within its family, such as "n6" or "kf". If the solution
+/// has no shorter name, the result is its id.
+std::string short_name_in_family(const SolutionIdentity& identity);
 
 }  // namespace fpkcheck::transform

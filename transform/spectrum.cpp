@@ -14,7 +14,7 @@ std::optional<SpectralPeak> find_spectral_peak(const std::vector<double>& freque
     if (is_maximum && (top == 0 || density[k] > density[top])) top = k;
   }
   if (top == 0) return std::nullopt;
-  // Vertex of the parabola in Newton's form
+  // The peak is the vertex of the interpolating parabola in Newton's form.
   const double a = frequencies[top - 1], b = frequencies[top], c = frequencies[top + 1];
   const double slope_ab = (density[top] - density[top - 1]) / (b - a);
   const double slope_bc = (density[top + 1] - density[top]) / (c - b);

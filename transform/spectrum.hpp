@@ -13,7 +13,8 @@ namespace fpkcheck::transform {
 struct SpectralPeak {
   double frequency = 0;
   double density = 0;
-  /// Absent if the density stays above half of the maximum on one side of the peak.
+  /// Half of the width of the peak at half of its height. The half-width is absent if the density
+  /// exceeds half of the maximum everywhere on one side of the peak.
   std::optional<double> half_width = {};
 };
 
@@ -54,8 +55,9 @@ struct Spectrum {
   std::string details = {};  ///< grid or simulated time, for tables
 };
 
-/// Returns the highest local maximum of the density between its ends, by a parabola through three
-/// points; absent if the density has no such maximum.
+/// Returns the highest local maximum of the density between the first and the last frequency. A
+/// parabola through three points interpolates the maximum. The result is empty if the density has
+/// no interior maximum.
 std::optional<SpectralPeak> find_spectral_peak(const std::vector<double>& frequencies,
                                                const std::vector<double>& density);
 

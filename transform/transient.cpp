@@ -6,15 +6,15 @@
 namespace fpkcheck::transform {
 namespace {
 
-ErrorEstimate difference(const TransientSnapshot& a, const TransientSnapshot& b) {
-  ErrorEstimate result{.y_l1 = l1(a.y, b.y), .ydot_l1 = l1(a.ydot, b.ydot)};
+ErrorEstimate absolute_difference(const TransientSnapshot& a, const TransientSnapshot& b) {
+  ErrorEstimate result{.y_l1 = l1_distance(a.y, b.y), .ydot_l1 = l1_distance(a.ydot, b.ydot)};
   for (const auto& [name, symbol, moment, size] : kMoments) {
     result.moments.*moment = std::abs(a.moments.*moment - b.moments.*moment);
   }
   return result;
 }
 
-void increase_to(const ErrorEstimate& other, ErrorEstimate& error) {
+void increase_errors_to(const ErrorEstimate& other, ErrorEstimate& error) {
   error.y_l1 = std::max(error.y_l1, other.y_l1);
   error.ydot_l1 = std::max(error.ydot_l1, other.ydot_l1);
   for (const auto& [name, symbol, moment, size] : kMoments) {
@@ -29,14 +29,14 @@ void estimate_errors_by_differences(const std::vector<TransientSnapshot>& less_a
   const std::size_t count = std::min(less_accurate.size(), snapshots.size());
   std::vector<ErrorEstimate> differences;
   for (std::size_t k = 0; k < count; ++k) {
-    differences.push_back(difference(snapshots[k], less_accurate[k]));
+    differences.push_back(absolute_difference(snapshots[k], less_accurate[k]));
   }
   for (std::size_t k = 0; k < count; ++k) {
     ErrorEstimate& error = snapshots[k].error.emplace(differences[k]);
     for (std::size_t j = 0; j < count; ++j) {
       const bool is_neighbour = j + 1 == k || j == k + 1;
       if (is_neighbour || std::abs(snapshots[j].time - snapshots[k].time) <= half_period) {
-        increase_to(differences[j], error);
+        increase_errors_to(differences[j], error);
       }
     }
   }

@@ -19,8 +19,8 @@ struct TransientRequest {
   int snapshots = 20;  ///< number N of intervals: densities at the times t = 0, T/N, .., T
   std::vector<double> y_edges = {}, v_edges = {};  ///< edges of the bins, in physical coordinates
 
-  problem::TimeSpan span() const { return {until, periodic}; }
-  double time(int snapshot) const {
+  problem::TimeSpan time_span() const { return {until, periodic}; }
+  double time_of_snapshot(int snapshot) const {
     return snapshot == snapshots ? until : snapshot * (until / snapshots);
   }
 };
@@ -48,9 +48,11 @@ struct Transient {
 };
 
 /// Estimates the errors of the snapshots by the differences to less accurate snapshots. The error
-/// at one time is the largest difference within half a period before and after, and at the
-/// neighbouring snapshots: the differences oscillate, and one of them may be 0 by chance.
-/// @param less_accurate snapshots at the first of the same times, with the same bins
+/// of a snapshot is the largest difference over the snapshots within half a period of its time and
+/// over the two neighbouring snapshots. The maximum is taken since the differences oscillate and a
+/// single difference may be 0 by chance.
+/// @param less_accurate less accurate snapshots at the same times and with the same bins; the last
+/// times may be missing
 void estimate_errors_by_differences(const std::vector<TransientSnapshot>& less_accurate,
                                     double half_period, std::vector<TransientSnapshot>& snapshots);
 

@@ -118,7 +118,7 @@ numerics::BernsteinCoefficients bin_enclosure(const SmoothBin& bin, const numeri
     const auto rows = numerics::bezier_extraction<numerics::Interval>(basis, span, from, to);
     const numerics::BernsteinCoefficients bin_function(rows.row(3 - span).begin(),
                                                        rows.row(3 - span).end());
-    b = elevate_degree(bin_function, degree);
+    b = elevate_bernstein_degree(bin_function, degree);
     overhang = std::max((bin.knots[span] - from).upper(), (to - bin.knots[span + 1]).upper());
     for (const numerics::Interval& d : bernstein_derivative(bin_function))
       slope = std::max(slope, magnitude(d));
@@ -149,8 +149,8 @@ numerics::BernsteinCoefficients integrand_enclosure(const Functional& functional
     const problem::SystemCoefficients& c = problem.system.coefficients();
     powers = {0.0, c.stiffness, 0.0, c.cubic};
   }
-  return elevate_degree(bernstein_coefficients_on_segment(powers, numerics::Interval(0), from, to),
-                        degree);
+  return elevate_bernstein_degree(
+      bernstein_coefficients_on_segment(powers, numerics::Interval(0), from, to), degree);
 }
 
 numerics::Interval integrand_magnitude_bound(const Functional& functional,
@@ -172,7 +172,7 @@ numerics::Enclosure enclose_functional(const Functional& functional,
     value *= 4.0 / (numerics::Interval(bin->knots.back()) - bin->knots.front());
   } else if (std::holds_alternative<ImpactMomentum>(functional)) {
     const numerics::Interval rate = problem.impulses.arrival_rate();
-    value = (value - rate * moment_enclosure(problem.impulses.law(), 1)) /
+    value = (value - rate * moment_enclosure(problem.impulses.amplitude_law(), 1)) /
             (1.0 + numerics::Interval(problem.system.restitution()));
   }
   return enclosure_from_interval(value);

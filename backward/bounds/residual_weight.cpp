@@ -29,7 +29,7 @@ std::vector<numerics::Interval> moment_bounds(const problem::Problem& problem, i
   // upper bounds of the impulse moments |E[Y^n]|
   std::vector<numerics::Interval> impulse(2 * power + 1);
   for (int n = 0; n <= 2 * power; ++n) {
-    impulse[n] = magnitude(moment_enclosure(problem.impulses.law(), n));
+    impulse[n] = magnitude(moment_enclosure(problem.impulses.amplitude_law(), n));
   }
   // An impulse Y changes the energy G to G + w Y + Y^2/2, w = v + c y/2, |w| <= sqrt(2G). Hence the
   // moments of G satisfy
@@ -75,14 +75,15 @@ double ResidualWeight::operator()(double y, double v) const {
 }
 
 std::string bounds_unsupported_reason(const problem::Problem& problem) {
-  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
+  if (std::string why = problem::polynomial_method_unsupported_reason(problem); !why.empty())
+    return why;
   const problem::System& system = problem.system;
   const auto& g = system.restoring_force().coefficients();
   const auto &left = system.left_wall(), &right = system.right_wall();
   if (problem.noise.is_present() || !problem.impulses.is_present()) {
     return "white noise is not supported: bounds are for impulses alone";
   }
-  if (const auto& law = problem.impulses.law(); !has_interval_enclosures(law)) {
+  if (const auto& law = problem.impulses.amplitude_law(); !has_interval_enclosures(law)) {
     return fmt::format("{} impulses are not supported: no enclosures of the law", law.name());
   }
   if (!system.has_constant_damping() || !(system.damping() > 0)) {

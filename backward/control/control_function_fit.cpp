@@ -91,16 +91,17 @@ std::function<double(double)> cell_widths(std::vector<double> narrow_at, double 
 double largest_amplitude(const problem::ImpulseTrain& impulses) {
   if (!impulses.is_present()) return 0;
   double largest = 0;
-  for (const auto& atom : impulses.law().atoms()) {
+  for (const auto& atom : impulses.amplitude_law().atoms()) {
     largest = std::max(largest, std::abs(atom.amplitude));
   }
   constexpr int kSteps = 200;
-  const auto pieces = impulses.law().density_breakpoints();
+  const auto pieces = impulses.amplitude_law().density_breakpoints();
   if (pieces.empty()) return largest;
   for (const double end : {pieces.front(), pieces.back()}) {
     for (int k = 1; k <= kSteps; ++k) {
       const double at = end * k / kSteps;
-      if (impulses.law().density(at) * impulses.law().deviation() > kNegligibleRatio) {
+      if (impulses.amplitude_law().density(at) * impulses.amplitude_law().deviation() >
+          kNegligibleRatio) {
         largest = std::max(largest, std::abs(at));
       }
     }
@@ -122,7 +123,7 @@ double box_widening(const problem::Problem& problem, const problem::MotionScales
 
 ControlSplines control_splines(const problem::Problem& problem, const ControlCells& cells,
                                CellWidths widths) {
-  const problem::MotionScales scales = problem::scales(problem);
+  const problem::MotionScales scales = problem::motion_scales(problem);
   const problem::System& system = problem.system;
   const double wider = box_widening(problem, scales);
   const double low = scales.centre - scales.y_low, high = scales.y_high - scales.centre;
@@ -176,9 +177,9 @@ ControlSplines control_splines(const problem::Problem& problem, const ControlCel
 ControlFitProblem control_function_fit(const problem::Problem& problem,
                                        const numerics::QuinticBSplines& y,
                                        const numerics::QuinticBSplines& v, double wall_weight) {
-  const problem::MotionScales scales = problem::scales(problem);
+  const problem::MotionScales scales = problem::motion_scales(problem);
   const double temperature_factor =
-      problem::features(problem).wells > 1 ? kWellWeightTemperature : kWeightTemperature;
+      problem::problem_features(problem).wells > 1 ? kWellWeightTemperature : kWeightTemperature;
   const double temperature =
       temperature_factor * std::pow(box_widening(problem, scales) * scales.velocity_deviation, 2);
   const numerics::Polynomial potential = problem::effective_potential_polynomial(problem);

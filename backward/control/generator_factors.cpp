@@ -165,7 +165,7 @@ Eigen::MatrixXd spline_means_after_impulse(const numerics::QuinticBSplines& spli
                                            const problem::ImpulseTrain& impulses,
                                            std::span<const double> v) {
   if (!impulses.is_present()) return {};
-  return spline_means_after_impulse(splines, impulses.law(), v);
+  return spline_means_after_impulse(splines, impulses.amplitude_law(), v);
 }
 
 }  // namespace fpkcheck::backward

@@ -35,7 +35,7 @@ numerics::BernsteinCoefficients centred_power(int q, int n) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
   numerics::BernsteinCoefficients b{numerics::Interval(1)};
   for (int i = 0; i < q; ++i) b = bernstein_product(b, x);
-  return elevate_degree(b, n);
+  return elevate_bernstein_degree(b, n);
 }
 
 // Returns int_0^1 B_j^p(t) (2t - 1)^k dt, shape (p + 1, kSourceMoments), as the mean of the

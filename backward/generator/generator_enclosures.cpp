@@ -13,7 +13,7 @@ VelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& proble
                                                   const ImpactBasis& basis,
                                                   std::span<const double> cuts) {
   assert(std::fegetround() == FE_UPWARD);
-  const problem::ImpulseLaw& law = problem.impulses.law();
+  const problem::ImpulseLaw& law = problem.impulses.amplitude_law();
   VelocityPieceConstraints kinks = velocity_piece_constraints(basis, law);
   kinks.cuts.insert(kinks.cuts.end(), cuts.begin(), cuts.end());
   std::sort(kinks.cuts.begin(), kinks.cuts.end());
@@ -39,16 +39,16 @@ VelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& proble
       const numerics::BernsteinCoefficients& b = functions.value[l];
       numerics::BernsteinCoefficients slope = bernstein_derivative(b);
       for (numerics::Interval& s : slope) s /= length;
-      const numerics::BernsteinCoefficients value = elevate_degree(b, degree);
+      const numerics::BernsteinCoefficients value = elevate_bernstein_degree(b, degree);
       const numerics::BernsteinCoefficients damped =
-          elevate_degree(bernstein_product(v, slope), degree);
+          elevate_bernstein_degree(bernstein_product(v, slope), degree);
       const std::span<numerics::Interval> out =
           jump.coefficients_of(static_cast<int>(i), functions.index[l]);
       for (int j = 0; j <= degree; ++j) out[j] -= rate * value[j] + damping * damped[j];
-      operators.drift.back().push_back(elevate_degree(bernstein_product(v, b), degree));
+      operators.drift.back().push_back(elevate_bernstein_degree(bernstein_product(v, b), degree));
     }
     for (const numerics::BernsteinCoefficients& slope : partial_sum_slopes(basis, piece)) {
-      numerics::BernsteinCoefficients force = elevate_degree(slope, degree);
+      numerics::BernsteinCoefficients force = elevate_bernstein_degree(slope, degree);
       for (numerics::Interval& s : force) s = -s;
       operators.force.back().push_back(std::move(force));
     }
@@ -77,12 +77,12 @@ DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem
           std::array{0.0, c.stiffness, 0.0, c.cubic}, numerics::Interval(0), from, to);
       for (int l = 0; l < rows.rows(); ++l) {
         const numerics::BernsteinCoefficients value(rows.row(l).begin(), rows.row(l).end());
-        factors[0].push_back(elevate_degree(value, degree));
+        factors[0].push_back(elevate_bernstein_degree(value, degree));
         factors[2].push_back(bernstein_product(force, value));
       }
       for (const numerics::BernsteinCoefficients& slope :
            partial_sum_slopes(basis, span, from, to)) {
-        factors[1].push_back(elevate_degree(slope, degree));
+        factors[1].push_back(elevate_bernstein_degree(slope, degree));
       }
     }
   }

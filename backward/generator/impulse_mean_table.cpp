@@ -78,7 +78,7 @@ concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
 }  // namespace
 
 bool has_interval_enclosures(const problem::ImpulseLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return Enclosed<Law>; }, law.kind());
+  return std::visit([]<class Law>(const Law&) { return Enclosed<Law>; }, law.law_variant());
 }
 
 VelocityPieceConstraints velocity_piece_constraints(const ImpactBasis& basis,
@@ -93,7 +93,7 @@ VelocityPieceConstraints velocity_piece_constraints(const ImpactBasis& basis,
           throw_unsupported(Law::kName);
         }
       },
-      law.kind());
+      law.law_variant());
   for (const double offset : offsets) {
     for (const double v : velocity_breaks(basis)) kinks.cuts.push_back(v - offset);
   }
@@ -112,7 +112,7 @@ ImpulseMeanTable impulse_mean_table(const ImpactBasis& basis,
           throw_unsupported(Law::kName);
         }
       },
-      law.kind());
+      law.law_variant());
 }
 
 numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n) {
@@ -129,7 +129,7 @@ numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n) {
           throw_unsupported(Law::kName);
         }
       },
-      law.kind());
+      law.law_variant());
 }
 
 ImpulseMeanTable zero_impulse_mean_table(const ImpactBasis& basis,

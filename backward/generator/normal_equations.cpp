@@ -21,7 +21,7 @@ NormalEquations::NormalEquations(numerics::BlockBandedMatrix matrix, const std::
 
 Eigen::MatrixXd NormalEquations::solve(const Eigen::MatrixXd& right) const {
   Eigen::MatrixXd x = scale_.asDiagonal() * right;
-  matrix_.solve(x);
+  matrix_.solve_in_place(x);
   return scale_.asDiagonal() * x;
 }
 

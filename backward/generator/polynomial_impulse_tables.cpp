@@ -51,7 +51,7 @@ class Antiderivative {
       for (std::size_t j = 0; j + 1 < integral.size(); ++j) {
         integral[j + 1] = integral[j] + step * functions.value[l][j];
       }
-      integral = elevate_degree(integral, order - 1);
+      integral = elevate_bernstein_degree(integral, order - 1);
       for (int j = 0; j < order; ++j) {
         coefficients[functions.index[l] * order + j] += factor * integral[j];
       }
@@ -124,7 +124,8 @@ ImpulseMeanTable impulse_mean_table_of_law(const problem::TwoPointLaw& law,
           basis, velocity_piece_of_segment(basis, pieces[i].from + shift, pieces[i].to + shift));
       overhang = std::max(overhang, there.overhang_error);
       for (std::size_t l = 0; l < there.index.size(); ++l) {
-        const numerics::BernsteinCoefficients b = elevate_degree(there.value[l], order - 1);
+        const numerics::BernsteinCoefficients b =
+            elevate_bernstein_degree(there.value[l], order - 1);
         const std::span<numerics::Interval> out =
             table.coefficients_of(static_cast<int>(i), there.index[l]);
         for (int j = 0; j < order; ++j) out[j] += b[j] / 2.0;

@@ -42,13 +42,13 @@ std::string unsupported_reason(const problem::Problem& problem, double barrier) 
   if (problem.impulse_factor) {
     return "the renewal equation needs impulses without a factor; use fd or mcs";
   }
-  if (!problem.impulses.law().atoms().empty()) {
+  if (!problem.impulses.amplitude_law().atoms().empty()) {
     return "means over an impulse are smooth functions only for a law with a density; use fd or mcs";
   }
   if (!problem.system.has_polynomial_force()) {
     return "the Taylor series of the motion need a polynomial force; use fd or mcs";
   }
-  if (!problem.system.left_wall() && barrier <= problem::scales(problem).y_low) {
+  if (!problem.system.left_wall() && barrier <= problem::motion_scales(problem).y_low) {
     return "the stationary probability below the barrier is negligible";
   }
   return problem::barrier_unsupported_reason(problem, barrier);
@@ -58,7 +58,7 @@ std::string unsupported_reason(const problem::Problem& problem, double barrier) 
 // largest impulse widens the domain.
 PassageProblem make_passage_problem(const problem::Problem& problem, double barrier,
                                     const std::optional<transform::StartState>& start) {
-  const problem::MotionScales scales = problem::scales(problem);
+  const problem::MotionScales scales = problem::motion_scales(problem);
   const problem::EffectivePotential potential(problem.system);
   const auto& wall = problem.system.left_wall();
   double y_low = wall ? wall->position : scales.y_low;
@@ -79,8 +79,9 @@ PassageProblem make_passage_problem(const problem::Problem& problem, double barr
   constexpr double kStep = 0.1;
   while (!wall && potential(y_low) < highest) y_low -= kStep * scales.displacement_deviation;
   double speed = std::sqrt(2 * (highest - lowest));
-  const auto [most_negative, most_positive] = amplitude_range(problem.impulses.law());
-  const UnforcedMotion motion(problem.system, barrier, problem.impulses.law().deviation(), 1);
+  const auto [most_negative, most_positive] = amplitude_range(problem.impulses.amplitude_law());
+  const UnforcedMotion motion(problem.system, barrier, problem.impulses.amplitude_law().deviation(),
+                              1);
   if (motion.acceleration({barrier, 0}) < 0) {
     // Traced back, the grazing motion reaches the barrier within about one period.
     constexpr double kPeriods = 3, kFastest = 10;
@@ -104,7 +105,7 @@ PassageProblem make_passage_problem(const problem::Problem& problem, double barr
 std::array<double, 2> node_counts(const PassageProblem& passage, double nodes_per_deviation) {
   constexpr double kLeast = 4;
   const auto& [y_low, barrier, v_max] = passage.domain;
-  const double deviation = passage.problem.impulses.law().deviation();
+  const double deviation = passage.problem.impulses.amplitude_law().deviation();
   const double speed = passage.frequency * (barrier - y_low);
   return {std::ceil(nodes_per_deviation * (kLeast + speed / deviation)),
           std::ceil(nodes_per_deviation * 2 * v_max / deviation)};

@@ -76,11 +76,11 @@ RenewalEquation::RenewalEquation(const problem::Problem& problem, const Chebyshe
     : problem_(problem),
       plane_(plane),
       refinement_(refinement),
-      motion_(problem.system, plane.domain().barrier, problem.impulses.law().deviation(),
+      motion_(problem.system, plane.domain().barrier, problem.impulses.amplitude_law().deviation(),
               refinement),
       longest_(kLongestExponent / slowest_rate) {
-  assert(problem.impulses.law().atoms().empty() && !problem.impulse_factor);
-  const auto [low, high] = amplitude_range(problem.impulses.law());
+  assert(problem.impulses.amplitude_law().atoms().empty() && !problem.impulse_factor);
+  const auto [low, high] = amplitude_range(problem.impulses.amplitude_law());
   lowest_change_ = low;
   highest_change_ = high;
 }
@@ -144,7 +144,7 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
   constexpr unsigned kPoints = 10, kSubPoints = 12;
   // Width of the panels in deviations of the impulses
   constexpr double kWidth = 1.5, kLargestSlope = 1.5;  // slope of x^2 (3 - 2 x)
-  const problem::ImpulseLaw& law = problem_.impulses.law();
+  const problem::ImpulseLaw& law = problem_.impulses.amplitude_law();
   const double v_max = plane_.domain().v_max;
   const double low = -v_max + lowest_change_, high = v_max + highest_change_;
   std::vector<double> ends{low, high};

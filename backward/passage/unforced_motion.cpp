@@ -215,7 +215,7 @@ Motion UnforcedMotion::follow(PhaseState from, double until) const {
   Motion motion;
   double time = 0;
   const auto& wall = system_.left_wall();
-  const auto rebound = [&] { from.v = -from.v * wall->restitution_at(-from.v); };
+  const auto rebound = [&] { from.v = -from.v * wall->restitution_at_speed(-from.v); };
   if (wall && from.y <= wall->position && from.v < 0) rebound();
   while (time < until && !is_at_rest(from)) {
     const Panel panel = next_panel(from, until - time, 1);

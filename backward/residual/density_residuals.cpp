@@ -70,14 +70,15 @@ std::optional<transform::ErrorEstimate> DensityErrors::error_estimate() const {
 }
 
 DensityResiduals::DensityResiduals(const problem::Problem& problem)
-    : DensityResiduals(problem, cells_for(problem::features(problem))) {}
+    : DensityResiduals(problem, cells_for(problem::problem_features(problem))) {}
 
 DensityResiduals::DensityResiduals(const problem::Problem& problem, const ControlCells& cells)
     : residuals_(problem, control_splines(problem, cells, CellWidths::narrower_at_walls)),
       functions_(goal_functions(residuals_.y(), residuals_.v(), problem.frame)) {
   assert(residuals_unsupported_reason(problem).empty());
-  const ControlFitProblem fit = control_function_fit(
-      problem, residuals_.y(), residuals_.v(), kWallWeight * problem::scales(problem).frequency);
+  const ControlFitProblem fit =
+      control_function_fit(problem, residuals_.y(), residuals_.v(),
+                           kWallWeight * problem::motion_scales(problem).frequency);
   h_ = fit_control_functions(fit, functions_.all);
   unresolved_ = UnresolvedResidual(fit, functions_.all, h_);
 }
@@ -137,8 +138,9 @@ Eigen::MatrixXd DensityResiduals::contributions_per_cell(const Eigen::MatrixXd& 
 }
 
 std::string residuals_unsupported_reason(const problem::Problem& problem) {
-  if (std::string why = problem::polynomial_required_reason(problem); !why.empty()) return why;
-  const problem::ProblemFeatures features = problem::features(problem);
+  if (std::string why = problem::polynomial_method_unsupported_reason(problem); !why.empty())
+    return why;
+  const problem::ProblemFeatures features = problem::problem_features(problem);
   if (features.rests_in_contact) {
     return "the mass comes to rest at a wall: residuals of a density do not contain the atom";
   }

@@ -46,7 +46,7 @@ Eigen::VectorXd normalised_weights(const numerics::QuadratureRule& rule,
 std::vector<double> barrier_positions(const problem::Problem& problem,
                                       const std::vector<double>& points) {
   const problem::UndampedOrbits orbits(problem);
-  const auto& minima = orbits.minima();
+  const auto& minima = orbits.potential_minima();
   std::vector<double> tops;
   for (std::size_t n = 1; n < minima.size(); ++n) {
     double top = minima[n];
@@ -63,7 +63,7 @@ std::vector<double> barrier_positions(const problem::Problem& problem,
 /// points). Each well extends from barrier to barrier. For a single well the matrix has no rows.
 Eigen::MatrixXd well_averages(const problem::Problem& problem, const numerics::QuadratureRule& rule,
                               const std::function<double(double)>& weight) {
-  if (problem::features(problem).wells < 2) return {};
+  if (problem::problem_features(problem).wells < 2) return {};
   // Fraction of the integral of the fit weight below which a well is omitted. With several wells
   // the fit weight decreases faster than the density away from its peak, so that an omitted well
   // has less than 1e-4 of the mass.

@@ -33,8 +33,8 @@ std::vector<double> breaks_after_impulse(const numerics::QuinticBSplines& v,
                                          const problem::ImpulseTrain& impulses) {
   std::vector<double> amplitudes;
   if (impulses.is_present()) {
-    amplitudes = impulses.law().density_breakpoints();
-    for (const auto& atom : impulses.law().atoms()) amplitudes.push_back(atom.amplitude);
+    amplitudes = impulses.amplitude_law().density_breakpoints();
+    for (const auto& atom : impulses.amplitude_law().atoms()) amplitudes.push_back(atom.amplitude);
   }
   std::vector<double> breaks(v.breaks());
   const auto& knots = v.knots();

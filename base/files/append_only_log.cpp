@@ -14,7 +14,7 @@
 
 namespace fpkcheck::base {
 
-void AppendOnlyLog::fail(const char* what) const {
+void AppendOnlyLog::throw_error(const char* what) const {
   throw std::runtime_error(fmt::format("{} cannot be {}: {}", base::sanitise(file_.string()), what,
                                        std::generic_category().message(errno)));
 }
@@ -27,7 +27,7 @@ AppendOnlyLog::AppendOnlyLog(const std::filesystem::path& file)
                        O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
                        kFileMode)) {
   if (descriptor_.number() < 0 && errno != ELOOP && errno != EISDIR && errno != ENXIO)
-    fail("opened");
+    throw_error("opened");
   const bool regular = descriptor_.is_regular_file();
   if (regular && flock(descriptor_.number(), LOCK_EX | LOCK_NB) == 0) return;
   throw InputError(
@@ -38,7 +38,7 @@ AppendOnlyLog::AppendOnlyLog(const std::filesystem::path& file)
                             base::sanitise(file_.string())));
 }
 
-std::vector<std::string> AppendOnlyLog::read() {
+std::vector<std::string> AppendOnlyLog::read_lines() {
   constexpr std::size_t kChunkBytes = 1 << 20;
   std::string text;
   std::string buffer(kChunkBytes, '\0');
@@ -46,7 +46,7 @@ std::vector<std::string> AppendOnlyLog::read() {
     const ssize_t count =
         pread(descriptor_.number(), buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail("read");
+    if (count < 0) throw_error("read");
     if (count == 0) break;
     text.append(buffer, 0, static_cast<std::size_t>(count));
   }
@@ -58,7 +58,8 @@ std::vector<std::string> AppendOnlyLog::read() {
   }
   removed_partial_line_ = begin < text.size();
   length_ = static_cast<long long>(begin);
-  if (removed_partial_line_ && ftruncate(descriptor_.number(), length_) != 0) fail("written");
+  if (removed_partial_line_ && ftruncate(descriptor_.number(), length_) != 0)
+    throw_error("written");
   return lines;
 }
 
@@ -72,16 +73,17 @@ void AppendOnlyLog::append(std::string_view line) {
       const int why = errno;
       if (ftruncate(descriptor_.number(), length_) != 0) errno = why;
       errno = why;
-      fail("written");
+      throw_error("written");
     }
     rest.remove_prefix(static_cast<std::size_t>(count));
   }
   length_ += static_cast<long long>(text.size());
 }
 
-void AppendOnlyLog::flush() const {
+void AppendOnlyLog::flush_to_disk() const {
   // The error EINVAL is ignored, since some file systems do not support fdatasync.
-  if (fdatasync(descriptor_.number()) != 0 && errno != EINVAL && errno != ENOTSUP) fail("written");
+  if (fdatasync(descriptor_.number()) != 0 && errno != EINVAL && errno != ENOTSUP)
+    throw_error("written");
 }
 
 }  // namespace fpkcheck::base

@@ -10,8 +10,8 @@
 namespace fpkcheck::base {
 
 /// An append-only text file with an exclusive lock: only one process at a time writes the file. A
-/// killed process leaves at most one incomplete last line, which read() of the next process
-/// removes.
+/// killed process leaves at most one incomplete last line. The next process removes this line in
+/// read_lines().
 class AppendOnlyLog {
  public:
   /// Opens and locks the file; a missing file is created.
@@ -20,9 +20,9 @@ class AppendOnlyLog {
   explicit AppendOnlyLog(const std::filesystem::path& file);
 
   /// Reads the existing lines, without line ends, and removes an incomplete last line from the
-  /// file. The caller must call read() once, before append().
+  /// file. The caller must call read_lines() once, before append().
   /// @throws std::runtime_error with a one-line message
-  std::vector<std::string> read();
+  std::vector<std::string> read_lines();
   bool has_removed_partial_line() const { return removed_partial_line_; }
 
   /// Appends a line completely, or leaves the file unchanged. An appended line remains in the file
@@ -30,10 +30,10 @@ class AppendOnlyLog {
   /// @throws std::runtime_error with a one-line message if the line cannot be written
   void append(std::string_view line);
   /// Waits until all appended lines are on disk, where the lines survive a power failure.
-  void flush() const;
+  void flush_to_disk() const;
 
  private:
-  [[noreturn]] void fail(const char* what) const;
+  [[noreturn]] void throw_error(const char* what) const;
 
   std::filesystem::path file_;
   FileDescriptor descriptor_;

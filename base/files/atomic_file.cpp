@@ -121,7 +121,7 @@ void write_new_file(const fs::path& file, std::string_view bytes) {
   }
 }
 
-void flush(const fs::path& path) {
+void flush_to_disk(const fs::path& path) {
   flush_to_disk(FileDescriptor(
       checked_descriptor(open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC))));
 }

@@ -11,7 +11,8 @@ namespace fpkcheck::base {
 
 class FileDescriptor {
  public:
-  /// @param number an open file descriptor, or a negative number if the file could not be opened
+  /// @param number an open file descriptor; a negative number means that the file could not be
+  /// opened
   explicit FileDescriptor(int number) : number_(number) {}
   FileDescriptor(const FileDescriptor&) = delete;
   FileDescriptor& operator=(const FileDescriptor&) = delete;
@@ -53,6 +54,6 @@ void write_new_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// Waits until the contents of a file, or the entries of a directory, are on disk.
 /// @throws std::system_error
-void flush(const std::filesystem::path& path);
+void flush_to_disk(const std::filesystem::path& path);
 
 }  // namespace fpkcheck::base

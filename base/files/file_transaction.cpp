@@ -36,7 +36,7 @@ bool is_plain_file_name(const std::string& name) {
          name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
 }
 
-std::string text_of(const CommitJournal& journal) {
+std::string journal_as_text(const CommitJournal& journal) {
   std::string text =
       fmt::format("{}\n{}\n{}\n", kFirstLine, journal.writer.host, journal.writer.pid);
   for (const auto& [from, to] : journal.renames) {
@@ -152,10 +152,10 @@ void FileTransaction::commit() {
 void FileTransaction::replace_targets(const fs::path& directory) {
   const fs::path first = pending_.front().target;
   try {
-    for (const auto& file : pending_) flush(file.temporary);
+    for (const auto& file : pending_) flush_to_disk(file.temporary);
     if (pending_.size() == 1 && removals_.empty()) {
       fs::rename(pending_.front().temporary, pending_.front().target);
-      flush(directory);
+      flush_to_disk(directory);
     } else {
       recover_interrupted_commit(directory);
       CommitJournal journal;
@@ -193,7 +193,7 @@ void CommitJournal::write_to_directory(const fs::path& directory) const {
   // The journal is written under a temporary name and then linked to its final name, so that other
   // processes never read an incomplete journal.
   const fs::path file = directory / kFileName, partial = partial_file_path(file);
-  write_new_file(partial, text_of(*this));
+  write_new_file(partial, journal_as_text(*this));
   std::error_code error;
   // A hard link, unlike a rename, never replaces the journal of another process.
   fs::create_hard_link(partial, file, error);
@@ -207,7 +207,7 @@ void CommitJournal::write_to_directory(const fs::path& directory) const {
   } else {
     fs::remove(partial);
   }
-  flush(directory);
+  flush_to_disk(directory);
 }
 
 // If the source file of a rename is missing, an earlier process has already renamed the file.
@@ -221,7 +221,7 @@ void CommitJournal::apply(const fs::path& directory) const {
     std::error_code ignored;
     fs::remove(directory / name, ignored);
   }
-  flush(directory);
+  flush_to_disk(directory);
   fs::remove(directory / kFileName);
 }
 

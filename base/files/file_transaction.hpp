@@ -30,7 +30,7 @@ class FileTransaction {
   /// Writes `bytes` to the partial file of a target.
   /// @throws std::runtime_error with a one-line message
   void add(const std::filesystem::path& target, std::string_view bytes);
-  /// Marks a file, which may be absent, for removal by commit().
+  /// Marks a file for removal by commit(). The file may be absent.
   void remove(const std::filesystem::path& target);
 
   /// Replaces all targets by their partial files, and removes the files that are marked for

@@ -9,8 +9,9 @@
 
 namespace fpkcheck::base {
 
-/// Reads the contents of a file that a user named. Returns nullopt unless the file is a readable
-/// regular file, since reading a pipe or a device could block forever.
+/// Reads the contents of a file that a user named. The result is nullopt if the file is not a
+/// readable regular file. Other files are refused, since reading a pipe or a device could block
+/// forever.
 /// @throws InputError with a one-line message if the file has more than `max_bytes` bytes
 std::optional<std::string> read_input_file(const std::filesystem::path& file,
                                            std::size_t max_bytes);

@@ -41,12 +41,13 @@ class Communicator {
   /// @return on rank 0 the texts of the other processes by increasing rank; on other ranks an empty
   /// list
   std::vector<std::string> gather(const std::string& own, const std::function<void()>& poll);
-  /// A failing process must call abort(), since the other processes of this run would wait forever
-  /// for its messages.
+  /// Ends all processes of this run. A process that fails must call abort(), since the other
+  /// processes would otherwise wait forever for the messages of this process.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 
  private:
-  /// Texts for the next call of gather(), by rank, which faster processes have already sent.
+  /// Texts that faster processes have already sent for the next call of gather(), by rank of the
+  /// sender.
   std::map<int, std::deque<std::string>> gathered_;
 };
 

@@ -63,7 +63,7 @@ void DescriptionBase::require_values_in_range(const void* owner) const {
   for (const auto& parameter : all_) {
     const Value value = parameter.get(owner);
     if (parameter.is_in_range(value)) continue;
-    refuse(fmt::format("{}{} =", prefix_, parameter.name), text_of(value),
+    refuse(fmt::format("{}{} =", prefix_, parameter.name), value_as_text(value),
            parameter.requirement_text());
   }
 }
@@ -76,11 +76,11 @@ void DescriptionBase::parse_and_set(void* owner, const Parameter& parameter, std
 void DescriptionBase::set(void* owner, const Parameter& parameter, const Value& value,
                           const std::string& label) const {
   const auto convert_to_parameter_type = parameter.convert_to_parameter_type(value);
-  if (!convert_to_parameter_type) refuse(label, text_of(value), parameter.requirement_text());
+  if (!convert_to_parameter_type) refuse(label, value_as_text(value), parameter.requirement_text());
   try {
     parameter.set(owner, *convert_to_parameter_type);
   } catch (const std::out_of_range&) {
-    refuse(label, text_of(value), parameter.requirement_text());
+    refuse(label, value_as_text(value), parameter.requirement_text());
   }
 }
 

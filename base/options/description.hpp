@@ -197,7 +197,8 @@ class Description : public DescriptionBase {
     all_.back().display_text = std::move(display_text);
     return std::move(*this);
   }
-  /// Sets the default value of the last added parameter, which applies if a file lacks its key.
+  /// Sets the default value of the last added parameter. The default value is used if a file lacks
+  /// the key of the parameter.
   Description&& with_default(Value value) && {
     all_.back().default_value = std::move(value);
     return std::move(*this);
@@ -229,7 +230,7 @@ class Description : public DescriptionBase {
   /// of range
   void validate(const Owner& owner) const { require_values_in_range(&owner); }
 
-  /// Parses a text and assigns the value to one parameter of `owner`.
+  /// Parses the text of a value and assigns the value to one data member of `owner`.
   /// @param label name of the parameter in messages, e.g. "--order"
   /// @throws InputError if the text is not a value of the parameter's type
   void parse(Owner& owner, const Parameter& parameter, std::string_view text,

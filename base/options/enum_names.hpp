@@ -25,7 +25,7 @@ struct EnumEntry {
 ///     constexpr const auto& enumerator_names(Stepper) { return kStepperNames; }
 ///     constexpr std::string_view name(Stepper value) { return base::name_of(value); }
 template <class Enum>
-constexpr const EnumEntry<Enum>* enum_entry(Enum value) {
+constexpr const EnumEntry<Enum>* find_enum_entry(Enum value) {
   for (const auto& entry : enumerator_names(value)) {
     if (entry.value == value) return &entry;
   }
@@ -34,13 +34,13 @@ constexpr const EnumEntry<Enum>* enum_entry(Enum value) {
 
 template <class Enum>
 constexpr std::string_view name_of(Enum value) {
-  const auto* entry = enum_entry(value);
+  const auto* entry = find_enum_entry(value);
   return entry == nullptr ? std::string_view() : entry->name;
 }
 
 template <class Enum>
 constexpr std::string_view meaning_of(Enum value) {
-  const auto* entry = enum_entry(value);
+  const auto* entry = find_enum_entry(value);
   return entry == nullptr ? std::string_view() : entry->meaning;
 }
 

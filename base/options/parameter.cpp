@@ -120,7 +120,7 @@ Value parse_value(const Parameter& parameter, std::string_view text, const std::
       fmt::format("{} {} ({})", label, in_quotes(text), rejection_reason(parameter, text)));
 }
 
-std::string text_of(const Value& value) {
+std::string value_as_text(const Value& value) {
   return std::visit([](const auto& held) { return held_text(held); }, value);
 }
 

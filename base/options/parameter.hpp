@@ -31,7 +31,7 @@ inline bool is_unset(const Value& value) { return std::holds_alternative<std::mo
 
 /// Returns the text of a value for messages and tables: a number with all digits, a word in quotes,
 /// or "automatic" for an unset value.
-std::string text_of(const Value& value);
+std::string value_as_text(const Value& value);
 
 struct AdmissibleRange {
   std::function<bool(double)> contains;
@@ -100,7 +100,8 @@ struct Parameter {
   /// @return nullopt if the text is not a value of the parameter's type
   std::optional<Value> parse(std::string_view text) const;
 
-  /// Returns whether a value is in the range of the parameter; true for an unset value.
+  /// Returns whether a value is in the range of the parameter. The result is true for an unset
+  /// value.
   bool is_in_range(const Value& value) const;
 };
 

@@ -15,11 +15,13 @@
 
 namespace fpkcheck::base {
 
-int number_of_threads(int requested) { return requested > 0 ? requested : available_processors(); }
+int resolve_thread_count(int requested) {
+  return requested > 0 ? requested : available_processors();
+}
 
 void parallel_for(std::size_t count, int requested_threads,
                   const std::function<void(std::size_t)>& work) {
-  const auto thread_count = static_cast<std::size_t>(number_of_threads(requested_threads));
+  const auto thread_count = static_cast<std::size_t>(resolve_thread_count(requested_threads));
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex failure_mutex;

@@ -6,9 +6,9 @@
 namespace fpkcheck::base {
 
 /// Returns `requested`, or the number of available processors if `requested` is 0.
-int number_of_threads(int requested);
+int resolve_thread_count(int requested);
 
-/// Value of `thread_count` for one thread per available processor
+/// Value of the parameter `thread_count` of parallel_for() for one thread per available processor.
 inline constexpr int kOneThreadPerProcessor = 0;
 
 /// Calls work(0) .. work(count - 1) on several threads, including the calling thread. After an

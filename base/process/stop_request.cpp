@@ -28,7 +28,7 @@ GuardState& guard_state() {
 
 }  // namespace
 
-int stop_signal() { return stopping_signal.load(std::memory_order_relaxed); }
+int requested_stop_signal() { return stopping_signal.load(std::memory_order_relaxed); }
 
 void request_stop(int signal) { stopping_signal.store(signal, std::memory_order_relaxed); }
 

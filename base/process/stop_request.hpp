@@ -5,9 +5,9 @@
 namespace fpkcheck::base {
 
 /// Returns the number of the signal that requested a stop; 0 if no stop was requested.
-int stop_signal();
+int requested_stop_signal();
 
-inline bool stop_requested() { return stop_signal() != 0; }
+inline bool stop_requested() { return requested_stop_signal() != 0; }
 
 /// Stores the number of a signal as a request to stop the program; the number 0 clears the request.
 /// The function is async-signal-safe.
@@ -25,7 +25,7 @@ class ExitBlocker {
 };
 
 /// Waits until no ExitBlocker exists. Afterwards, the constructor of ExitBlocker blocks every
-/// thread except the calling thread. A thread calls this function before it ends the process.
+/// thread except the calling thread. The thread that ends the process calls this function first.
 void wait_and_block_other_writers();
 
 }  // namespace fpkcheck::base

@@ -30,10 +30,12 @@
 ///  - leading_form_phases(), the phases at which the sign of the leading form may differ.
 namespace fpkcheck::epc::amplitude {
 
+/// Derivatives of the coordinates s and t with respect to time or to v.
 struct CoordinateRates {
   double s, t;
 };
 
+/// Returns the polynomial q as a function of amplitude and phase, with a reference to q.
 template <class Coordinates>
 PolarExponent polar_exponent(const Polynomial& q) {
   return
@@ -92,6 +94,7 @@ half_plane::Contour constant_amplitude_contour(const Coordinates& coordinates, d
   return contour;
 }
 
+/// Returns the density with the exponent q + confinement as a function of y and v.
 /// @param support energy beyond which the density is 0
 template <class Coordinates>
 transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordinates& coordinates,
@@ -158,7 +161,7 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
   const auto& basis_functions = basis.basis_functions();
   const MatrixXd values = products_of_columns(basis_functions, s_tables[0], t_tables[0]);
   const MatrixXd after_impulse = means_after_impulse(
-      problem.impulses.law(), basis, w, points.v,
+      problem.impulses.amplitude_law(), basis, w, points.v,
       [&](double at_w, double v) { return coordinates.coordinates_after_impulse(at_w, v); });
 
   const auto wall = numerics::gauss_legendre_rule(wall_points, 0, rho_max);
@@ -176,11 +179,11 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
   const MatrixXd impulse_terms = problem.impulses.arrival_rate() * (after_impulse - values);
   const problem::TimeDependence& time = problem.time;
   std::vector<half_plane::TimeDependentTerm> time_dependent_terms;
-  if (time.has_rate()) {
+  if (time.has_rate_factor()) {
     time_dependent_terms.push_back(
         {[time](double at) { return time.rate_factor(at) - 1; }, impulse_terms});
   }
-  if (time.has_force()) {
+  if (time.has_external_force()) {
     VectorXd s_derivative = VectorXd::Zero(points.size()), t_derivative = s_derivative;
     for (Eigen::Index i = 0; i < points.size() - has_atom; ++i) {
       const CoordinateRates derivative = coordinates.velocity_derivatives(points.s[i], points.t[i]);

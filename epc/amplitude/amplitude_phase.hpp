@@ -23,6 +23,7 @@ using PolarExponent = std::function<double(double rho, double theta)>;
 inline constexpr int kPhaseCount = 33;
 /// Returns equidistant phases from -pi/2 to pi/2, including the ends.
 const std::array<double, kPhaseCount>& equidistant_phases();
+/// Returns the weight of a phase in the trapezoidal rule for integrals over the phase.
 double trapezoidal_phase_weight(int phase_index);
 
 double maximum_over_phase(const PolarExponent& exponent, double rho);

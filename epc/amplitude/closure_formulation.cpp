@@ -78,7 +78,7 @@ QuadraturePointCounts ClosureFormulation::quadrature_point_counts(int order,
   return {rho, least + 2 * order, rho};
 }
 
-QuadratureRefinementCriterion ClosureFormulation::quadrature_refinement() const {
+QuadratureRefinementCriterion ClosureFormulation::quadrature_refinement_criterion() const {
   return {QuadratureRefinementCriterion::ChangeMeasure::solved, 1e-5};
 }
 

@@ -34,7 +34,7 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
                                          half_plane::SearchStage stage) const override;
   half_plane::QuadraturePointCounts quadrature_point_counts(
       int order, double level_over_temperature, half_plane::SearchStage stage) const override;
-  half_plane::QuadratureRefinementCriterion quadrature_refinement() const override;
+  half_plane::QuadratureRefinementCriterion quadrature_refinement_criterion() const override;
   double exponent_of_guess(const half_plane::ClosureDensity& guess, double s,
                            double t) const override;
   double end_of_decay(const Polynomial& q, double temperature) const override;
@@ -47,9 +47,10 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   double decay_ratio_limit(half_plane::SearchStage stage) const override;
 
  protected:
-  /// Returns the exponent Q_n as a function of amplitude and phase. The function refers to the
-  /// polynomial q.
+  /// Returns the exponent Q_n as a function of amplitude and phase. The returned function keeps a
+  /// reference to q.
   virtual PolarExponent polar_exponent(const Polynomial& q) const = 0;
+  /// Returns the phase theta of the point with the coordinates s and t.
   virtual double phase(double s, double t) const = 0;
 
  private:
@@ -75,9 +76,9 @@ class CoordinateFormulation final : public ClosureFormulation {
   half_plane::QuadraturePoints quadrature_points_below_energy(
       double support, const half_plane::QuadraturePointCounts& size) const override {
     const double rho_max = amplitude_of_energy(support);
-    return quadrature_points(coordinates_, rho_max,
-                             Coordinates::amplitude_break_points(problem_.impulses.law(), rho_max),
-                             size);
+    return quadrature_points(
+        coordinates_, rho_max,
+        Coordinates::amplitude_break_points(problem_.impulses.amplitude_law(), rho_max), size);
   }
   half_plane::ClosureEquations closure_equations(
       double support, const half_plane::Confinement& confinement, half_plane::Basis basis,

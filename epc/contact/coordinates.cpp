@@ -11,7 +11,7 @@
 namespace fpkcheck::epc::contact {
 
 bool force_presses_on_single_wall(const problem::Problem& problem) {
-  const auto features = problem::features(problem);
+  const auto features = problem::problem_features(problem);
   const auto& system = problem.system;
   return features.rests_in_contact && !features.two_walls &&
          problem::sign_change_points_between_walls(system.restoring_force(), system).empty();

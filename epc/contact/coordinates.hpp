@@ -12,8 +12,8 @@
 
 namespace fpkcheck::epc::contact {
 
-/// Whether the only wall is on the left, the mass can rest in contact with this wall, and the
-/// restoring force acts towards this wall everywhere.
+/// Returns whether the only wall is on the left, the mass can rest in contact with this wall, and
+/// the restoring force acts towards this wall everywhere.
 bool force_presses_on_single_wall(const problem::Problem& problem);
 
 /// Coordinates amplitude and velocity on the half-plane y >= 0, with the potential V(y) = U(y) -
@@ -67,7 +67,7 @@ class Coordinates {
   /// force f.
   amplitude::CoordinateRates coordinate_rates(const problem::System& system, double y, double rho,
                                               double v) const;
-  /// Derivatives of rho and v with respect to v, v / rho and 1.
+  /// Returns the derivatives of rho and of v with respect to v: v / rho and 1.
   static amplitude::CoordinateRates velocity_derivatives(double rho, double v) {
     return {v / rho, 1};
   }

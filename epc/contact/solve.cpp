@@ -56,14 +56,14 @@ double distance_to_previous_order(const Coordinates& coordinates, const ClosureD
 
 Result solve(const problem::Problem& problem, const Options& options) {
   const Coordinates coordinates(problem);
-  const double deviation = problem::scales(problem).velocity_deviation;
+  const double deviation = problem::motion_scales(problem).velocity_deviation;
   const double temperature = deviation * deviation;
   const RootSearchResult root = half_plane::find_root(
       amplitude::CoordinateFormulation(problem, coordinates, temperature,
                                        half_plane::rate_of_change_unit(problem, temperature),
                                        options.tail),
       options);
-  Result result = half_plane::initial_result_of_search(root);
+  Result result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
   const ClosureDensity& closure = root.closure;

@@ -27,7 +27,7 @@ std::vector<double> edges_graded_to_zero(double end, double first, double growth
   return edges;
 }
 
-std::vector<double> with_mirror_image(const std::vector<double>& edges) {
+std::vector<double> join_with_mirror_image(const std::vector<double>& edges) {
   std::vector<double> all;
   for (auto at = edges.rbegin(); at + 1 != edges.rend(); ++at) all.push_back(-*at);
   all.insert(all.end(), edges.begin(), edges.end());
@@ -40,18 +40,18 @@ struct DiscreteLaw {
   QuadraturePoints points;
   VectorXd mass;
 
-  double at_rest() const { return mass[mass.size() - 1]; }
+  double probability_of_rest() const { return mass[mass.size() - 1]; }
   template <class Function>
-  double mean(const Function& g) const {
+  double mean_of(const Function& g) const {
     double sum = 0;
     for (Index i = 0; i < mass.size(); ++i) sum += mass[i] * g(points.y[i], points.v[i]);
     return sum;
   }
 };
 
-DiscreteLaw discrete_law_of(const Coordinates& coordinates,
-                            const half_plane::RootSearchResult& root,
-                            const transform::SmoothDensity& density) {
+DiscreteLaw make_discrete_law(const Coordinates& coordinates,
+                              const half_plane::RootSearchResult& root,
+                              const transform::SmoothDensity& density) {
   const half_plane::ClosureDensity& closure = root.closure;
   DiscreteLaw law{
       .points = amplitude::quadrature_points(
@@ -67,9 +67,9 @@ DiscreteLaw discrete_law_of(const Coordinates& coordinates,
   return law;
 }
 
-transform::Moments moments_of(const problem::WallFrame& frame, const DiscreteLaw& law) {
+transform::Moments moments_of_law(const problem::WallFrame& frame, const DiscreteLaw& law) {
   const auto mean = [&](int y_power, int v_power) {
-    return law.mean([&](double y, double v) {
+    return law.mean_of([&](double y, double v) {
       return std::pow(frame.physical_y(y), y_power) * std::pow(frame.physical_velocity(v), v_power);
     });
   };
@@ -82,7 +82,7 @@ transform::Moments moments_of(const problem::WallFrame& frame, const DiscreteLaw
 }
 
 // Returns the partial moment E[|Y|^power; Y < 0] of the impulses towards the wall.
-double moment_into_wall(const problem::ImpulseLaw& law, int power) {
+double partial_moment_towards_wall(const problem::ImpulseLaw& law, int power) {
   const auto after = amplitude::GradedImpulseQuadrature(law)(0, 0);
   double sum = 0;
   for (std::size_t k = 0; k < after.v.size(); ++k) {
@@ -93,7 +93,7 @@ double moment_into_wall(const problem::ImpulseLaw& law, int power) {
 
 // Returns int u^power p(0, -u) du over the impact speeds u. The density p does not contain the mass
 // at rest on the wall.
-double wall_flux(const transform::SmoothDensity& density, int points, int power) {
+double moment_of_wall_flux(const transform::SmoothDensity& density, int points, int power) {
   const auto wall = numerics::gauss_legendre_rule(points, 0, density.v_max);
   double sum = 0;
   for (Index i = 0; i < wall.size(); ++i) {
@@ -102,24 +102,27 @@ double wall_flux(const transform::SmoothDensity& density, int points, int power)
   return sum;
 }
 
-transform::BalanceResiduals balances_of(const problem::Problem& problem, const DiscreteLaw& law,
-                                        double momentum_of_impacts, double release_rate) {
+transform::BalanceResiduals balance_residuals_of_law(const problem::Problem& problem,
+                                                     const DiscreteLaw& law,
+                                                     double momentum_of_impacts,
+                                                     double release_rate) {
   const problem::System& system = problem.system;
   const auto& force = system.restoring_force();
   problem::VirialBalanceTerms virial{
-      .mean_displacement = law.mean([](double y, double) { return y; }),
-      .mean_square_velocity = law.mean([](double, double v) { return v * v; }),
-      .mean_virial = law.mean([&](double y, double) { return y * force(y); })};
+      .mean_displacement = law.mean_of([](double y, double) { return y; }),
+      .mean_square_velocity = law.mean_of([](double, double v) { return v * v; }),
+      .mean_virial = law.mean_of([&](double y, double) { return y * force(y); })};
   problem::MomentumBalanceTerms momentum{
-      .mean_force = law.mean([&](double y, double) { return force(y); }),
+      .mean_force = law.mean_of([&](double y, double) { return force(y); }),
       .left_impact_momentum =
-          problem::impact_momentum_change(system.left_wall(), momentum_of_impacts),
+          problem::impact_momentum_rate(system.left_wall(), momentum_of_impacts),
       .contact_momentum_rate =
-          force(0.0) * law.at_rest() +
-          (1 + system.restitution()) * release_rate * moment_into_wall(problem.impulses.law(), 1)};
+          force(0.0) * law.probability_of_rest() +
+          (1 + system.restitution()) * release_rate *
+              partial_moment_towards_wall(problem.impulses.amplitude_law(), 1)};
   if (system.rayleigh_coefficient() != 0) {
-    virial.mean_y_cubed_velocity = law.mean([](double y, double v) { return y * v * v * v; });
-    momentum.mean_cubed_velocity = law.mean([](double, double v) { return v * v * v; });
+    virial.mean_y_cubed_velocity = law.mean_of([](double y, double v) { return y * v * v * v; });
+    momentum.mean_cubed_velocity = law.mean_of([](double, double v) { return v * v * v; });
   }
   return {.virial = problem::virial_balance(problem, virial).residual(),
           .momentum = problem::momentum_balance(problem, momentum).residual()};
@@ -133,7 +136,7 @@ transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& d
   constexpr double kFirst = 1e-6, kGrowth = 1.3;
   return transform::average_over_cells(
       density, edges_graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),
-      with_mirror_image(edges_graded_to_zero(density.v_max, kFirst, kGrowth)));
+      join_with_mirror_image(edges_graded_to_zero(density.v_max, kFirst, kGrowth)));
 }
 
 void store_density_and_atom(const problem::Problem& problem, const Coordinates& coordinates,
@@ -141,30 +144,32 @@ void store_density_and_atom(const problem::Problem& problem, const Coordinates& 
                             const transform::SmoothDensity& density, Result& result) {
   auto& [solution, summary] = result;
   const problem::System& system = problem.system;
-  const DiscreteLaw law = discrete_law_of(coordinates, root, density);
-  const double release_rate = problem.impulses.arrival_rate() * law.at_rest();
+  const DiscreteLaw law = make_discrete_law(coordinates, root, density);
+  const double release_rate = problem.impulses.arrival_rate() * law.probability_of_rest();
   transform::GridDensity cells = average_on_graded_cells(density);
-  solution.mass = transform::mass(cells) + law.at_rest();
+  solution.mass = transform::mass(cells) + law.probability_of_rest();
   solution.density = std::move(cells);
-  solution.atoms = {
-      {.y = 0, .probability = law.at_rest(), .standard_error = {}, .error_estimate = {}}};
-  solution.moments = moments_of(problem.frame, law);
-  summary.moments = moments_of({}, law);
+  solution.atoms = {{.y = 0,
+                     .probability = law.probability_of_rest(),
+                     .standard_error = {},
+                     .error_estimate = {}}};
+  solution.moments = moments_of_law(problem.frame, law);
+  summary.moments = moments_of_law({}, law);
   problem::PowerBalanceTerms energy{
       .mean_velocity = summary.moments.v1,
       .mean_square_velocity = summary.moments.v2,
-      .left_impact_loss =
-          problem::impact_loss(system.left_wall(), problem::ImpactCondition::map,
-                               wall_flux(density, root.quadrature.wall, 3) +
-                                   release_rate * moment_into_wall(problem.impulses.law(), 2))};
+      .left_impact_loss = problem::impact_energy_loss_rate(
+          system.left_wall(), problem::ImpactCondition::map,
+          moment_of_wall_flux(density, root.quadrature.wall, 3) +
+              release_rate * partial_moment_towards_wall(problem.impulses.amplitude_law(), 2))};
   if (!system.has_constant_damping()) {
-    energy.mean_damping_power = law.mean([&](double y, double v) {
+    energy.mean_damping_power = law.mean_of([&](double y, double v) {
       return (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v * v;
     });
   }
-  solution.energy_residual = problem::energy_residual(problem, energy);
-  summary.balances =
-      balances_of(problem, law, wall_flux(density, root.quadrature.wall, 2), release_rate);
+  solution.energy_residual = problem::power_balance_residual(problem, energy);
+  summary.balances = balance_residuals_of_law(
+      problem, law, moment_of_wall_flux(density, root.quadrature.wall, 2), release_rate);
 }
 
 }  // namespace fpkcheck::epc::contact

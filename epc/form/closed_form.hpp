@@ -61,7 +61,7 @@ struct ClosedForm {
   ClosedFormParameters frame;
 };
 
-/// Whether metrics of a solution or of a user's file contain a closed form.
+/// Returns whether the metrics of a solution or of a user's file contain a closed form.
 bool has_closed_form(const transform::Metrics& metrics);
 
 /// Reads a closed form from metrics. The keys are `coordinates`, `coefficients[k].{x1,x2,a}`,

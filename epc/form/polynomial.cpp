@@ -85,7 +85,7 @@ namespace {
 
 // Removes terms without a reliable sign, which are rounding errors. In the scaled plane, terms
 // without a reliable sign are smaller than kRounding times the largest term.
-Polynomial without_rounding(const Polynomial& q, const StandardDeviations& sigma) {
+Polynomial remove_terms_of_rounding(const Polynomial& q, const StandardDeviations& sigma) {
   constexpr double kRounding = 1e-10;
   const auto size = [&](const Term& term) {
     return std::abs(term.a) * std::pow(sigma.x1, term.x1) * std::pow(sigma.x2, term.x2);
@@ -99,7 +99,7 @@ Polynomial without_rounding(const Polynomial& q, const StandardDeviations& sigma
 
 // Returns the radius, in units of sigma, from which a polynomial of the radius rises: the largest
 // radius below `end` at which the slope of the polynomial changes sign.
-double last_rise(const RadialPolynomial& ray, double sigma, double end, double step) {
+double last_radius_of_rise(const RadialPolynomial& ray, double sigma, double end, double step) {
   const RadialPolynomial slope = derivative_coefficients(ray);
   double radius = end;
   while (radius > 0 && evaluate_polynomial(slope, radius * sigma) > 0) radius -= step;
@@ -110,7 +110,7 @@ double last_rise(const RadialPolynomial& ray, double sigma, double end, double s
 
 LeadingForm leading_form(const Polynomial& with_rounding, const StandardDeviations& sigma,
                          DirectionSet plane) {
-  const Polynomial q = without_rounding(with_rounding, sigma);
+  const Polynomial q = remove_terms_of_rounding(with_rounding, sigma);
   LeadingForm form{true, {1, 0}, 0, 0};
   double largest = -std::numeric_limits<double>::infinity();
   int rising = 0, seen = 0;
@@ -132,7 +132,8 @@ LeadingForm leading_form(const Polynomial& with_rounding, const StandardDeviatio
   }
   form.negative = rising == 0;
   form.rising_fraction = static_cast<double>(rising) / seen;
-  if (!form.negative) form.rises_from = last_rise(worst, 1, 4 * kLargestRadius, kRadialStep / 8);
+  if (!form.negative)
+    form.rises_from = last_radius_of_rise(worst, 1, 4 * kLargestRadius, kRadialStep / 8);
   return form;
 }
 
@@ -154,7 +155,8 @@ LeadingForm leading_form_along_directions(const Polynomial& q,
   }
   form.negative = rising == 0;
   form.rising_fraction = static_cast<double>(rising) / static_cast<double>(directions.size());
-  if (!form.negative) form.rises_from = last_rise(worst, sigma, kLargestRadius, kRadialStep / 2);
+  if (!form.negative)
+    form.rises_from = last_radius_of_rise(worst, sigma, kLargestRadius, kRadialStep / 2);
   return form;
 }
 

@@ -43,6 +43,7 @@ inline double evaluate_polynomial(const std::vector<double>& coefficients, doubl
 /// Returns the coefficients of the derivative of a polynomial, lowest power first.
 std::vector<double> derivative_coefficients(const std::vector<double>& coefficients);
 
+/// Standard deviations of x1 and x2, the units of the scaled plane.
 struct StandardDeviations {
   double x1;
   double x2;
@@ -62,13 +63,15 @@ using RadialPolynomial = std::vector<double>;
 inline constexpr double kRadialStep = 0.1;
 inline constexpr double kLargestRadius = 15;
 
-/// Directions at equal angles over the whole circle, exact along the axes.
+/// Returns directions at equal angles over the whole circle, without rounding errors along the
+/// axes.
 const std::vector<Direction>& equiangular_directions();
 
 /// Returns the number of leading entries of equiangular_directions() along which the values of the
 /// exponent Q_n are distinct: half of all directions if all degrees of Q_n are even.
 std::size_t distinct_direction_count(const Polynomial& q);
 
+/// Returns the polynomial of the scaled radius to which Q_n reduces along a direction.
 RadialPolynomial radial_polynomial(const Polynomial& q, const StandardDeviations& sigma,
                                    const Direction& direction);
 
@@ -86,6 +89,7 @@ struct LeadingForm {
 /// Directions in which Q_n is examined: the whole plane, or the half-plane cos theta >= 0.
 enum class DirectionSet { whole, half };
 
+/// Determines the behaviour of the exponent Q_n at infinity along equiangular_directions().
 LeadingForm leading_form(const Polynomial& q, const StandardDeviations& sigma,
                          DirectionSet plane = DirectionSet::whole);
 

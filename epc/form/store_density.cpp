@@ -10,8 +10,8 @@ namespace fpkcheck::epc {
 namespace {
 
 // Returns int_{v>0} v^power p(b, v) dv at the right wall y = b, or 0 without a right wall.
-double right_flux(const problem::Problem& problem, const transform::SmoothDensity& density,
-                  int power) {
+double right_wall_flux_moment(const problem::Problem& problem,
+                              const transform::SmoothDensity& density, int power) {
   if (!problem.system.right_wall()) return 0;
   constexpr int kPanels = 8;
   const double b = problem.system.right_wall()->position;
@@ -21,8 +21,8 @@ double right_flux(const problem::Problem& problem, const transform::SmoothDensit
 
 // Returns int_{u>0} u weight(u) p(a, towards u) du at a wall y = a: the sum of a quantity of the
 // impact speed u over the impacts per unit time.
-double sum_over_impacts(const transform::SmoothDensity& density, double position, double towards,
-                        const std::function<double(double)>& weight) {
+double impact_sum_per_time(const transform::SmoothDensity& density, double position, double towards,
+                           const std::function<double(double)>& weight) {
   constexpr int kPanels = 8;
   const auto integrand = [&](double u) {
     return u * weight(u) * density.value(position, towards * u);
@@ -30,38 +30,43 @@ double sum_over_impacts(const transform::SmoothDensity& density, double position
   return numerics::integrate_by_composite_gauss(integrand, 0.0, density.v_max, kPanels);
 }
 
-// The quantities of the balances at both walls: energy lost and momentum given per unit time.
-struct WallTerms {
+// Energy that impacts on each wall dissipate per unit time, and momentum that each wall transfers
+// to the mass per unit time.
+struct WallBalanceTerms {
   double left_loss, right_loss, left_momentum, right_momentum;
 };
 
-WallTerms wall_terms(const problem::Problem& problem, problem::ImpactCondition impact,
-                     const transform::SmoothDensity& density) {
+WallBalanceTerms balance_terms_of_walls(const problem::Problem& problem,
+                                        problem::ImpactCondition impact,
+                                        const transform::SmoothDensity& density) {
   const problem::System& system = problem.system;
   const auto &left = system.left_wall(), &right = system.right_wall();
   if (system.has_constant_restitution()) {
     return {
-        .left_loss = problem::impact_loss(left, impact, transform::impact_flux(density, 3)),
-        .right_loss = problem::impact_loss(right, impact, right_flux(problem, density, 3)),
-        .left_momentum = problem::impact_momentum_change(left, transform::impact_flux(density, 2)),
-        .right_momentum = problem::impact_momentum_change(right, right_flux(problem, density, 2))};
+        .left_loss =
+            problem::impact_energy_loss_rate(left, impact, transform::impact_flux(density, 3)),
+        .right_loss = problem::impact_energy_loss_rate(right, impact,
+                                                       right_wall_flux_moment(problem, density, 3)),
+        .left_momentum = problem::impact_momentum_rate(left, transform::impact_flux(density, 2)),
+        .right_momentum =
+            problem::impact_momentum_rate(right, right_wall_flux_moment(problem, density, 2))};
   }
   const auto sum = [&](const std::optional<problem::Wall>& wall, double towards,
                        const auto& quantity) {
     if (!wall) return 0.0;
-    return sum_over_impacts(density, wall->position, towards,
-                            [&](double u) { return quantity(*wall, u); });
+    return impact_sum_per_time(density, wall->position, towards,
+                               [&](double u) { return quantity(*wall, u); });
   };
   const auto loss = [impact](const problem::Wall& wall, double u) {
-    return problem::energy_lost(wall, impact, u);
+    return problem::energy_loss_at_impact(wall, impact, u);
   };
   return {.left_loss = sum(left, -1, loss),
           .right_loss = sum(right, 1, loss),
-          .left_momentum = sum(left, -1, problem::momentum_change),
-          .right_momentum = sum(right, 1, problem::momentum_change)};
+          .left_momentum = sum(left, -1, problem::momentum_change_at_impact),
+          .right_momentum = sum(right, 1, problem::momentum_change_at_impact)};
 }
 
-double damping_power(const problem::System& system, const transform::SmoothDensity& density) {
+double mean_damping_power(const problem::System& system, const transform::SmoothDensity& density) {
   if (!system.has_polynomial_force()) {
     return transform::expectation(
         density, [&](double y, double v) { return v * system.damping_force(y, v); });
@@ -71,16 +76,17 @@ double damping_power(const problem::System& system, const transform::SmoothDensi
   });
 }
 
-problem::PowerBalanceTerms energy_terms(const problem::Problem& problem, const WallTerms& walls,
-                                        const transform::SmoothDensity& density,
-                                        const transform::Moments& moments) {
+problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
+                                               const WallBalanceTerms& walls,
+                                               const transform::SmoothDensity& density,
+                                               const transform::Moments& moments) {
   const problem::System& system = problem.system;
   problem::PowerBalanceTerms terms{.mean_velocity = moments.v1,
                                    .mean_square_velocity = moments.v2,
                                    .left_impact_loss = walls.left_loss,
                                    .right_impact_loss = walls.right_loss};
   if (!system.has_constant_damping()) {
-    terms.mean_damping_power = damping_power(system, density);
+    terms.mean_damping_power = mean_damping_power(system, density);
   }
   if (problem.noise_factor) {
     terms.mean_square_noise_factor = transform::expectation(
@@ -90,7 +96,7 @@ problem::PowerBalanceTerms energy_terms(const problem::Problem& problem, const W
 }
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
-                                              const WallTerms& walls,
+                                              const WallBalanceTerms& walls,
                                               const transform::SmoothDensity& density,
                                               const transform::QuadratureMarginals& marginals) {
   const problem::System& system = problem.system;
@@ -156,9 +162,9 @@ transform::QuadratureMarginals store_density(const problem::Problem& problem,
   solution.density = density;
   solution.mass = marginals.mass;
   solution.moments = physical_moments(problem.frame, marginals);
-  const WallTerms walls = wall_terms(problem, impact, density);
-  solution.energy_residual =
-      problem::energy_residual(problem, energy_terms(problem, walls, density, marginals.moments));
+  const WallBalanceTerms walls = balance_terms_of_walls(problem, impact, density);
+  solution.energy_residual = problem::power_balance_residual(
+      problem, power_balance_terms(problem, walls, density, marginals.moments));
   result.summary.moments = marginals.moments;
   result.summary.balances = balance_residuals(problem, walls, density, marginals);
   return marginals;

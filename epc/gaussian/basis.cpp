@@ -7,7 +7,7 @@ namespace fpkcheck::epc::gaussian {
 namespace {
 
 // Returns the norm sqrt(E[x^2p]) of the power x^p for x ~ N(0, sigma^2).
-double norm(int p, double sigma) {
+double norm_of_power(int p, double sigma) {
   const double moment =
       p == 0 ? 1 : boost::math::double_factorial<double>(static_cast<unsigned>(2 * p - 1));
   return std::pow(sigma, p) * std::sqrt(moment);
@@ -33,14 +33,9 @@ Basis::Basis(int order, MonomialSet set, const StandardDeviations& sigma)
   const int step = set == MonomialSet::point_symmetric ? 2 : 1;
   for (int m = step; m <= order; m += step) {
     for (int l = 0; l <= m; ++l) {
-      members_.push_back({m - l, l, norm(m - l, sigma.x1) * norm(l, sigma.x2)});
+      members_.push_back({m - l, l, norm_of_power(m - l, sigma.x1) * norm_of_power(l, sigma.x2)});
     }
   }
-}
-
-double Basis::basis_value(Eigen::Index s, double x1, double x2) const {
-  const auto& [p, q, norm] = members_[s];
-  return std::pow(x1, p) * std::pow(x2, q) / norm;
 }
 
 Eigen::MatrixXd Basis::column_products(const Eigen::MatrixXd& of_x1,
@@ -91,7 +86,7 @@ Eigen::VectorXd Basis::scaled_coefficients(const std::vector<Term>& terms) const
 
 namespace {
 
-Eigen::VectorXd as_vector(const std::vector<double>& values) {
+Eigen::VectorXd to_eigen_vector(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
@@ -116,10 +111,10 @@ PlaneQuadratureRule fold_point_symmetric_rule(const PlaneQuadratureRule& rule) {
 }
 
 ProjectionNodes::ProjectionNodes(const PlaneQuadratureRule& rule, const Basis& basis)
-    : x1_(as_vector(rule.x1)),
-      x2_(as_vector(rule.x2)),
+    : x1_(to_eigen_vector(rule.x1)),
+      x2_(to_eigen_vector(rule.x2)),
       basis_(basis.basis_derivatives(x1_, x2_)),
-      weighted_tests_(as_vector(rule.weights).asDiagonal() * basis_.value) {}
+      weighted_tests_(to_eigen_vector(rule.weights).asDiagonal() * basis_.value) {}
 
 std::vector<ExponentDerivatives> ProjectionNodes::exponent_derivatives(
     const Eigen::VectorXd& a) const {

@@ -33,7 +33,6 @@ class Basis {
   Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()); }
   const std::vector<BasisFunction>& basis_functions() const { return members_; }
 
-  double basis_value(Eigen::Index s, double x1, double x2) const;
   Eigen::MatrixXd basis_values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
   BasisDerivatives basis_derivatives(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
 
@@ -54,6 +53,7 @@ class Basis {
   std::vector<BasisFunction> members_;
 };
 
+/// Points and weights of a quadrature rule in the (x1, x2) plane.
 struct PlaneQuadratureRule {
   std::vector<double> x1, x2, weights;
 
@@ -75,7 +75,9 @@ class ProjectionNodes {
   double x2(Eigen::Index i) const { return x2_[i]; }
   const BasisDerivatives& basis() const { return basis_; }
 
-  std::vector<ExponentDerivatives> exponent_derivatives(const Eigen::VectorXd& a) const;
+  /// Returns the derivatives of the exponent Q_n at each point.
+  std::vector<ExponentDerivatives> exponent_derivatives(
+      const Eigen::VectorXd& scaled_coefficients) const;
 
   /// Projects a function on the basis functions phi_s, by its values at the points. Row s of the
   /// result is sum_i w_i values_i phi_s(x_i).

@@ -19,6 +19,8 @@ struct SolutionBranchAndRoot {
 SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
                                              const ResidualCoefficients& full, double tolerance);
 
+/// Follows Newton's homotopy from a start to a root of the projected equations. The result has not
+/// converged if the homotopy does not reach its end.
 /// @param start root of the equations of order n-2
 numerics::NewtonResult follow_newton_homotopy(const ProjectedEquations& projection,
                                               const ResidualCoefficients& f,

@@ -60,7 +60,7 @@ QuadratureRule impulse_quadrature_rule(const problem::ImpulseLaw& law, int point
           return piecewise_impulse_quadrature_rule(law);
         }
       },
-      law.kind());
+      law.law_variant());
 }
 
 QuadratureRule piecewise_impulse_quadrature_rule(const problem::ImpulseLaw& law) {
@@ -119,7 +119,7 @@ JumpIntegralRemainder::JumpIntegralRemainder(const Basis& basis,
       series_(series_terms(impulses)),
       nodes_(disc_rule(basis.sigma(), radius, basis.monomial_set() == MonomialSet::point_symmetric),
              basis) {
-  const QuadratureRule law = impulse_quadrature_rule(impulses.law(), kJumpPoints);
+  const QuadratureRule law = impulse_quadrature_rule(impulses.amplitude_law(), kJumpPoints);
   jumps_ = law.size();
   Eigen::VectorXd x1(nodes_.size() * jumps_), x2(x1.size());
   jump_weights_.resize(x1.size());

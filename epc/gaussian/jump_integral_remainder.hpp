@@ -42,15 +42,16 @@ class JumpIntegralRemainder {
   JumpIntegralRemainder(const Basis& basis, const problem::ImpulseTrain& impulses,
                         double radius = kRadius);
 
-  /// @param a scaled coefficients
-  Eigen::VectorXd projected_remainder(const Eigen::VectorXd& a) const;
-  Eigen::MatrixXd jacobian(const Eigen::VectorXd& a) const;
+  /// Returns the remainder projected on each basis function.
+  /// @param scaled_coefficients coefficients of Q_n in the basis
+  Eigen::VectorXd projected_remainder(const Eigen::VectorXd& scaled_coefficients) const;
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& scaled_coefficients) const;
 
  private:
   int sign_of_x1(Eigen::Index i) const { return nodes_.x1(i) > 0 ? 1 : -1; }
   /// Returns the jump weight times exp(Q after the jump - Q before the jump), for each node and
   /// jump.
-  Eigen::VectorXd weighted_jump_density_ratios(const Eigen::VectorXd& a) const;
+  Eigen::VectorXd weighted_jump_density_ratios(const Eigen::VectorXd& scaled_coefficients) const;
 
   double rate_;
   RateTimesMoments series_;  ///< coefficients of the subtracted Kramers-Moyal series

@@ -14,9 +14,9 @@ namespace {
 // Degree in x1 and in x2 of the product of a part of F and a projection function. The derivative
 // Q_2 has degree n-1, and the force has at most degree 5.
 constexpr int kForceDegree = numerics::Polynomial::kDegree - 1;
-int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
-int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
-int impact_degree(int n) { return n + n; }
+int smooth_integrand_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
+int signed_integrand_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
+int impact_integrand_degree(int n) { return n + n; }
 
 PlaneQuadratureRule product_rule(const numerics::QuadratureRule& u1,
                                  const numerics::QuadratureRule& u2,
@@ -76,17 +76,20 @@ bool has_signed_part(const ResidualCoefficients& f) {
 ProjectedEquations::ProjectedEquations(Basis basis, std::optional<ProjectedFormulas> formulas)
     : basis_(std::move(basis)),
       smooth_(projection_nodes(
-          product_rule(numerics::gauss_hermite_rule(smooth_degree(basis_.order())),
-                       numerics::gauss_hermite_rule(smooth_degree(basis_.order())), basis_.sigma()),
+          product_rule(numerics::gauss_hermite_rule(smooth_integrand_degree(basis_.order())),
+                       numerics::gauss_hermite_rule(smooth_integrand_degree(basis_.order())),
+                       basis_.sigma()),
           basis_)),
       signed_(projection_nodes(
-          product_rule(numerics::normal_rule_weighted_by_sign(signed_degree(basis_.order())),
-                       numerics::gauss_hermite_rule(signed_degree(basis_.order())), basis_.sigma()),
+          product_rule(
+              numerics::normal_rule_weighted_by_sign(signed_integrand_degree(basis_.order())),
+              numerics::gauss_hermite_rule(signed_integrand_degree(basis_.order())),
+              basis_.sigma()),
           basis_)),
-      impact_(projection_nodes(
-          wall_line_rule(numerics::normal_rule_weighted_by_abs(impact_degree(basis_.order())),
-                         basis_.sigma()),
-          basis_)),
+      impact_(projection_nodes(wall_line_rule(numerics::normal_rule_weighted_by_abs(
+                                                  impact_integrand_degree(basis_.order())),
+                                              basis_.sigma()),
+                               basis_)),
       formulas_(std::move(formulas)) {}
 
 ProjectedEquations::ProjectedEquations(Basis basis, const problem::ImpulseTrain& impulses,

@@ -31,14 +31,18 @@ class ProjectedEquations {
   const Basis& basis() const { return basis_; }
   const std::optional<ProjectedFormulas>& formulas() const { return formulas_; }
 
-  Eigen::VectorXd residual(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
-  Eigen::MatrixXd jacobian(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
+  /// Returns R_s for every basis function s.
+  Eigen::VectorXd residual(const ResidualCoefficients& f,
+                           const Eigen::VectorXd& scaled_coefficients) const;
+  /// Returns the derivative of R_s with respect to coefficient k in row s and column k.
+  Eigen::MatrixXd jacobian(const ResidualCoefficients& f,
+                           const Eigen::VectorXd& scaled_coefficients) const;
 
  private:
   Eigen::VectorXd residual_without_formulas(const ResidualCoefficients& f,
-                                            const Eigen::VectorXd& a) const;
+                                            const Eigen::VectorXd& scaled_coefficients) const;
   Eigen::MatrixXd jacobian_without_formulas(const ResidualCoefficients& f,
-                                            const Eigen::VectorXd& a) const;
+                                            const Eigen::VectorXd& scaled_coefficients) const;
 
   Basis basis_;
   ProjectionNodes smooth_;  // nodes with the weights f1 f2

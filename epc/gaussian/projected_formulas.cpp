@@ -95,8 +95,8 @@ class MomentQuadrature {
     const double radius = integration_radius(degree);
     x1_high_ = radius * sigma.x1;
     x2_high_ = radius * sigma.x2;
-    x1_breaks_ = problem::kinks_in_y(problem, folded_ ? 0 : -x1_high_, x1_high_);
-    x2_breaks_ = problem::kinks_in_v(problem, -x2_high_, x2_high_);
+    x1_breaks_ = problem::coefficient_kinks_in_y(problem, folded_ ? 0 : -x1_high_, x1_high_);
+    x2_breaks_ = problem::coefficient_kinks_in_v(problem, -x2_high_, x2_high_);
     x2_breaks_.push_back(0);
     for (int k = 1; k <= kHalvingsAtRest; ++k) {
       for (const int side : {-1, 1}) x2_breaks_.push_back(side * sigma.x2 * std::pow(0.5, k));
@@ -165,7 +165,7 @@ struct RefinedMoments {
 };
 
 // Halves the panels until the moments, given as a function of the panel width, have converged.
-RefinedMoments refine(const std::function<MatrixXd(double)>& moments_at) {
+RefinedMoments refine_until_converged(const std::function<MatrixXd(double)>& moments_at) {
   RefinedMoments result{moments_at(kFirstPanel), 0};
   for (double width = kFirstPanel / 2; width >= kLeastPanel; width /= 2) {
     const MatrixXd finer = moments_at(width);
@@ -197,13 +197,13 @@ ProjectedFormulas::ProjectedFormulas(const Basis& basis, const problem::Problem&
     return of.norms().x1 * of.norms().x2.transpose();
   };
   const auto& wall = system.left_wall();
-  const RefinedMoments force = refine([&](double width) {
+  const RefinedMoments force = refine_until_converged([&](double width) {
     MatrixXd moments = of_force.plane_moments(
         [&](double x1, double x2) { return system.force(x1, x2) - damping * x2 - stiffness * x1; },
         -1, width);
     if (wall && !wall->has_constant_restitution()) {
       moments += of_force.wall_moments(
-          [&](double u) { return (1 - wall->restitution_at(u)) * u * u; },
+          [&](double u) { return (1 - wall->restitution_at_speed(u)) * u * u; },
           wall->restitution_formula->kinks_in_v(0, of_force.x2_high()), width);
     }
     return moments;
@@ -212,10 +212,10 @@ ProjectedFormulas::ProjectedFormulas(const Basis& basis, const problem::Problem&
   set_force_terms(basis, force.moments.cwiseProduct(norm_factors(of_force)));
   if (!problem.noise_factor) return;
   const MomentQuadrature of_noise(problem, basis.sigma(), 3 * n);
-  const RefinedMoments noise = refine([&](double width) {
+  const RefinedMoments noise = refine_until_converged([&](double width) {
     return of_noise.plane_moments(
         [&](double x1, double x2) {
-          return noise_diffusion(problem, x1, x2) - problem.noise.diffusion();
+          return noise_diffusion_coefficient(problem, x1, x2) - problem.noise.diffusion();
         },
         1, width);
   });

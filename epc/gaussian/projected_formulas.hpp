@@ -43,9 +43,10 @@ class ProjectedFormulas {
   ProjectedFormulas(const Basis& basis, const problem::Problem& problem, double damping,
                     double stiffness);
 
-  /// @param a scaled coefficients
-  Eigen::VectorXd projection(const Eigen::VectorXd& a) const;
-  Eigen::MatrixXd jacobian(const Eigen::VectorXd& a) const;
+  /// Returns the terms by formulas projected on each basis function.
+  /// @param scaled_coefficients coefficients of Q_n in the basis
+  Eigen::VectorXd projection(const Eigen::VectorXd& scaled_coefficients) const;
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& scaled_coefficients) const;
   /// Returns the largest change of a weighted moment between the last two sets of panels, relative
   /// to the largest moment; each moment is divided by the norm of its monomial.
   double quadrature_error() const { return quadrature_error_; }

@@ -10,7 +10,7 @@ namespace {
 
 using problem::DensityEquation;
 
-numerics::Polynomial part(const numerics::Polynomial& polynomial, std::size_t parity) {
+numerics::Polynomial terms_of_parity(const numerics::Polynomial& polynomial, std::size_t parity) {
   numerics::Polynomial::Coefficients a = polynomial.coefficients();
   for (std::size_t n = 1 - parity; n < a.size(); n += 2) a[n] = 0;
   return numerics::Polynomial(a);
@@ -65,22 +65,22 @@ ResidualCoefficients residual_coefficients(const problem::Problem& problem,
       .odd_force = none,
       .even_force = none,
       .impact_loss = constant_restitution ? 1 - system.restitution() : 0,
-      .rate_times_moment = {0, impulses.rate_times_moment(1), total_intensity(problem),
+      .rate_times_moment = {0, impulses.rate_times_moment(1), total_excitation_intensity(problem),
                             higher ? impulses.rate_times_moment(3) : 0,
                             higher ? impulses.rate_times_moment(4) : 0},
       .jump_fraction = equation == DensityEquation::kf ? 1.0 : 0.0,
       .folded = folded};
   if (has_formulas(problem)) {
     assert(sigma.x1 > 0 && sigma.x2 > 0);
-    f.damping = total_intensity(problem) / (2 * sigma.x2 * sigma.x2);
+    f.damping = total_excitation_intensity(problem) / (2 * sigma.x2 * sigma.x2);
     f.damping_polynomial = numerics::Polynomial({f.damping});
     f.odd_force = numerics::Polynomial({0, sigma.x2 * sigma.x2 / (sigma.x1 * sigma.x1)});
     f.formula_fraction = 1;
     return f;
   }
   f.damping = system.damping();
-  f.odd_force = folded ? part(system.restoring_force(), 1) : system.restoring_force();
-  if (folded) f.even_force = part(system.restoring_force(), 0);
+  f.odd_force = folded ? terms_of_parity(system.restoring_force(), 1) : system.restoring_force();
+  if (folded) f.even_force = terms_of_parity(system.restoring_force(), 0);
   f.damping_polynomial = system.damping_polynomial();
   f.rayleigh = system.rayleigh_coefficient();
   return f;

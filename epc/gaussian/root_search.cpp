@@ -29,25 +29,26 @@ std::vector<Term> gaussian_exponent(const StandardDeviations& sigma) {
 }
 
 bool is_force_odd(const problem::System& system) {
-  if (!system.has_polynomial_force()) return system.formula().parity() == problem::Parity::odd;
+  if (!system.has_polynomial_force())
+    return system.force_formula().parity() == problem::Parity::odd;
   const numerics::Polynomial& force = system.restoring_force();
   return force.coefficient(0) == 0 && force.coefficient(2) == 0;
 }
 
 // Without a wall, asymmetric forces, noise or impulses need all monomials.
-MonomialSet monomials_of(const problem::Problem& problem, const Options& options) {
+MonomialSet required_monomials(const problem::Problem& problem, const Options& options) {
   if (problem.system.left_wall()) return options.monomials;
   const bool symmetric =
       is_force_odd(problem.system) &&
       (!problem.noise_factor || problem.noise_factor->parity() == problem::Parity::even) &&
-      problem.impulses.rate_times_moment(1) == 0 && problem.impulses.law().is_symmetric();
+      problem.impulses.rate_times_moment(1) == 0 && problem.impulses.amplitude_law().is_symmetric();
   return symmetric ? options.monomials : MonomialSet::general;
 }
 
-ProjectedEquations projection_of(const problem::Problem& problem, const Options& options,
-                                 const ResidualCoefficients& coefficients,
-                                 const StandardDeviations& sigma) {
-  const Basis basis(options.order, monomials_of(problem, options), sigma);
+ProjectedEquations make_projected_equations(const problem::Problem& problem, const Options& options,
+                                            const ResidualCoefficients& coefficients,
+                                            const StandardDeviations& sigma) {
+  const Basis basis(options.order, required_monomials(problem, options), sigma);
   std::optional<ProjectedFormulas> formulas;
   if (has_formulas(problem)) {
     formulas.emplace(basis, problem, coefficients.damping, coefficients.odd_force.coefficient(1));
@@ -59,7 +60,7 @@ ProjectedEquations projection_of(const problem::Problem& problem, const Options&
   return ProjectedEquations(basis, std::move(formulas));
 }
 
-std::string branch_end_text(const SolutionBranch& branch) {
+std::string describe_branch_end(const SolutionBranch& branch) {
   switch (branch.end) {
     case SolutionBranchEnd::white_noise:
       return "turns back to another root of the white-noise equations";
@@ -79,11 +80,11 @@ class RootSearch {
       : problem_(problem),
         options_(options),
         coefficients_(residual_coefficients(problem, effective_equation(options), sigma)),
-        projection_(projection_of(problem, options, coefficients_, sigma)),
+        projection_(make_projected_equations(problem, options, coefficients_, sigma)),
         gaussian_coefficients_(projection_.basis().scaled_coefficients(
             gaussian_exponent(projection_.basis().sigma()))) {}
 
-  RootSearchResult search() {
+  RootSearchResult find_root() {
     search_.sigma = projection_.basis().sigma();
     const auto& formulas = projection_.formulas();
     if (formulas && !(formulas->quadrature_error() <= ProjectedFormulas::kQuadratureTolerance)) {
@@ -93,7 +94,7 @@ class RootSearch {
           formulas->quadrature_error(), ProjectedFormulas::kQuadratureTolerance);
       return search_;
     }
-    if (options_.order > 2) search_.previous = previous();
+    if (options_.order > 2) search_.previous = find_previous_root();
     const NewtonResult plain = newton_from(gaussian_coefficients_, false);
     search_.plain_newton_converges = plain.converged;
     record_attempt(plain) || record_attempt(newton_from(gaussian_coefficients_, true)) ||
@@ -103,19 +104,19 @@ class RootSearch {
          record_attempt(follow_newton_homotopy(projection_, coefficients_, previous_coefficients(),
                                                options_.tolerance)));
     if (!search_.root) {
-      search_.failure = failure();
+      search_.failure = failure_message();
       return search_;
     }
-    search_.condition = condition();
+    search_.condition = condition_number_at_root();
     if (effective_equation(options_) == DensityEquation::kf) check_disc_sensitivity();
     return search_;
   }
 
  private:
-  std::optional<Polynomial> previous() const {
+  std::optional<Polynomial> find_previous_root() const {
     Options lower = options_;
     lower.order -= 2;
-    return RootSearch(problem_, lower, projection_.basis().sigma()).search().root;
+    return RootSearch(problem_, lower, projection_.basis().sigma()).find_root().root;
   }
   Eigen::VectorXd previous_coefficients() const {
     return projection_.basis().scaled_coefficients(search_.previous->terms());
@@ -174,21 +175,21 @@ class RootSearch {
         kDiscSensitivityLimit);
   }
 
-  double condition() const {
+  double condition_number_at_root() const {
     const Eigen::VectorXd a = projection_.basis().scaled_coefficients(search_.root->terms());
     const Eigen::VectorXd values =
         numerics::singular_values(projection_.jacobian(coefficients_, a));
     return values[0] / values[values.size() - 1];
   }
 
-  std::string failure() const {
+  std::string failure_message() const {
     return fmt::format(
         "Newton's method from equivalent linearisation{}, plain and damped, found no root in {} "
         "iterations (least residual {:.1e}, tolerance {:.1e}); the branch from white noise with "
         "elastic impacts reaches {:.1f} % of the way and {}",
         search_.previous ? fmt::format(" and from n = {}", options_.order - 2) : "",
         search_.iterations, search_.residual, options_.tolerance, 100 * search_.branch.furthest,
-        branch_end_text(search_.branch));
+        describe_branch_end(search_.branch));
   }
 
   const problem::Problem& problem_;
@@ -203,7 +204,7 @@ class RootSearch {
 }  // namespace
 
 RootSearchResult find_root(const problem::Problem& problem, const Options& options) {
-  return RootSearch(problem, options, gaussian_weight_deviations(problem)).search();
+  return RootSearch(problem, options, gaussian_weight_deviations(problem)).find_root();
 }
 
 }  // namespace fpkcheck::epc::gaussian

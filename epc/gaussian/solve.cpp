@@ -15,8 +15,8 @@ namespace {
 
 using transform::Status;
 
-transform::SmoothDensity density_on(const problem::Problem& problem, const Polynomial& q,
-                                    const DensitySupport& support) {
+transform::SmoothDensity density_on_support(const problem::Problem& problem, const Polynomial& q,
+                                            const DensitySupport& support) {
   return problem.system.left_wall()
              ? density_from_exponent(q, support, log_normalising_constant(support))
              : density_without_wall(q, support, log_normalising_constant(support));
@@ -90,14 +90,14 @@ void assess_root(const problem::Problem& problem, const Polynomial& q,
                    .log_constant = log_normalising_constant(support),
                    .deviations = sigma};
 
-  const transform::SmoothDensity density = density_on(problem, q, support);
+  const transform::SmoothDensity density = density_on_support(problem, q, support);
   summary.support->y_min = density.y_min;
   const transform::QuadratureMarginals marginals =
       store_density(problem, ImpactCondition::delta, density, result);
   std::optional<double> distance_to_density_before;
   if (previous) {
     const DensitySupport before(*previous, sigma);
-    auto before_density = density_on(problem, *previous, before);
+    auto before_density = density_on_support(problem, *previous, before);
     // the densities of order n and n-2 then have equal panels
     before_density.y_min = density.y_min;
     summary.distance_to_previous = distance(

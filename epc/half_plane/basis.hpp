@@ -7,6 +7,7 @@
 
 namespace fpkcheck::epc::half_plane {
 
+/// Numbers of quadrature points in s, in t and on each wall.
 struct QuadraturePointCounts {
   int s, t, wall;
 };
@@ -40,8 +41,9 @@ class OrthonormalPolynomials {
 
   /// Returns tables of the polynomials and their derivatives: entry [j](i, k) is the j-th
   /// derivative of h_k at x_i.
-  /// @param order highest derivative j
-  std::vector<Eigen::MatrixXd> derivative_tables(const Eigen::VectorXd& x, int order) const;
+  /// @param highest_derivative largest j
+  std::vector<Eigen::MatrixXd> derivative_tables(const Eigen::VectorXd& x,
+                                                 int highest_derivative) const;
   /// Returns the values of the polynomials at points x: entry (i, k) is h_k(x_i).
   Eigen::MatrixXd polynomial_values(const Eigen::VectorXd& x) const {
     return derivative_tables(x, 0)[0];
@@ -77,8 +79,8 @@ class Basis {
 
   Eigen::MatrixXd basis_values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const;
 
-  /// Returns the exponent Q_n in monomials of s and t, from the coefficients a in the basis.
-  Polynomial exponent_polynomial(const Eigen::VectorXd& a) const;
+  /// Returns the exponent Q_n in monomials of s and t, from the coefficients in the basis.
+  Polynomial exponent_polynomial(const Eigen::VectorXd& coefficients) const;
 
  private:
   int order_;

@@ -29,10 +29,13 @@ struct Confinement {
   static double support_to_level_ratio() { return std::pow(kNegligible, 1.0 / kPower); }
 };
 
+/// Returns the energy beyond which the density with a confinement level is 0.
 double support_energy(double level, TailTreatment tail);
 
+/// Returns the confinement with the given level; without confinement for TailTreatment::cut.
 Confinement make_confinement(double level, TailTreatment tail);
 
+/// Density C exp(Q_n + confinement) of a closure, with its scales and limits.
 struct ClosureDensity {
   Polynomial q{{}};              ///< polynomial Q_n of s and t, without the constant term
   double temperature = 0;        ///< mean square velocity E[v^2]

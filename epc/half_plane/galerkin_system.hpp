@@ -55,12 +55,13 @@ class GalerkinSystem {
     double peak = 0;
     bool finite = false;  ///< whether the normalisation and wall_mass are finite
   };
-  DensityAtPoints evaluate_density(const Eigen::VectorXd& a) const;
+  /// Returns the normalised density with the given coefficients at all quadrature points.
+  DensityAtPoints evaluate_density(const Eigen::VectorXd& coefficients) const;
 
   /// Returns the means E[phi] of the basis functions.
   /// @param mass probability at each quadrature point
   Eigen::VectorXd basis_means(const Eigen::VectorXd& mass) const;
-  /// Returns R_phi.
+  /// Returns the residual R_phi of every basis function phi.
   /// @param t time, for an excitation that changes in time; absent for the constant excitation
   Eigen::VectorXd residual(const DensityAtPoints& density, std::optional<double> t = {}) const;
   /// Returns the Jacobian with dR_phi/da_k in row phi and column k, by covariances of L*phi and the
@@ -85,6 +86,7 @@ class GalerkinSystem {
   GalerkinTables tables_;
 };
 
+/// Galerkin equations together with the basis and the quadrature points.
 class ClosureEquations : public GalerkinSystem {
  public:
   ClosureEquations(GalerkinTables tables, Basis basis, QuadraturePoints points)
@@ -98,9 +100,11 @@ class ClosureEquations : public GalerkinSystem {
   QuadraturePoints points_;
 };
 
-/// Returns the density with the coefficients a, without ClosureDensity::end_of_decay.
+/// Returns the density with the given coefficients in the basis, without
+/// ClosureDensity::end_of_decay.
 /// @param level confinement level of the equations
-ClosureDensity make_closure_density(const ClosureEquations& equations, const Eigen::VectorXd& a,
-                                    double level, TailTreatment tail);
+ClosureDensity make_closure_density(const ClosureEquations& equations,
+                                    const Eigen::VectorXd& coefficients, double level,
+                                    TailTreatment tail);
 
 }  // namespace fpkcheck::epc::half_plane

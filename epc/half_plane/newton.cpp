@@ -18,8 +18,8 @@ using Eigen::VectorXd;
 double rate_of_change_unit(const problem::Problem& problem, double temperature) {
   assert(temperature > 0);
   constexpr double kRounding = 1e-4;
-  return std::max(total_intensity(problem) / (2 * temperature),
-                  kRounding * problem::scales(problem).frequency);
+  return std::max(total_excitation_intensity(problem) / (2 * temperature),
+                  kRounding * problem::motion_scales(problem).frequency);
 }
 
 double residual_norm(const VectorXd& residual, const MatrixXd& covariance, double unit) {

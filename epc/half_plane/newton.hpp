@@ -35,7 +35,8 @@ double condition_number(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& 
 /// Returns the eigenvalue of J G^-1 with the largest real part, where J is the Jacobian and G the
 /// covariance matrix. Near a root the moments m = E[phi] of a density of the closure follow
 /// d(dm)/dt = J G^-1 dm. With a positive real part the root is unstable: almost all densities of
-/// the closure near the root leave it. Minus the real part is the relaxation rate of the closure.
+/// the closure near the root move away from the root. The negative of the real part is the
+/// relaxation rate of the closure.
 std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& jacobian,
                                           const Eigen::MatrixXd& covariance);
 

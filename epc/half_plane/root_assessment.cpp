@@ -44,7 +44,7 @@ std::string common_inadmissible_reason(const RootSearchResult& root,
 
 }  // namespace
 
-Result initial_result_of_search(const RootSearchResult& root) {
+Result make_unassessed_result(const RootSearchResult& root) {
   Result result;
   result.summary.iterations = root.newton.iterations;
   result.summary.residual = root.newton.residual;

@@ -10,11 +10,13 @@
 namespace fpkcheck::epc::half_plane {
 
 /// Returns a result with the status not_converged, before the assessment of the root.
-Result initial_result_of_search(const RootSearchResult& root);
+Result make_unassessed_result(const RootSearchResult& root);
 
+/// Returns the parameters with which files store the density of a closure.
 ClosedFormParameters closed_form_parameters(const ClosureDensity& closure, TailTreatment tail,
                                             ExponentCoordinates variables);
 
+/// Contours of the edge of the support and of the confinement level.
 struct EdgeAndLevelContours {
   Contour support, level;
   double density;  ///< largest density on the edge of the support, relative to the peak density
@@ -41,6 +43,7 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
 void set_status(const RootSearchResult& root, double quadrature_tolerance,
                 const std::string& inadmissible_reason, Result& result);
 
+/// Returns the root mean squares of y and of v.
 StandardDeviations root_mean_squares(const transform::Moments& moments);
 
 }  // namespace fpkcheck::epc::half_plane

@@ -25,7 +25,7 @@ constexpr int kMaxRefinements = 4;
 constexpr int kMostHomotopies = 2, kFewEquations = 50;
 
 // Multiplies the number of quadrature points in the plane by more than 2.
-QuadraturePointCounts refined_size(const QuadraturePointCounts& size) {
+QuadraturePointCounts refined_point_counts(const QuadraturePointCounts& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
 }
 
@@ -63,7 +63,7 @@ class RootSearch {
         unit_(formulation.rate_of_change_unit()),
         deadline_(options.max_seconds) {}
 
-  RootSearchResult run() {
+  RootSearchResult find_root_at_requested_order() {
     solve_orders();
     root_.newton.iterations = iterations_;
     root_.homotopies = homotopies_;
@@ -78,7 +78,7 @@ class RootSearch {
 
   void solve_orders() {
     ClosureDensity guess = formulation_.initial_density();
-    const int first = formulation_.first_order(options_.order);
+    const int first = formulation_.lowest_searched_order(options_.order);
     for (int n = first; n <= options_.order; n += 2) {
       if (n == options_.order && n > first) root_.previous = guess;
       std::optional<ClosureDensity> next = solve_order(guess, n);
@@ -112,15 +112,15 @@ class RootSearch {
   }
 
   std::optional<ClosureDensity> solve_order(const ClosureDensity& guess, int n) {
-    begin_pass_over_levels();
+    reset_homotopy_limit();
     const auto attempt = [&](double level) -> std::optional<std::pair<ClosureDensity, double>> {
       if (is_past_deadline()) return std::nullopt;
-      const StartingPoint start =
-          start_of(guess, n, level, initial_size(guess, n, level, SearchStage::rough));
-      const NewtonResult result = solve(start, SearchStage::rough);
+      const StartingPoint start = make_starting_point(
+          guess, n, level, initial_point_counts(guess, n, level, SearchStage::rough));
+      const NewtonResult result = solve_from(start, SearchStage::rough);
       if (!result.converged) return std::nullopt;
       homotopies_left_ = 0;
-      const ClosureDensity closure = closure_density_of(start.equations, result.a, level);
+      const ClosureDensity closure = closure_with_decay_end(start.equations, result.a, level);
       return std::pair{closure, formulation_.decay_ratio(closure, SearchStage::rough)};
     };
     return try_confinement_levels<ClosureDensity>(
@@ -129,7 +129,7 @@ class RootSearch {
   }
 
   void solve_requested_order(const ClosureDensity& guess) {
-    begin_pass_over_levels();
+    reset_homotopy_limit();
     const auto attempt = [&](double level) -> std::optional<std::pair<RootSearchResult, double>> {
       if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
       homotopies_left_ = 0;
@@ -148,33 +148,35 @@ class RootSearch {
     if (best) root_ = *best;
   }
 
-  // Increases the number of quadrature points until the quadrature error is small. The quadrature of
-  // a density that is far from decayed is not refined, since the root is inadmissible.
+  // Increases the number of quadrature points until the quadrature error is small. The quadrature
+  // of a density that is far from decayed is not refined, since the root is inadmissible.
   bool solve_at_level(const ClosureDensity& guess, double level) {
-    const QuadratureRefinementCriterion refinement = formulation_.quadrature_refinement();
+    const QuadratureRefinementCriterion refinement = formulation_.quadrature_refinement_criterion();
     const bool estimated =
         refinement.rule == QuadratureRefinementCriterion::ChangeMeasure::estimated;
-    QuadraturePointCounts size = initial_size(guess, options_.order, level, SearchStage::last);
-    StartingPoint at = start_of(guess, options_.order, level, size);
-    NewtonResult result = solve(at, SearchStage::last);
+    QuadraturePointCounts size =
+        initial_point_counts(guess, options_.order, level, SearchStage::last);
+    StartingPoint at = make_starting_point(guess, options_.order, level, size);
+    NewtonResult result = solve_from(at, SearchStage::last);
     const auto is_far_from_decayed = [&](const ClosureEquations& equations) {
       constexpr double kFarAboveLimit = 100;
-      return formulation_.decay_ratio(closure_density_of(equations, result.a, level),
+      return formulation_.decay_ratio(closure_with_decay_end(equations, result.a, level),
                                       SearchStage::last) >
              kFarAboveLimit * formulation_.decay_ratio_limit(SearchStage::last);
     };
     for (int left = kMaxRefinements; result.converged; --left) {
-      const QuadraturePointCounts finer = refined_size(size);
-      StartingPoint fine{equations_of(at.equations.basis(), level, finer), result.a};
+      const QuadraturePointCounts finer = refined_point_counts(size);
+      StartingPoint fine{make_equations(at.equations.basis(), level, finer), result.a};
       if (estimated) {
-        const double change = change_on_finer_points(fine.equations, at.equations, result.a);
+        const double change =
+            exponent_change_on_finer_points(fine.equations, at.equations, result.a);
         const bool is_final = change < refinement.tolerance || left == 0;
         root_.is_refinement_omitted = !is_final && is_far_from_decayed(at.equations);
         if (is_final || root_.is_refinement_omitted) {
           return store_root(at.equations, result, level, size, change);
         }
       }
-      result = solve(fine, SearchStage::last);
+      result = solve_from(fine, SearchStage::last);
       if (!estimated && result.converged) {
         const double change = step_norm(result.a - fine.a, covariance_at(fine.equations, result.a));
         if (change < refinement.tolerance || left == 1) {
@@ -187,13 +189,13 @@ class RootSearch {
     return false;
   }
 
-  QuadraturePointCounts initial_size(const ClosureDensity& guess, int n, double level,
-                                     SearchStage stage) const {
+  QuadraturePointCounts initial_point_counts(const ClosureDensity& guess, int n, double level,
+                                             SearchStage stage) const {
     return formulation_.quadrature_point_counts(n, level / guess.temperature, stage);
   }
 
-  ClosureEquations equations_of(const Basis& basis, double level,
-                                const QuadraturePointCounts& size) const {
+  ClosureEquations make_equations(const Basis& basis, double level,
+                                  const QuadraturePointCounts& size) const {
     const double support = support_energy(level, options_.tail);
     return formulation_.closure_equations(
         support, make_confinement(level, options_.tail), basis,
@@ -202,8 +204,8 @@ class RootSearch {
 
   // Returns the equations of order n, and the coefficients of the fit of Q_n to the initial guess.
   // The basis is orthonormal under the initial guess.
-  StartingPoint start_of(const ClosureDensity& guess, int n, double level,
-                         const QuadraturePointCounts& size) const {
+  StartingPoint make_starting_point(const ClosureDensity& guess, int n, double level,
+                                    const QuadraturePointCounts& size) const {
     const double support = support_energy(level, options_.tail);
     const Confinement confinement = make_confinement(level, options_.tail);
     const QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);
@@ -230,9 +232,9 @@ class RootSearch {
             .polish = last};
   }
 
-  // If Newton's method fails, the end of a homotopy is a second starting point. Large systems follow
-  // no homotopy if another level has a root or kMostHomotopies have failed in this pass.
-  NewtonResult solve(const StartingPoint& start, SearchStage stage) {
+  // If Newton's method fails, the end of a homotopy is a second starting point. Large systems
+  // follow no homotopy if another level has a root or kMostHomotopies have failed in this pass.
+  NewtonResult solve_from(const StartingPoint& start, SearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
@@ -267,13 +269,13 @@ class RootSearch {
         start.equations.basis().order(), result.iterations, result.residual, last_homotopy_);
   }
 
-  void begin_pass_over_levels() {
+  void reset_homotopy_limit() {
     homotopies_left_ = kMostHomotopies;
     last_homotopy_.clear();
   }
 
-  ClosureDensity closure_density_of(const ClosureEquations& equations, const VectorXd& a,
-                                    double level) const {
+  ClosureDensity closure_with_decay_end(const ClosureEquations& equations, const VectorXd& a,
+                                        double level) const {
     ClosureDensity closure = make_closure_density(equations, a, level, options_.tail);
     closure.end_of_decay = formulation_.end_of_decay(closure.q, closure.temperature);
     return closure;
@@ -284,8 +286,8 @@ class RootSearch {
   }
 
   // Returns the norm of the first Newton step with additional quadrature points.
-  static double change_on_finer_points(const ClosureEquations& fine, const ClosureEquations& coarse,
-                                       const VectorXd& a) {
+  static double exponent_change_on_finer_points(const ClosureEquations& fine,
+                                                const ClosureEquations& coarse, const VectorXd& a) {
     const GalerkinSystem::DensityAtPoints density = coarse.evaluate_density(a);
     const numerics::LuFactors factors(coarse.jacobian(density));
     const VectorXd step = factors.solve(fine.residual(fine.evaluate_density(a)));
@@ -297,7 +299,7 @@ class RootSearch {
     const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(result.a);
     root_.newton = result;
     root_.failure.clear();
-    root_.closure = closure_density_of(equations, result.a, level);
+    root_.closure = closure_with_decay_end(equations, result.a, level);
     root_.decay_ratio = formulation_.decay_ratio(root_.closure, SearchStage::last);
     root_.quadrature = size;
     root_.quadrature_change = quadrature_change;
@@ -322,7 +324,7 @@ class RootSearch {
 }  // namespace
 
 RootSearchResult find_root(const ClosureFormulation& formulation, const Options& options) {
-  return RootSearch(formulation, options).run();
+  return RootSearch(formulation, options).find_root_at_requested_order();
 }
 
 }  // namespace fpkcheck::epc::half_plane

@@ -14,6 +14,7 @@
 
 namespace fpkcheck::epc::half_plane {
 
+/// Root of the requested order, or the reason why the search failed.
 struct RootSearchResult {
   ClosureDensity closure;
   /// Density of order n - 2; empty for n = 2.
@@ -31,8 +32,8 @@ struct RootSearchResult {
   /// Eigenvalue with the largest real part of the linearised motion of the moments near the root
   std::complex<double> rightmost_eigenvalue = {};
   double rate_of_change_unit = 0;  ///< ClosureFormulation::rate_of_change_unit()
-  int homotopies = 0;  ///< number of homotopies followed after damped Newton steps failed
-  std::string failure;
+  int homotopies = 0;   ///< number of homotopies followed after damped Newton steps failed
+  std::string failure;  ///< reason why no root was found; empty with a root
 };
 
 /// Stage of the root search, which sets the accuracy of the solution.
@@ -41,6 +42,7 @@ enum class SearchStage {
   last    ///< stage at the requested order
 };
 
+/// Condition under which the search accepts the number of quadrature points.
 struct QuadratureRefinementCriterion {
   /// Method to determine how much the exponent Q_n changes if quadrature points are added.
   enum class ChangeMeasure {
@@ -60,10 +62,11 @@ class ClosureFormulation {
   /// Initial guess of the density at the lowest order n.
   virtual ClosureDensity initial_density() const = 0;
   /// Lowest order n that the root search solves before the requested order.
-  virtual int first_order(int /*order*/) const { return 2; }
+  virtual int lowest_searched_order(int /*order*/) const { return 2; }
   /// Whether the search at order n may start from initial_density() if the start from order n-2
   /// finds no root.
   virtual bool can_start_at_any_order() const { return false; }
+  /// Unit of the residuals, half_plane::rate_of_change_unit().
   virtual double rate_of_change_unit() const = 0;
   /// Candidates for the confinement level, as energies, in the order of the attempts.
   virtual std::vector<double> confinement_levels(const ClosureDensity& guess,
@@ -79,7 +82,7 @@ class ClosureFormulation {
   ///   guess
   virtual QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
                                                         SearchStage stage) const = 0;
-  virtual QuadratureRefinementCriterion quadrature_refinement() const = 0;
+  virtual QuadratureRefinementCriterion quadrature_refinement_criterion() const = 0;
   virtual QuadraturePoints quadrature_points_below_energy(
       double support, const QuadraturePointCounts& size) const = 0;
   virtual ClosureEquations closure_equations(double support, const Confinement& confinement,

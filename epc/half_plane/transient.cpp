@@ -23,10 +23,10 @@ using Eigen::VectorXd;
 using transform::Status;
 
 // Tolerances of CVODE for the moments. The basis functions have a variance of about 1. At 1e-6 the
-// errors of the moments of order 8 lead to another density in case 1, which is wrong by 0.05 in L1
-// at t = 1.
+// errors of the moments of order 8 cause an L1 error of the density of 0.05 (case 1, t = 1).
 constexpr double kTimeTolerance = 1e-7;
-// Largest distance of the moments of the orthonormal basis functions to those of the periodic state
+// Largest accepted distance between the computed moments and the moments of the periodic state, for
+// basis functions with a variance of about 1
 constexpr double kPeriodicDistance = 1e-5;
 // Largest confinement level in deviations of v of the stationary density. At a level of 9
 // deviations basis functions of order 8 have values of 1e4 at the level, and case 1 needs a
@@ -34,13 +34,15 @@ constexpr double kPeriodicDistance = 1e-5;
 constexpr double kLevelDeviations = 6.5;
 // Probability beyond kEdgeOfLevel times the confinement level above which a density is
 // inadmissible. In case 1 the probability is below 3e-6 for densities that do not depend on the
-// level, and at least 2e-5 for the others.
+// level, and at least 2e-5 for densities that depend on the level.
 constexpr double kEdgeOfLevel = 0.8, kBeyondEdgeLimit = 1e-5;
-// Probability of the initial density beyond the edge from which the level is increased.
+// If the initial density has a larger probability beyond kEdgeOfLevel times the level, the level is
+// increased.
 constexpr double kStartBeyondEdge = 1e-8;
 constexpr double kLevelIncrease = 1.25;
 constexpr int kMostIncreases = 12;
-// Largest accepted change of the exponent Q_n, and of the rates of the moments, by more points.
+// Largest accepted change of the exponent Q_n, and of the rates of the moments, by additional
+// quadrature points.
 constexpr double kQuadratureTolerance = 1e-3;
 constexpr int kMostRefinements = 2;
 
@@ -59,41 +61,43 @@ class CoefficientsOfMoments {
     if (auto state = state_at(a)) last_ = std::move(*state);
   }
 
-  const State& last() const { return last_; }
-  /// Returns the Cholesky factors of the covariance matrix M of the density last(); null if M is
-  /// not numerically positive definite.
-  const Eigen::LLT<MatrixXd>* covariance() { return factorise(last_) ? &factors_ : nullptr; }
+  const State& last_state() const { return last_; }
+  /// Returns the Cholesky factors of the covariance matrix M of the density last_state(); null if M
+  /// is not numerically positive definite.
+  const Eigen::LLT<MatrixXd>* covariance_factors() {
+    return factorise_covariance(last_) ? &factors_ : nullptr;
+  }
 
   /// Finds the coefficients for the moments m by damped Newton steps, and stores the state as
-  /// last(). The steps use the covariance matrix of an earlier density while each step is at most
-  /// kFastContraction times as long as the previous step.
-  /// @return false if the moments belong to no density, as far as the search finds
-  bool find(const VectorXd& m) {
+  /// last_state(). The steps use the covariance matrix of an earlier density while each step is at
+  /// most kFastContraction times as long as the previous step.
+  /// @return false if the search finds no density with these moments
+  bool find_coefficients(const VectorXd& m) {
     constexpr double kTolerance = 1e-9, kFastContraction = 0.2;
     constexpr int kMostIterations = 60;
     if (last_.a.size() == 0 || !m.allFinite()) return false;
     State state = last_;
-    if (factorised_at_.size() == 0 && !factorise(state)) return false;
+    if (factorised_at_.size() == 0 && !factorise_covariance(state)) return false;
     double before = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
       VectorXd step = factors_.solve(m - state.moments);
-      double length = fisher_length(step, m - state.moments);
+      double length = length_in_fisher_metric(step, m - state.moments);
       if (!std::isfinite(length)) return false;
       if (length < kTolerance) {
         last_ = std::move(state);
         return true;
       }
-      if (length > kFastContraction * before && !is_factorised(state)) {
-        if (!factorise(state)) return false;
+      if (length > kFastContraction * before && !is_covariance_factorised(state)) {
+        if (!factorise_covariance(state)) return false;
         step = factors_.solve(m - state.moments);
-        length = fisher_length(step, m - state.moments);
+        length = length_in_fisher_metric(step, m - state.moments);
         if (!std::isfinite(length)) return false;
       }
       before = length;
       std::optional<State> next = shortened_step(state, step, length, m);
       if (next) {
         state = std::move(*next);
-      } else if (is_factorised(state)) {
+      } else if (is_covariance_factorised(state)) {
         return false;
       } else {
         before = 0;  // the next iteration computes the covariance matrix
@@ -112,16 +116,16 @@ class CoefficientsOfMoments {
 
   // Returns the length of a step in Fisher's metric, the standard deviation of the change of Q_n;
   // NaN if it is not finite.
-  static double fisher_length(const VectorXd& step, const VectorXd& moment_change) {
+  static double length_in_fisher_metric(const VectorXd& step, const VectorXd& moment_change) {
     const double square = step.dot(moment_change);
     return square < 0 ? 0 : std::sqrt(square);
   }
 
-  bool is_factorised(const State& state) const {
+  bool is_covariance_factorised(const State& state) const {
     return factorised_at_.size() == state.a.size() && factorised_at_ == state.a;
   }
-  bool factorise(const State& state) {
-    if (is_factorised(state)) return true;
+  bool factorise_covariance(const State& state) {
+    if (is_covariance_factorised(state)) return true;
     factors_.compute(equations_.covariance(state.density));
     const bool is_positive_definite = factors_.info() == Eigen::Success;
     factorised_at_ = is_positive_definite ? state.a : VectorXd();
@@ -150,11 +154,12 @@ class CoefficientsOfMoments {
   VectorXd factorised_at_;  // coefficients of the density whose covariance matrix is factorised
 };
 
-double mass_beyond(const QuadraturePoints& points, const VectorXd& mass, double energy) {
+double probability_above_energy(const QuadraturePoints& points, const VectorXd& mass,
+                                double energy) {
   return (points.energy.array() > energy).select(mass, 0).sum();
 }
 
-QuadraturePointCounts scaled(const QuadraturePointCounts& size, double factor) {
+QuadraturePointCounts scale_point_counts(const QuadraturePointCounts& size, double factor) {
   const auto times = [factor](int count) { return static_cast<int>(std::ceil(count * factor)); };
   return {times(size.s), times(size.t), times(size.wall)};
 }
@@ -169,24 +174,24 @@ class Evolution {
         start_(request.start),
         times_(request.times),
         is_periodic_(request.periodic),
-        scales_(problem::scales(problem)),
+        scales_(problem::motion_scales(problem)),
         deadline_(options.max_seconds),
         stationary_(stationary_density()),
         forced_amplitude_(
             problem::forced_motion_extent(problem, {request.times.back(), request.periodic})
                 .amplitude) {}
 
-  ClosureEvolution run(const DensityOfClosure& density_of) {
+  ClosureEvolution solve_with_refinement(const DensityOfClosure& density_of) {
     // A density narrower than the stationary density needs more points on the same domain.
     const double narrowness =
         std::max({1.0, scales_.displacement_deviation / start_.displacement_deviation,
                   scales_.velocity_deviation / start_.velocity_deviation});
-    QuadraturePointCounts size =
-        scaled(formulation_.quadrature_point_counts(
-                   options_.order, stationary_level() / stationary_.temperature, SearchStage::last),
-               std::sqrt(narrowness));
+    QuadraturePointCounts size = scale_point_counts(
+        formulation_.quadrature_point_counts(
+            options_.order, stationary_level() / stationary_.temperature, SearchStage::last),
+        std::sqrt(narrowness));
     for (int left = kMostRefinements;; --left) {
-      ClosureEvolution evolution = integrate(size, density_of, left > 0);
+      ClosureEvolution evolution = integrate_moments(size, density_of, left > 0);
       const bool is_resolved = evolution.quadrature_change < kQuadratureTolerance;
       if (evolution.status != Status::ok || is_resolved) return evolution;
       if (left == 0) {
@@ -197,12 +202,13 @@ class Evolution {
             evolution.quadrature_change, kQuadratureTolerance, size.s, size.t);
         return evolution;
       }
-      size = scaled(size, 1.5);
+      size = scale_point_counts(size, 1.5);
     }
   }
 
  private:
-  // Returns the stationary closure; without a root the initial density of the search.
+  // Returns the density of the stationary closure, or the initial density of the search if no root
+  // was found.
   ClosureDensity stationary_density() const {
     const RootSearchResult root = find_root(formulation_, options_);
     ClosureDensity density = root.failure.empty() ? root.closure : formulation_.initial_density();
@@ -212,7 +218,7 @@ class Evolution {
     return density;
   }
 
-  VectorXd exponent_of_start(const QuadraturePoints& points) const {
+  VectorXd exponent_of_initial_density(const QuadraturePoints& points) const {
     const auto squared = [](const VectorXd& x, double mean, double deviation) -> Eigen::ArrayXd {
       return ((x.array() - mean) / deviation).square();
     };
@@ -220,13 +226,13 @@ class Evolution {
                    squared(points.v, start_.mean_velocity, start_.velocity_deviation));
   }
 
-  VectorXd exponent_of_stationary(const QuadraturePoints& points) const {
+  VectorXd exponent_of_stationary_density(const QuadraturePoints& points) const {
     return VectorXd::NullaryExpr(points.size(), [&](Index i) {
       return formulation_.exponent_of_guess(stationary_, points.s[i], points.t[i]);
     });
   }
 
-  static VectorXd normalised(const QuadraturePoints& points, const VectorXd& exponent) {
+  static VectorXd normalised_mass(const QuadraturePoints& points, const VectorXd& exponent) {
     const VectorXd mass = points.weight.array() * (exponent.array() - exponent.maxCoeff()).exp();
     return mass / mass.sum();
   }
@@ -239,22 +245,23 @@ class Evolution {
     return speed * speed / 2;
   }
 
-  // Returns the level for the stationary density, or a larger level that contains the start.
-  double level_for_start(const QuadraturePointCounts& size) const {
+  // Returns stationary_level(), or a larger level that contains the initial density.
+  double level_containing_start(const QuadraturePointCounts& size) const {
     double level = stationary_level();
     for (int k = 0; k < kMostIncreases; ++k) {
       const QuadraturePoints points =
           formulation_.quadrature_points_below_energy(support_energy(level, options_.tail), size);
-      const double beyond =
-          mass_beyond(points, normalised(points, exponent_of_start(points)), kEdgeOfLevel * level);
+      const double beyond = probability_above_energy(
+          points, normalised_mass(points, exponent_of_initial_density(points)),
+          kEdgeOfLevel * level);
       if (beyond < kStartBeyondEdge) break;
       level *= kLevelIncrease;
     }
     return level;
   }
 
-  ClosureEquations equations_of(Basis basis, double level, const QuadraturePointCounts& size,
-                                QuadraturePoints points) const {
+  ClosureEquations make_equations(Basis basis, double level, const QuadraturePointCounts& size,
+                                  QuadraturePoints points) const {
     return formulation_.closure_equations(support_energy(level, options_.tail),
                                           make_confinement(level, options_.tail), std::move(basis),
                                           std::move(points), size);
@@ -264,44 +271,47 @@ class Evolution {
   numerics::BdfIntegrator moment_integrator(const ClosureEquations& equations,
                                             CoefficientsOfMoments& coefficients,
                                             const VectorXd& start) const {
-    // A step of any accuracy could pass over a short pulse of the excitation.
+    // Even an accurate integrator may step over a short pulse of the excitation.
     constexpr double kLongestStep = 1e-2;
     std::optional<double> max_step;
     if (problem_.time.is_present()) max_step = kLongestStep * times_.back();
-    return {{.rate =
-                 [&](double t, const VectorXd& m, Eigen::Ref<VectorXd> rate) {
-                   if (deadline_.has_passed() || !coefficients.find(m)) return false;
-                   rate = equations.residual(coefficients.last().density, t);
-                   return true;
-                 },
-             .jacobian =
-                 [&](double t, const VectorXd& m, Eigen::Ref<MatrixXd> jacobian) {
-                   if (!coefficients.find(m)) return false;
-                   const auto* const covariance = coefficients.covariance();
-                   if (covariance == nullptr) return false;
-                   jacobian =
-                       covariance
-                           ->solve(equations.jacobian(coefficients.last().density, t).transpose())
-                           .transpose();
-                   return true;
-                 }},
-            start,
-            {.relative = kTimeTolerance,
-             .absolute = kTimeTolerance,
-             .max_step = max_step,
-             .stop_time = times_.back()}};
+    return {
+        {.rate =
+             [&](double t, const VectorXd& m, Eigen::Ref<VectorXd> rate) {
+               if (deadline_.has_passed() || !coefficients.find_coefficients(m)) return false;
+               rate = equations.residual(coefficients.last_state().density, t);
+               return true;
+             },
+         .jacobian =
+             [&](double t, const VectorXd& m, Eigen::Ref<MatrixXd> jacobian) {
+               if (!coefficients.find_coefficients(m)) return false;
+               const auto* const covariance = coefficients.covariance_factors();
+               if (covariance == nullptr) return false;
+               jacobian =
+                   covariance
+                       ->solve(equations.jacobian(coefficients.last_state().density, t).transpose())
+                       .transpose();
+               return true;
+             }},
+        start,
+        {.relative_tolerance = kTimeTolerance,
+         .absolute_tolerance = kTimeTolerance,
+         .max_step = max_step,
+         .stop_time = times_.back()}};
   }
 
-  // Replaces the moments by those of the periodic state, or sets the status and returns false.
+  // Replaces `moments` by the moments of the periodic state. If the search fails, the function sets
+  // the status and returns false.
   bool find_periodic_state(const ClosureEquations& equations, CoefficientsOfMoments& coefficients,
                            VectorXd& moments, ClosureEvolution& evolution) const {
-    // The change per period is the part of the distance that the slowest mode loses.
-    const double tolerance = kPeriodicDistance * problem::decayed_part(scales_, times_.back());
+    // In one period the slowest mode loses the fraction decayed_fraction() of its distance to the
+    // periodic state, which is the change per period.
+    const double tolerance = kPeriodicDistance * problem::decayed_fraction(scales_, times_.back());
     const numerics::FixedPoint found = numerics::solve_fixed_point(
         [&](const VectorXd& from) -> std::optional<VectorXd> {
-          if (deadline_.has_passed() || !coefficients.find(from)) return std::nullopt;
+          if (deadline_.has_passed() || !coefficients.find_coefficients(from)) return std::nullopt;
           numerics::BdfIntegrator integrator = moment_integrator(equations, coefficients, from);
-          const bool is_reached = integrator.advance(times_.back());
+          const bool is_reached = integrator.advance_to_time(times_.back());
           evolution.steps += integrator.step_count();
           return is_reached ? std::optional(integrator.state()) : std::nullopt;
         },
@@ -309,7 +319,7 @@ class Evolution {
         {.size = [](const VectorXd& change) { return change.lpNorm<Eigen::Infinity>(); },
          .tolerance = tolerance});
     moments = found.x;
-    if (found.converged && coefficients.find(moments)) return true;
+    if (found.converged && coefficients.find_coefficients(moments)) return true;
     evolution.status = Status::not_converged;
     evolution.reason =
         deadline_.has_passed()
@@ -321,33 +331,35 @@ class Evolution {
     return false;
   }
 
-  // Integrates over the times.
+  // Integrates the moments and stores a snapshot at each time.
   // @param stops_if_unresolved whether the integration stops before the first snapshot that more
   //   quadrature points change by more than the tolerance
-  ClosureEvolution integrate(const QuadraturePointCounts& size, const DensityOfClosure& density_of,
-                             bool stops_if_unresolved) const {
+  ClosureEvolution integrate_moments(const QuadraturePointCounts& size,
+                                     const DensityOfClosure& density_of,
+                                     bool stops_if_unresolved) const {
     ClosureEvolution evolution;
     evolution.quadrature = size;
-    const double level = level_for_start(size);
+    const double level = level_containing_start(size);
     const double support = support_energy(level, options_.tail);
     QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);
-    const VectorXd exponent = exponent_of_start(points);
-    const VectorXd start_mass = normalised(points, exponent);
+    const VectorXd exponent = exponent_of_initial_density(points);
+    const VectorXd start_mass = normalised_mass(points, exponent);
     // The basis is nearly orthonormal under the initial and under the stationary density.
     const VectorXd mixture =
-        0.5 * (start_mass + normalised(points, exponent_of_stationary(points)));
+        0.5 * (start_mass + normalised_mass(points, exponent_of_stationary_density(points)));
     const ClosureEquations equations =
-        equations_of(Basis(options_.order, points, mixture), level, size, points);
-    const QuadraturePointCounts finer = scaled(size, 1.5);
+        make_equations(Basis(options_.order, points, mixture), level, size, points);
+    const QuadraturePointCounts finer = scale_point_counts(size, 1.5);
     const ClosureEquations fine_equations =
-        equations_of(equations.basis(), level, finer,
-                     formulation_.quadrature_points_below_energy(support, finer));
+        make_equations(equations.basis(), level, finer,
+                       formulation_.quadrature_points_below_energy(support, finer));
     // A power below 1 of the density gives more weight to the tail in the fit.
     constexpr double kFlatter = 1.0 / 3;
     CoefficientsOfMoments coefficients(
-        equations, equations.fit_coefficients(exponent, normalised(points, kFlatter * exponent)));
+        equations,
+        equations.fit_coefficients(exponent, normalised_mass(points, kFlatter * exponent)));
     const VectorXd start_moments = equations.basis_means(start_mass);
-    if (!coefficients.find(start_moments)) {
+    if (!coefficients.find_coefficients(start_moments)) {
       evolution.status = Status::not_converged;
       evolution.reason =
           "no closure has the moments of the initial density; choose one closer to the stationary "
@@ -363,7 +375,8 @@ class Evolution {
         moment_integrator(equations, coefficients, moments_at_start);
     double& change = evolution.quadrature_change;
     for (const double time : times_) {
-      if ((time > 0 && !integrator.advance(time)) || !coefficients.find(integrator.state())) {
+      if ((time > 0 && !integrator.advance_to_time(time)) ||
+          !coefficients.find_coefficients(integrator.state())) {
         evolution.status = Status::not_converged;
         const double last = evolution.snapshots.empty() ? 0 : evolution.snapshots.back().time;
         evolution.reason =
@@ -376,7 +389,7 @@ class Evolution {
                       last);
         break;
       }
-      const CoefficientsOfMoments::State& state = coefficients.last();
+      const CoefficientsOfMoments::State& state = coefficients.last_state();
       const double change_of_snapshot =
           change_on_finer_points(equations, fine_equations, coefficients, time);
       if (!(change_of_snapshot <= change)) change = change_of_snapshot;
@@ -384,9 +397,9 @@ class Evolution {
       evolution.snapshots.push_back(
           {.time = time,
            .density = density_of(make_closure_density(equations, state.a, level, options_.tail)),
-           .moments = moments(equations.points(), state.density.mass)});
+           .moments = physical_moments(equations.points(), state.density.mass)});
       const double beyond =
-          mass_beyond(equations.points(), state.density.mass, kEdgeOfLevel * level);
+          probability_above_energy(equations.points(), state.density.mass, kEdgeOfLevel * level);
       if (beyond > kBeyondEdgeLimit && evolution.status == Status::ok) {
         evolution.status = Status::inadmissible;
         evolution.reason = fmt::format(
@@ -404,9 +417,9 @@ class Evolution {
   double change_on_finer_points(const ClosureEquations& equations,
                                 const ClosureEquations& fine_equations,
                                 CoefficientsOfMoments& coefficients, double t) const {
-    const CoefficientsOfMoments::State& state = coefficients.last();
+    const CoefficientsOfMoments::State& state = coefficients.last_state();
     const auto fine = fine_equations.evaluate_density(state.a);
-    const auto* const covariance = coefficients.covariance();
+    const auto* const covariance = coefficients.covariance_factors();
     if (!fine.finite || covariance == nullptr) return std::numeric_limits<double>::infinity();
     const auto norm = [&](const VectorXd& difference) {
       return covariance->matrixL().solve(difference).norm();
@@ -417,7 +430,7 @@ class Evolution {
     return std::max(of_moments, of_rates / scales_.frequency);
   }
 
-  transform::Moments moments(const QuadraturePoints& points, const VectorXd& mass) const {
+  transform::Moments physical_moments(const QuadraturePoints& points, const VectorXd& mass) const {
     const auto mean = [&](const VectorXd& x, int power) {
       return mass.dot(x.array().pow(power).matrix());
     };
@@ -435,7 +448,7 @@ class Evolution {
   const ClosureFormulation& formulation_;
   const problem::Problem& problem_;
   const Options& options_;
-  problem::Gaussian start_;
+  problem::InitialGaussian start_;
   std::vector<double> times_;
   bool is_periodic_;
   problem::MotionScales scales_;
@@ -446,10 +459,11 @@ class Evolution {
 
 }  // namespace
 
-ClosureEvolution evolve(const ClosureFormulation& formulation, const problem::Problem& problem,
-                        const Options& options, const EvolutionRequest& request,
-                        const DensityOfClosure& density_of) {
-  return Evolution(formulation, problem, options, request).run(density_of);
+ClosureEvolution solve_evolution(const ClosureFormulation& formulation,
+                                 const problem::Problem& problem, const Options& options,
+                                 const EvolutionRequest& request,
+                                 const DensityOfClosure& density_of) {
+  return Evolution(formulation, problem, options, request).solve_with_refinement(density_of);
 }
 
 }  // namespace fpkcheck::epc::half_plane

@@ -13,13 +13,14 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// A closure at one time.
+/// Density and moments of a closure at one time.
 struct ClosureSnapshot {
   double time;
   transform::SmoothDensity density;  ///< in the coordinates of the problem
   transform::Moments moments;        ///< in physical coordinates
 };
 
+/// Densities of a closure over time, and the status of the integration.
 struct ClosureEvolution {
   std::vector<ClosureSnapshot> snapshots;
   transform::Status status = transform::Status::ok;
@@ -33,14 +34,14 @@ struct ClosureEvolution {
 
 /// Initial density and times of an evolution.
 struct EvolutionRequest {
-  problem::Gaussian start;
+  problem::InitialGaussian start;
   std::vector<double> times;  ///< increasing times; the first is 0
   /// Whether the densities are those of the periodic state, with the last time as period. The
   /// search for the periodic state begins at `start`.
   bool periodic = false;
 };
 
-/// Density of a closure, with the factors of the formulation.
+/// Function that returns the density in y and v, with the factors of the formulation, of a closure.
 using DensityOfClosure = std::function<transform::SmoothDensity(const ClosureDensity&)>;
 
 /// Computes the density C exp(Q_n + confinement) over time by the exact moment equations
@@ -48,26 +49,27 @@ using DensityOfClosure = std::function<transform::SmoothDensity(const ClosureDen
 ///     dm/dt = R(a(m)),   m = E[phi],   dR/dm = J M^-1,
 ///
 /// with the residual R and its Jacobian J of GalerkinSystem and the covariance matrix M of the
-/// basis functions phi. The coefficients a(m) of the density with the moments m maximise its
-/// entropy: they are the minimum of the convex function ln Z(a) - a^T m, whose Hessian matrix is M.
-/// CVODE integrates the moments, which change smoothly, unlike the coefficients of a narrow
-/// density.
+/// basis functions phi. The density with the moments m has the maximum entropy: its coefficients
+/// a(m) minimise the convex function ln Z(a) - a^T m with the Hessian matrix M. CVODE integrates
+/// the moments instead of the coefficients, since the coefficients of a narrow density change
+/// rapidly.
 ///
 /// The confinement level is constant: the level of the stationary closure, but at most 6.5 standard
 /// deviations of the velocity, and at least an energy that contains the initial density. The
 /// initial density of the closure has the moments m of the initial Gaussian.
 ///
-/// The periodic state has moments that return to themselves after the last of the times, by
-/// numerics::solve_fixed_point().
+/// For a periodic state numerics::solve_fixed_point() finds the moments that return to themselves
+/// at the last time.
 ///
 /// The status is `inadmissible` if more than 1e-5 of the probability lies beyond 0.8 of the level
-/// at a snapshot. The moments are then beyond those of densities whose exponent Q_n falls at
-/// infinity; the excess lies in a maximum at the level, so that the confinement determines the
-/// density (Junk, Math. Models Methods Appl. Sci. 10 (2000) 1001). The status is `not_converged` if
-/// the integration fails, or if more quadrature points change the density.
+/// at a snapshot. No exponent Q_n that falls at infinity then has the moments, the density has a
+/// maximum at the level, and the confinement determines the density (Junk, Math. Models Methods
+/// Appl. Sci. 10 (2000) 1001). The status is `not_converged` if the integration fails, or if
+/// additional quadrature points change the density.
 /// @param options order n and tail of the closure
-ClosureEvolution evolve(const ClosureFormulation& formulation, const problem::Problem& problem,
-                        const Options& options, const EvolutionRequest& request,
-                        const DensityOfClosure& density_of);
+ClosureEvolution solve_evolution(const ClosureFormulation& formulation,
+                                 const problem::Problem& problem, const Options& options,
+                                 const EvolutionRequest& request,
+                                 const DensityOfClosure& density_of);
 
 }  // namespace fpkcheck::epc::half_plane

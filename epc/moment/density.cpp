@@ -49,7 +49,7 @@ double largest_exponent_on_contour(const Polynomial& q, const problem::Problem& 
   double largest = -std::numeric_limits<double>::infinity();
   for (const problem::HalfCycle& part : domain.y_intervals()) {
     const double at_low = domain.v_half_width(part.left);
-    const double at_high = part.at_right ? domain.v_half_width(part.right) : 0;
+    const double at_high = part.right_is_wall ? domain.v_half_width(part.right) : 0;
     largest = std::max({largest, q(part.right, at_high), q(part.right, -at_high),
                         q(part.left, at_low), q(part.left, -at_low)});
   }

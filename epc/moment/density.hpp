@@ -18,6 +18,7 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Energy
                                                const half_plane::Confinement& confinement,
                                                double log_constant);
 
+/// Returns points on the edge of the domain, with ContourPoint::area.
 half_plane::Contour domain_edge_contour(const EnergyDomain& domain);
 
 /// Returns the largest exponent Q_n on the contour of an energy (EnergyDomain).
@@ -57,6 +58,7 @@ inline constexpr double kLevelDensityLimit = 1e-2;
 double density_ratio_at_confinement_level(const half_plane::ClosureDensity& closure,
                                           const problem::Problem& problem);
 
+/// Returns the largest density on the edge of the support, relative to the peak density.
 double density_ratio_at_edge(const half_plane::ClosureDensity& closure,
                              const problem::Problem& problem, TailTreatment tail);
 

@@ -9,8 +9,8 @@ EnergyAveragedExponent::EnergyAveragedExponent(const problem::Problem& problem)
     : EnergyAveragedExponent(problem::EnergyAveraging(problem)) {}
 
 EnergyAveragedExponent::EnergyAveragedExponent(const problem::EnergyAveraging& averaging)
-    : potential_(averaging.orbits().potential()),
-      bottom_(averaging.orbits().lowest_potential()),
+    : potential_(averaging.undamped_orbits().potential()),
+      bottom_(averaging.undamped_orbits().lowest_potential()),
       bands_(averaging.energy_bands()) {
   for (std::size_t b = 0; b < bands_.size(); ++b) {
     if (b == 0 || bands_[b].energy != bands_[b - 1].energy) levels_.push_back(b);
@@ -49,11 +49,11 @@ const problem::EnergyAveraging::EnergyBand& EnergyAveragedExponent::nearest_band
 
 double EnergyAveragedExponent::slope_of_exponent_above(const Band& band) const {
   const Band* lower = &band;
-  const Band* upper = &bands_[band.above];
+  const Band* upper = &bands_[band.parent];
   if (upper == lower) {
     const auto top = static_cast<std::size_t>(upper - bands_.data());
     for (const Band& other : bands_) {
-      if (other.above == top && &other != upper) lower = &other;
+      if (other.parent == top && &other != upper) lower = &other;
     }
   }
   return (upper->potential - lower->potential) / step_;

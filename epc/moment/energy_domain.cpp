@@ -19,7 +19,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 
-// Points of a panel that ends at a kink, beyond its share of the points.
+// Number of points of a panel that ends at a kink, in addition to its share of all points
 constexpr int kExtraPoints = 8;
 
 // Returns the number of Gauss-Legendre points of each panel for a rule of about `point_count`
@@ -36,8 +36,9 @@ std::vector<double> panel_ends(double low, const std::vector<double>& kinks, dou
   return ends;
 }
 
-// Maps a rule on [-1, 1] by tau = t (a + (1 - a) t^2): the points are closer by the factor a at 0.
-void concentrate_at_zero(QuadratureRule& rule) {
+// Maps a rule on [-1, 1] by tau = t (a + (1 - a) t^2), a = kSpacing, which multiplies the distance
+// between points near 0 by a.
+void concentrate_points_at_zero(QuadratureRule& rule) {
   constexpr double kSpacing = 0.1;
   for (Eigen::Index i = 0; i < rule.size(); ++i) {
     double& t = rule.points[i];
@@ -47,7 +48,7 @@ void concentrate_at_zero(QuadratureRule& rule) {
 }
 
 // Returns Gauss-Legendre rules on the panels between successive ends, joined.
-QuadratureRule panel_rule(const std::vector<double>& ends, int point_count) {
+QuadratureRule join_panel_rules(const std::vector<double>& ends, int point_count) {
   const int points = points_per_panel(point_count, ends.size() - 1);
   QuadratureRule joined{{}, Eigen::VectorXd(static_cast<Eigen::Index>(ends.size() - 1) * points)};
   for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
@@ -76,8 +77,8 @@ EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
   const problem::UndampedOrbits orbits(problem);
   lowest_potential_ = orbits.lowest_potential();
   parts_ = orbits.half_cycles(lowest_potential_ + level_);
-  y_kinks_ = problem::kinks_in_y(problem, y_low(), y_max());
-  v_kinks_ = problem::kinks_in_v(problem, -v_max(), v_max());
+  y_kinks_ = problem::coefficient_kinks_in_y(problem, y_low(), y_max());
+  v_kinks_ = problem::coefficient_kinks_in_v(problem, -v_max(), v_max());
   dense_at_rest_ = !problem.system.has_polynomial_force() && v_kinks_.empty();
 }
 
@@ -111,18 +112,20 @@ double EnergyDomain::turning_point_behind_wall(double wall, double far) const {
 EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
   // The half-width v_half_width() also has a singularity at the turning point that the motion would
   // have behind a wall. The substitution y = a + b sin(phi) removes the singularities at both ends.
-  const double low = part.at_left ? turning_point_behind_wall(part.left, part.right) : part.left;
-  const double high = part.at_right ? turning_point_behind_wall(part.right, part.left) : part.right;
+  const double low =
+      part.left_is_wall ? turning_point_behind_wall(part.left, part.right) : part.left;
+  const double high =
+      part.right_is_wall ? turning_point_behind_wall(part.right, part.left) : part.right;
   const double centre = (low + high) / 2, half_length = (high - low) / 2;
   return {centre, half_length,
-          part.at_left ? std::asin((part.left - centre) / half_length) : -kQuarterTurn,
-          part.at_right ? std::asin((part.right - centre) / half_length) : kQuarterTurn};
+          part.left_is_wall ? std::asin((part.left - centre) / half_length) : -kQuarterTurn,
+          part.right_is_wall ? std::asin((part.right - centre) / half_length) : kQuarterTurn};
 }
 
 QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) const {
   QuadratureRule tau =
       numerics::gauss_legendre_rule(points_per_panel(v_points, v_kinks_.size() + 1), -1, 1);
-  if (dense_at_rest_) concentrate_at_zero(tau);
+  if (dense_at_rest_) concentrate_points_at_zero(tau);
   std::vector<double> y, v, energies, weights;
   for (const HalfCycle& part : parts_) {
     const auto [centre, half_length, first, last] = sine_map_of(part);
@@ -131,7 +134,7 @@ QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) con
       end = std::asin(std::clamp((end - centre) / half_length, -1.0, 1.0));
     phi_ends.front() = first;
     phi_ends.back() = last;
-    const QuadratureRule phi = panel_rule(phi_ends, y_points);
+    const QuadratureRule phi = join_panel_rules(phi_ends, y_points);
     for (Eigen::Index i = 0; i < phi.size(); ++i) {
       const double at = centre + half_length * std::sin(phi.points[i]);
       const double potential = energy(at, 0);
@@ -162,18 +165,19 @@ QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) con
 }
 
 QuadratureRule EnergyDomain::left_wall_quadrature_rule(int point_count) const {
-  const double width = parts_.front().at_left ? v_half_width(y_low()) : 0;
+  const double width = parts_.front().left_is_wall ? v_half_width(y_low()) : 0;
   if (width == 0) return {};
   std::vector<double> ends = panel_ends(0, kinks_of_restitution(*left_wall_, width), width);
   std::ranges::reverse(ends);
   for (double& end : ends) end = end == 0 ? 0 : -end;
-  return panel_rule(ends, point_count);
+  return join_panel_rules(ends, point_count);
 }
 
 QuadratureRule EnergyDomain::right_wall_quadrature_rule(int point_count) const {
-  const double width = parts_.back().at_right ? v_half_width(y_max()) : 0;
+  const double width = parts_.back().right_is_wall ? v_half_width(y_max()) : 0;
   if (width == 0) return {};
-  return panel_rule(panel_ends(0, kinks_of_restitution(*right_wall_, width), width), point_count);
+  return join_panel_rules(panel_ends(0, kinks_of_restitution(*right_wall_, width), width),
+                          point_count);
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -26,10 +26,11 @@ VectorXd total_force(const problem::System& system, const VectorXd& y, const Vec
   return damping.cwiseProduct(v) + y.unaryExpr(system.restoring_force());
 }
 
+// Quadrature points on the walls, with the velocities before and after an impact.
 struct IncomingWallPoints {
   VectorXd y, before, after, weight;
 
-  void add(const problem::Wall& wall, const numerics::QuadratureRule& line) {
+  void add_wall(const problem::Wall& wall, const numerics::QuadratureRule& line) {
     const auto joined = [](const VectorXd& a, const VectorXd& b) {
       VectorXd both(a.size() + b.size());
       both << a, b;
@@ -37,8 +38,9 @@ struct IncomingWallPoints {
     };
     y = joined(y, VectorXd::Constant(line.size(), wall.position));
     before = joined(before, line.point_vector());
-    after = joined(after, line.point_vector().unaryExpr(
-                              [&](double v) { return -wall.restitution_at(std::abs(v)) * v; }));
+    after = joined(after, line.point_vector().unaryExpr([&](double v) {
+      return -wall.restitution_at_speed(std::abs(v)) * v;
+    }));
     weight = joined(weight, line.weights);
   }
 };
@@ -46,8 +48,10 @@ struct IncomingWallPoints {
 IncomingWallPoints incoming_wall_points(const problem::System& system, const EnergyDomain& domain,
                                         int points) {
   IncomingWallPoints all;
-  if (system.left_wall()) all.add(*system.left_wall(), domain.left_wall_quadrature_rule(points));
-  if (system.right_wall()) all.add(*system.right_wall(), domain.right_wall_quadrature_rule(points));
+  if (system.left_wall())
+    all.add_wall(*system.left_wall(), domain.left_wall_quadrature_rule(points));
+  if (system.right_wall())
+    all.add_wall(*system.right_wall(), domain.right_wall_quadrature_rule(points));
   return all;
 }
 
@@ -63,8 +67,9 @@ half_plane::ClosureEquations closure_equations(
   const auto y_tables = basis.polynomials_in_s().derivative_tables(y, 1);
   const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
 
-  // A term whose coefficient changes in time is added for the largest excitation, and its change is
-  // a time-dependent term.
+  // A term with a time-dependent coefficient has two parts: the generator contains the term at the
+  // largest excitation, and time_dependent_terms contains the difference from the largest
+  // excitation.
   const problem::TimeDependence& time = problem.time;
   std::vector<half_plane::TimeDependentTerm> time_dependent_terms;
   const auto add_term = [&](std::function<double(double)> factor, const MatrixXd& of_v) {
@@ -80,17 +85,18 @@ half_plane::ClosureEquations closure_equations(
         rate_times_moment[j] / boost::math::factorial<double>(static_cast<unsigned>(j));
     if (factor != 0) impulses += factor * v_tables[j];
   }
-  if (time.has_rate()) add_term([time](double t) { return time.rate_factor(t) - 1; }, impulses);
+  if (time.has_rate_factor())
+    add_term([time](double t) { return time.rate_factor(t) - 1; }, impulses);
   if (problem.noise.is_present()) {
     const VectorXd diffusion = VectorXd::NullaryExpr(
-        v.size(), [&](Eigen::Index i) { return noise_diffusion(problem, y[i], v[i]); });
+        v.size(), [&](Eigen::Index i) { return noise_diffusion_coefficient(problem, y[i], v[i]); });
     const MatrixXd noise = diffusion.asDiagonal() * v_tables[2];
     impulses += noise;
-    if (time.has_intensity()) {
+    if (time.has_intensity_factor()) {
       add_term([time](double t) { return time.intensity_factor(t) - 1; }, noise);
     }
   }
-  if (time.has_force()) add_term([time](double t) { return time.force(t); }, v_tables[1]);
+  if (time.has_external_force()) add_term([time](double t) { return time.force(t); }, v_tables[1]);
   const VectorXd force = total_force(system, y, v);
 
   const IncomingWallPoints wall = incoming_wall_points(system, domain, wall_points);

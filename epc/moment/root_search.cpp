@@ -26,14 +26,14 @@ using half_plane::QuadratureRefinementCriterion;
 using half_plane::SearchStage;
 
 // Products lambda E[Y^j], j = 0 .. n; 0 for terms that the equation lacks.
-std::vector<double> rate_moments(const problem::Problem& problem, const Options& options) {
+std::vector<double> rates_times_moments(const problem::Problem& problem, const Options& options) {
   std::vector<double> moments(options.order + 1);
   const int last = effective_equation(options) == DensityEquation::white ? 2 : options.order;
   for (int j = 1; j <= last; ++j) moments[j] = problem.impulses.rate_times_moment(j);
   return moments;
 }
 
-double depth_of(double deviations) { return deviations * deviations / 2; }
+double depth_at_deviations(double deviations) { return deviations * deviations / 2; }
 
 class MomentFormulation : public half_plane::ClosureFormulation {
  public:
@@ -41,7 +41,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   MomentFormulation(const problem::Problem& problem, const Options& options, double temperature)
       : problem_(problem),
         tail_(options.tail),
-        rate_moment_(rate_moments(problem, options)),
+        rate_moment_(rates_times_moments(problem, options)),
         rate_unit_(half_plane::rate_of_change_unit(problem, temperature)) {}
 
   double rate_of_change_unit() const override { return rate_unit_; }
@@ -63,7 +63,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
     return whole && *whole > kMinLevelRatio * closure.level ? whole : std::nullopt;
   }
 
-  QuadratureRefinementCriterion quadrature_refinement() const override {
+  QuadratureRefinementCriterion quadrature_refinement_criterion() const override {
     // Kinks that are oblique to the axes limit the order of the quadrature. The tolerance of
     // formulas is below the limit of solve(), and more points would not reduce the error of the
     // closure.
@@ -96,7 +96,8 @@ class MomentFormulation : public half_plane::ClosureFormulation {
  protected:
   // Candidates for the confinement level at which a density like the initial guess has decayed.
   virtual std::vector<double> candidate_levels(const ClosureDensity& guess) const = 0;
-  virtual std::pair<double, double> scan_range(double from, const ClosureDensity& guess) const = 0;
+  virtual std::pair<double, double> energy_scan_range(double from,
+                                                      const ClosureDensity& guess) const = 0;
 
   const problem::Problem& problem_;
 
@@ -105,7 +106,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   // the scan finds no such energy.
   std::optional<double> negligible_level(const ClosureDensity& closure, double from,
                                          const ClosureDensity& guess) const {
-    const auto [begin, end] = scan_range(from, guess);
+    const auto [begin, end] = energy_scan_range(from, guess);
     return scan_exponent_decay(closure.q, problem_, begin, end, kNegligibleDepth).crossing;
   }
 
@@ -118,7 +119,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
 class LinearisedFormulation final : public MomentFormulation {
  public:
   LinearisedFormulation(const problem::Problem& problem, const Options& options)
-      : LinearisedFormulation(problem, options, problem::scales(problem)) {}
+      : LinearisedFormulation(problem, options, problem::motion_scales(problem)) {}
 
   ClosureDensity initial_density() const override {
     const double s1 = scales_.displacement_deviation, s2 = scales_.velocity_deviation;
@@ -158,11 +159,12 @@ class LinearisedFormulation final : public MomentFormulation {
   std::vector<double> candidate_levels(const ClosureDensity& guess) const override {
     std::vector<double> levels;
     for (const double deviations : kLevelDeviations)
-      levels.push_back(guess.temperature * depth_of(deviations));
+      levels.push_back(guess.temperature * depth_at_deviations(deviations));
     return levels;
   }
-  std::pair<double, double> scan_range(double from, const ClosureDensity& guess) const override {
-    return {from, guess.temperature * depth_of(kFarthestDeviations)};
+  std::pair<double, double> energy_scan_range(double from,
+                                              const ClosureDensity& guess) const override {
+    return {from, guess.temperature * depth_at_deviations(kFarthestDeviations)};
   }
 
   problem::MotionScales scales_;
@@ -181,7 +183,7 @@ class EnergyAveragedFormulation final : public MomentFormulation {
     return {.temperature = averaged_.temperature()};
   }
   // The lowest order is 4: a Gaussian, order 2, approximates no ring-shaped density.
-  int first_order(int order) const override { return std::min(order, 4); }
+  int lowest_searched_order(int order) const override { return std::min(order, 4); }
   bool can_start_at_any_order() const override { return true; }
 
   QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
@@ -238,14 +240,15 @@ class EnergyAveragedFormulation final : public MomentFormulation {
     const double warmer = std::clamp(guess.temperature / averaged_.temperature(), 0.5, 2.0);
     std::vector<double> levels;
     for (const double deviations : kDeviations) {
-      levels.push_back(std::max(least, warmer * averaged_.energy_at_depth(depth_of(deviations))));
+      levels.push_back(
+          std::max(least, warmer * averaged_.energy_at_depth(depth_at_deviations(deviations))));
     }
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     return levels;
   }
-  std::pair<double, double> scan_range(double from, const ClosureDensity&) const override {
+  std::pair<double, double> energy_scan_range(double from, const ClosureDensity&) const override {
     return {std::max(from, kFarAboveBulk * averaged_.bulk_energy()),
-            kLargestScanRatio * averaged_.energy_at_depth(depth_of(kDeviations[0]))};
+            kLargestScanRatio * averaged_.energy_at_depth(depth_at_deviations(kDeviations[0]))};
   }
 
   EnergyAveragedExponent averaged_;

@@ -50,7 +50,7 @@ std::string inadmissible_reason(double edge_density, double density_at_level,
 
 Result solve(const problem::Problem& problem, const Options& options) {
   const RootSearchResult root = find_root(problem, options);
-  Result result = half_plane::initial_result_of_search(root);
+  Result result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
   auto& [solution, summary] = result;
@@ -84,12 +84,13 @@ Result solve(const problem::Problem& problem, const Options& options) {
   return result;
 }
 
-half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                                    const half_plane::EvolutionRequest& request) {
-  return half_plane::evolve(*make_formulation(problem, options), problem, options, request,
-                            [&](const ClosureDensity& closure) {
-                              return density_from_exponent(problem, closure, options.tail);
-                            });
+half_plane::ClosureEvolution solve_evolution(const problem::Problem& problem,
+                                             const Options& options,
+                                             const half_plane::EvolutionRequest& request) {
+  return half_plane::solve_evolution(*make_formulation(problem, options), problem, options, request,
+                                     [&](const ClosureDensity& closure) {
+                                       return density_from_exponent(problem, closure, options.tail);
+                                     });
 }
 
 }  // namespace fpkcheck::epc::moment

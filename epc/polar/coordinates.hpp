@@ -53,13 +53,14 @@ class Coordinates {
     return force_ratio_(y) / sqrt_twice_potential_over_y(y);
   }
 
-  /// Rates of change between impulses,
+  /// Returns the rates of change between impulses,
   ///
   ///     rho'   = -c rho sin^2 + (w w' - g) sin,
   ///     theta' = -w' sin^2 - (g/w) cos^2 - c sin cos,      sin, cos of theta.
   amplitude::CoordinateRates coordinate_rates(const problem::System& system, double y, double rho,
                                               double theta) const;
-  /// Derivatives of rho and theta with respect to v, sin(theta) and cos(theta) / rho.
+  /// Returns the derivatives of rho and of theta with respect to v: sin(theta) and cos(theta) /
+  /// rho.
   static amplitude::CoordinateRates velocity_derivatives(double rho, double theta) {
     return {std::sin(theta), std::cos(theta) / rho};
   }
@@ -69,7 +70,7 @@ class Coordinates {
   /// an amplitude the mean of a basis function over the impulses has a jump. Only the atoms of an
   /// impulse law cause jumps of the mean.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw& law, double rho_max);
-  /// The coefficient of the highest power of rho does not depend on theta: one phase suffices.
+  /// Returns one phase, since the coefficient of the highest power of rho does not depend on theta.
   static std::vector<double> leading_form_phases() { return {0}; }
 
  private:

@@ -56,7 +56,7 @@ amplitude::CoordinateFormulation<Coordinates> make_formulation(const problem::Pr
                                                                const Options& options) {
   // The temperature is the mean square velocity plus the potential energy of the static deflection.
   // Equivalent linearisation does not include the potential energy of the static deflection.
-  const problem::MotionScales scales = problem::scales(problem);
+  const problem::MotionScales scales = problem::motion_scales(problem);
   const double centre = coordinates.sqrt_twice_potential(scales.centre);
   const double temperature =
       scales.velocity_deviation * scales.velocity_deviation + centre * centre / 2;
@@ -77,7 +77,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const Coordinates coordinates(problem);
   const RootSearchResult root =
       half_plane::find_root(make_formulation(problem, coordinates, options), options);
-  Result result = half_plane::initial_result_of_search(root);
+  Result result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
   const ClosureDensity& closure = root.closure;
@@ -93,13 +93,15 @@ Result solve(const problem::Problem& problem, const Options& options) {
   return result;
 }
 
-half_plane::ClosureEvolution evolve(const problem::Problem& problem, const Options& options,
-                                    const half_plane::EvolutionRequest& request) {
+half_plane::ClosureEvolution solve_evolution(const problem::Problem& problem,
+                                             const Options& options,
+                                             const half_plane::EvolutionRequest& request) {
   const Coordinates coordinates(problem);
-  return half_plane::evolve(make_formulation(problem, coordinates, options), problem, options,
-                            request, [&](const ClosureDensity& closure) {
-                              return density_from_exponent(closure, coordinates, options.tail);
-                            });
+  return half_plane::solve_evolution(make_formulation(problem, coordinates, options), problem,
+                                     options, request, [&](const ClosureDensity& closure) {
+                                       return density_from_exponent(closure, coordinates,
+                                                                    options.tail);
+                                     });
 }
 
 }  // namespace fpkcheck::epc::polar

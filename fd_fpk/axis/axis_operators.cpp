@@ -17,29 +17,32 @@ double monomial_average(double a, double b, int power) {
   return (std::pow(b, power + 1) - std::pow(a, power + 1)) / ((power + 1) * (b - a));
 }
 
-// Returns the averages avg_c(xi^a), a < stencil_size, of the cells c from `first`, with
-// xi = (x - origin)/scale; row a, column c - first.
-Eigen::MatrixXd monomial_averages(const Axis& axis, int first, int stencil_size, double origin,
+// Returns the averages avg_c(xi^a), a < stencil_size, of the cells c from `first_cell`, with
+// xi = (x - origin)/scale; row a, column c - first_cell.
+Eigen::MatrixXd monomial_averages(const Axis& axis, int first_cell, int stencil_size, double origin,
                                   double scale) {
   Eigen::MatrixXd averages(stencil_size, stencil_size);
   for (int c = 0; c < stencil_size; ++c) {
-    const double left = (axis.face_position(first + c) - origin) / scale;
-    const double right = (axis.face_position(first + c + 1) - origin) / scale;
+    const double left = (axis.face_position(first_cell + c) - origin) / scale;
+    const double right = (axis.face_position(first_cell + c + 1) - origin) / scale;
     for (int a = 0; a < stencil_size; ++a) averages(a, c) = monomial_average(left, right, a);
   }
   return averages;
 }
 
 // Returns weights w with sum_c w_c avg_c(xi^a) = functional(a), a < stencil_size, over the cells c
-// from `first`, with xi = (x - origin)/scale.
-Eigen::VectorXd exact_weights(const Axis& axis, int first, int stencil_size, double origin,
-                              double scale, const std::function<double(int)>& functional) {
+// from `first_cell`, with xi = (x - origin)/scale.
+Eigen::VectorXd exact_stencil_weights(const Axis& axis, int first_cell, int stencil_size,
+                                      double origin, double scale,
+                                      const std::function<double(int)>& functional) {
   Eigen::VectorXd exact(stencil_size);
   for (int a = 0; a < stencil_size; ++a) exact(a) = functional(a);
-  return monomial_averages(axis, first, stencil_size, origin, scale).partialPivLu().solve(exact);
+  return monomial_averages(axis, first_cell, stencil_size, origin, scale)
+      .partialPivLu()
+      .solve(exact);
 }
 
-AxisOperator assemble(int rows, int columns, const Triplets& entries) {
+AxisOperator sparse_matrix_from_entries(int rows, int columns, const Triplets& entries) {
   AxisOperator matrix(rows, columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
@@ -89,32 +92,35 @@ AxisOperator inner_face_operator(const Axis& axis, int stencil_size, UpstreamSid
     const double width = axis.cell_width(f);
     append_stencil(
         entries, axis, f, first,
-        exact_weights(axis, first, stencil_size, axis.face_position(f), width, functional) /
+        exact_stencil_weights(axis, first, stencil_size, axis.face_position(f), width, functional) /
             std::pow(width, derivative));
   }
-  return assemble(axis.cell_count() + 1, axis.cell_count(), entries);
+  return sparse_matrix_from_entries(axis.cell_count() + 1, axis.cell_count(), entries);
 }
 
-// The basis functions of DensityKink, with x in units of a length.
+// Basis functions of densities with a kink (DensityKink), with x in units of `length`.
 class KinkedBasis {
  public:
   KinkedBasis(const DensityKink& kink, double length)
       : decay_(kink.decay * length), drift_(kink.drift * length) {}
 
-  double value(int a, double x) const { return std::exp(-decay_ * std::abs(x)) * factor(a, x); }
-  double derivative(int a, double x) const {
+  double basis_function_value(int index, double x) const {
+    return std::exp(-decay_ * std::abs(x)) * polynomial_factor(index, x);
+  }
+  double basis_function_derivative(int index, double x) const {
     const double sign = x > 0 ? 1 : x < 0 ? -1 : 0;
-    return std::exp(-decay_ * std::abs(x)) * (slope(a, x) - decay_ * sign * factor(a, x));
+    return std::exp(-decay_ * std::abs(x)) *
+           (polynomial_factor_slope(index, x) - decay_ * sign * polynomial_factor(index, x));
   }
 
  private:
-  double factor(int a, double x) const {
+  double polynomial_factor(int index, double x) const {
     const double curved = decay_ * x * std::abs(x) / 2;
-    return a == 0 ? 1 + drift_ * curved : a == 1 ? x + curved : std::pow(x, a);
+    return index == 0 ? 1 + drift_ * curved : index == 1 ? x + curved : std::pow(x, index);
   }
-  double slope(int a, double x) const {
+  double polynomial_factor_slope(int index, double x) const {
     const double curved = decay_ * std::abs(x);
-    return a == 0 ? drift_ * curved : a == 1 ? 1 + curved : a * std::pow(x, a - 1);
+    return index == 0 ? drift_ * curved : index == 1 ? 1 + curved : index * std::pow(x, index - 1);
   }
 
   double decay_, drift_;
@@ -148,7 +154,8 @@ AxisOperator with_kinked_stencils(const AxisOperator& smooth, const Axis& axis, 
       const double right = axis.face_position(first + c + 1) / width;
       for (int a = 0; a < stencil_size; ++a) {
         averages(a, c) =
-            Gauss::integrate([&](double x) { return basis.value(a, x); }, left, right) /
+            Gauss::integrate([&](double x) { return basis.basis_function_value(a, x); }, left,
+                             right) /
             (right - left);
       }
     }
@@ -158,7 +165,7 @@ AxisOperator with_kinked_stencils(const AxisOperator& smooth, const Axis& axis, 
     append_stencil(entries, axis, f, first,
                    averages.partialPivLu().solve(exact) / std::pow(width, derivative));
   }
-  return assemble(axis.cell_count() + 1, axis.cell_count(), entries);
+  return sparse_matrix_from_entries(axis.cell_count() + 1, axis.cell_count(), entries);
 }
 
 int first_stencil_cell(const Axis& axis, int i, int stencil_size, std::optional<int> barrier) {
@@ -168,40 +175,44 @@ int first_stencil_cell(const Axis& axis, int i, int stencil_size, std::optional<
   return clamp_at_right_boundary(axis, first, stencil_size);
 }
 
-double value_at_zero(int a) { return a == 0 ? 1.0 : 0.0; }
-double slope_at_zero(int a) { return a == 1 ? 1.0 : 0.0; }
+double monomial_value_at_zero(int power) { return power == 0 ? 1.0 : 0.0; }
+double monomial_slope_at_zero(int power) { return power == 1 ? 1.0 : 0.0; }
 
 }  // namespace
 
 AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side) {
-  return inner_face_operator(axis, stencil_size, upstream_side, 0, value_at_zero);
+  return inner_face_operator(axis, stencil_size, upstream_side, 0, monomial_value_at_zero);
 }
 
 AxisOperator face_derivative_operator(const Axis& axis, int stencil_size) {
-  return inner_face_operator(axis, stencil_size, UpstreamSide::left, 1, slope_at_zero);
+  return inner_face_operator(axis, stencil_size, UpstreamSide::left, 1, monomial_slope_at_zero);
 }
 
 AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
                                  const DensityKink& kink) {
   return with_kinked_stencils(
       face_value_operator(axis, stencil_size, upstream_side), axis, stencil_size, upstream_side,
-      kink, 0, [](const KinkedBasis& basis, int a, double x) { return basis.value(a, x); });
+      kink, 0,
+      [](const KinkedBasis& basis, int a, double x) { return basis.basis_function_value(a, x); });
 }
 
 AxisOperator face_derivative_operator(const Axis& axis, int stencil_size, const DensityKink& kink) {
-  return with_kinked_stencils(
-      face_derivative_operator(axis, stencil_size), axis, stencil_size, UpstreamSide::left, kink, 1,
-      [](const KinkedBasis& basis, int a, double x) { return basis.derivative(a, x); });
+  return with_kinked_stencils(face_derivative_operator(axis, stencil_size), axis, stencil_size,
+                              UpstreamSide::left, kink, 1,
+                              [](const KinkedBasis& basis, int a, double x) {
+                                return basis.basis_function_derivative(a, x);
+                              });
 }
 
 AxisOperator end_value_operator(const Axis& axis, AxisEnd end, int stencil_size) {
   Triplets entries;
   const bool left = end == AxisEnd::left;
   const int last = axis.cell_count(), first_cell = left ? 0 : last - stencil_size;
-  append_stencil(entries, axis, 0, first_cell,
-                 exact_weights(axis, first_cell, stencil_size, axis.face_position(left ? 0 : last),
-                               axis.cell_width(left ? 0 : last - 1), value_at_zero));
-  return assemble(1, last, entries);
+  append_stencil(
+      entries, axis, 0, first_cell,
+      exact_stencil_weights(axis, first_cell, stencil_size, axis.face_position(left ? 0 : last),
+                            axis.cell_width(left ? 0 : last - 1), monomial_value_at_zero));
+  return sparse_matrix_from_entries(1, last, entries);
 }
 
 AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
@@ -225,10 +236,10 @@ AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
       return sum;
     };
     append_stencil(entries, axis, i, first,
-                   exact_weights(axis, first, stencil_size, axis.cell_centre(i), axis.cell_width(i),
-                                 functional));
+                   exact_stencil_weights(axis, first, stencil_size, axis.cell_centre(i),
+                                         axis.cell_width(i), functional));
   }
-  return assemble(axis.cell_count(), axis.cell_count(), entries);
+  return sparse_matrix_from_entries(axis.cell_count(), axis.cell_count(), entries);
 }
 
 namespace {
@@ -258,7 +269,8 @@ WeightedAverages::WeightedAverages(const Axis& axis, int stencil_size, std::opti
   }
 }
 
-AxisOperator WeightedAverages::matrix(const std::function<double(double)>& weight) const {
+AxisOperator WeightedAverages::weighted_average_matrix(
+    const std::function<double(double)>& weight) const {
   const auto& points = quadrature_points();
   Triplets entries;
   Eigen::VectorXd values(static_cast<Eigen::Index>(points.size()));
@@ -267,10 +279,10 @@ AxisOperator WeightedAverages::matrix(const std::function<double(double)>& weigh
     std::ranges::transform(points, values.begin(), [&](const numerics::QuadraturePoint& point) {
       return weight(centre + width * point.at);
     });
-    const auto& [first, of_values] = stencils_[static_cast<std::size_t>(i)];
-    append_stencil(entries, axis_, i, first, of_values * values);
+    const auto& [first, stencil_weights_of_values] = stencils_[static_cast<std::size_t>(i)];
+    append_stencil(entries, axis_, i, first, stencil_weights_of_values * values);
   }
-  return assemble(axis_.cell_count(), axis_.cell_count(), entries);
+  return sparse_matrix_from_entries(axis_.cell_count(), axis_.cell_count(), entries);
 }
 
 AxisOperator point_value_operator(const Axis& axis, int stencil_size,
@@ -282,12 +294,12 @@ AxisOperator point_value_operator(const Axis& axis, int stencil_size,
     for (int k = 0; k < of_cell; ++k) {
       const double xi = fractions[k] - 0.5;
       const auto value = [xi](int a) { return std::pow(xi, a); };
-      append_stencil(
-          entries, axis, i * of_cell + k, first,
-          exact_weights(axis, first, stencil_size, axis.cell_centre(i), axis.cell_width(i), value));
+      append_stencil(entries, axis, i * of_cell + k, first,
+                     exact_stencil_weights(axis, first, stencil_size, axis.cell_centre(i),
+                                           axis.cell_width(i), value));
     }
   }
-  return assemble(of_cell * axis.cell_count(), axis.cell_count(), entries);
+  return sparse_matrix_from_entries(of_cell * axis.cell_count(), axis.cell_count(), entries);
 }
 
 AxisOperator divergence_operator(const Axis& axis) {
@@ -296,7 +308,7 @@ AxisOperator divergence_operator(const Axis& axis) {
     entries.emplace_back(i, i, -1 / axis.cell_width(i));
     entries.emplace_back(i, i + 1, 1 / axis.cell_width(i));
   }
-  return assemble(axis.cell_count(), axis.cell_count() + 1, entries);
+  return sparse_matrix_from_entries(axis.cell_count(), axis.cell_count() + 1, entries);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -31,18 +31,19 @@ AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSid
 AxisOperator face_derivative_operator(const Axis& axis, int stencil_size);
 
 /// Kink of a density p at the face x = 0, at which a force f jumps under the diffusion D. The flux
-/// f p + D p' is continuous, so that p' jumps by -[f] p / D. With the smooth part r of the equation
-/// (f p + D p')' = r, p = q exp(-a |x|), a = [f] / (2 D), and q'' jumps by 2 a (b q + q') with the
-/// mean b D of the two forces.
+/// f p + D p' is continuous, so that p' jumps by -[f] p / D. The density satisfies (f p + D p')' =
+/// r with a smooth function r. The density is therefore p = q exp(-a |x|) with a = [f] / (2 D),
+/// where q'' jumps by 2 a (b q + q') and b D is the mean of the two one-sided forces.
 struct DensityKink {
   double decay = 0;  ///< a
   double drift = 0;  ///< b
 };
 
-/// Return the same matrices for densities with a kink. Each stencil that contains cells on both
-/// sides of x = 0 is exact for the functions exp(-a |x|) (1 + a b x |x| / 2), exp(-a |x|) (x + a x
-/// |x| / 2) and exp(-a |x|) x^k, k >= 2, in place of the polynomials. On the face x = 0 the
-/// derivative is the mean of the one-sided derivatives. The inner face 0 must exist.
+/// Return the matrices of face_value_operator() and face_derivative_operator() for densities with a
+/// kink at x = 0. Each stencil that contains cells on both sides of x = 0 is exact for the
+/// functions exp(-a |x|) (1 + a b x |x| / 2), exp(-a |x|) (x + a x |x| / 2) and exp(-a |x|) x^k, k
+/// >= 2, in place of the polynomials. On the face x = 0 the derivative is the mean of the one-sided
+/// derivatives. The axis must have an inner face at x = 0.
 AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
                                  const DensityKink& kink);
 AxisOperator face_derivative_operator(const Axis& axis, int stencil_size, const DensityKink& kink);
@@ -58,21 +59,23 @@ AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
                                        const numerics::Polynomial& weight,
                                        std::optional<int> barrier = {});
 
-/// Computes the same matrices for weights that are no polynomials. The integrals over a cell are
-/// exact for weights of degree 19 minus the degree of the reconstruction. The constructor solves
-/// the linear systems of the stencils once, since they do not depend on the weight.
+/// Computes the matrices of weighted_average_operator() for weights that are no polynomials. The
+/// integrals over a cell are exact for weights of degree 19 minus the degree of the reconstruction.
+/// The constructor solves the linear systems of the stencils once, since the linear systems do not
+/// depend on the weight.
 class WeightedAverages {
  public:
   /// @param axis must outlive this object
   WeightedAverages(const Axis& axis, int stencil_size, std::optional<int> barrier = {});
 
-  AxisOperator matrix(const std::function<double(double)>& weight) const;
+  AxisOperator weighted_average_matrix(const std::function<double(double)>& weight) const;
 
  private:
   struct Stencil {
     int first;  ///< first cell of the stencil
-    /// Maps the values of the weight at the quadrature points of the cell to the stencil.
-    Eigen::MatrixXd of_values;
+    /// Matrix that maps the values of the weight at the quadrature points of the cell to the
+    /// weights of the stencil
+    Eigen::MatrixXd stencil_weights_of_values;
   };
   const Axis& axis_;
   std::vector<Stencil> stencils_;  ///< one for each cell of the axis

@@ -70,7 +70,7 @@ Excitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses, 
 Excitation jump_excitation(const problem::ImpulseTrain& impulses, const Axis& axis) {
   return {.drift = 0,
           .diffusion = 0,
-          .exchange = impulses.arrival_rate() * jump_matrix(axis, impulses.law()),
+          .exchange = impulses.arrival_rate() * jump_matrix(axis, impulses.amplitude_law()),
           .exchange_drift = impulses.rate_times_moment(1),
           .exchange_diffusion = impulses.rate_times_moment(2) / 2,
           .exchange_rate = impulses.arrival_rate()};
@@ -125,12 +125,12 @@ int excitation_half_bandwidth(double regularisation_length, double cell_width, i
   return static_cast<int>(std::ceil(2 * regularisation_length / cell_width)) + 4 * stencil_size;
 }
 
-bool is_unstable(const FastestGrowingWave& growth, const problem::ImpulseTrain& impulses) {
+bool is_unstable(const FastestGrowingWave& wave, const problem::ImpulseTrain& impulses) {
   constexpr double kRounding = 1e-9;
-  return growth.rate > kRounding * impulses.arrival_rate();
+  return wave.rate > kRounding * impulses.arrival_rate();
 }
 
-double shortest_regularisation_length(const problem::ImpulseLaw& law) {
+double shortest_stable_regularisation_length(const problem::ImpulseLaw& law) {
   constexpr double kLargestSine =
       0.5250616;  // maximum of sin^4 t / t^2, at t = 1.16556, where tan t = 2 t
   return std::sqrt(4 * kLargestSine * (law.moment(4) / 24) / (law.moment(2) / 2));
@@ -139,20 +139,20 @@ double shortest_regularisation_length(const problem::ImpulseLaw& law) {
 std::vector<double> possibly_unstable_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
                                                   double regularisation_length) {
   constexpr double kSame = 1.05, kNarrow = 0.5;
-  const bool narrow_ones_decay = regularisation_length >= default_regularisation_length(law);
+  const bool are_narrow_cells_stable = regularisation_length >= default_regularisation_length(law);
   const Eigen::VectorXd all = axis.cell_widths();
   std::vector<double> sorted(all.begin(), all.end()), critical;
   std::ranges::sort(sorted);
   for (const double cell_width : sorted) {
-    if (narrow_ones_decay && cell_width <= kNarrow * regularisation_length) continue;
+    if (are_narrow_cells_stable && cell_width <= kNarrow * regularisation_length) continue;
     if (critical.empty() || cell_width > kSame * critical.back()) critical.push_back(cell_width);
   }
   return critical;
 }
 
-double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
-                                      std::span<const double> widths, int stencil_size,
-                                      double min_length) {
+double shortest_stable_regularisation_length(const problem::ImpulseTrain& impulses,
+                                             std::span<const double> widths, int stencil_size,
+                                             double min_length) {
   constexpr double kStep = 1.1, kClose = 1.001;
   const auto too_short = [&](double regularisation_length) {
     return std::ranges::any_of(widths, [&](double cell_width) {
@@ -175,9 +175,10 @@ double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
 
 double default_regularisation_length(const problem::ImpulseTrain& impulses, const Axis& axis,
                                      int stencil_size) {
-  const double regularisation_length = default_regularisation_length(impulses.law());
-  return shortest_regularisation_length(
-      impulses, possibly_unstable_cell_widths(axis, impulses.law(), regularisation_length),
+  const double regularisation_length = default_regularisation_length(impulses.amplitude_law());
+  return shortest_stable_regularisation_length(
+      impulses,
+      possibly_unstable_cell_widths(axis, impulses.amplitude_law(), regularisation_length),
       stencil_size, regularisation_length);
 }
 

@@ -39,13 +39,13 @@ struct Excitation {
   double exchange_drift = 0;
   double exchange_diffusion = 0;
   double exchange_rate = 0;
-  std::optional<VariableDiffusion> variable_diffusion = {};  ///< in addition to `diffusion`
-  /// Parametric impulses in place of `exchange`. The drift and the diffusion above then belong to
-  /// the factor 1.
+  std::optional<VariableDiffusion> variable_diffusion = {};  ///< added to `diffusion`
+  /// Parametric impulses, which replace `exchange`. With parametric impulses, exchange_diffusion is
+  /// the diffusion coefficient for the factor b = 1.
   std::optional<ParametricImpulses> parametric = {};
 
   /// Returns whether the excitation is the same at every x1 and x2.
-  bool is_uniform() const { return !variable_diffusion && !parametric; }
+  bool is_state_independent() const { return !variable_diffusion && !parametric; }
 };
 
 /// Returns the parameter-free regularisation length l of the truncated series `km4`, with l^2 =
@@ -112,12 +112,12 @@ FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& exci
 int excitation_half_bandwidth(double regularisation_length, double cell_width, int stencil_size);
 
 /// Returns whether the growth rate of a wave exceeds zero by more than rounding errors.
-bool is_unstable(const FastestGrowingWave& growth, const problem::ImpulseTrain& impulses);
+bool is_unstable(const FastestGrowingWave& wave, const problem::ImpulseTrain& impulses);
 
 /// Returns the shortest regularisation length l for which the symbol -D2 q^2 + D4 (2 sin(q l / 2) /
 /// l)^4 is <= 0 for all wavenumbers q. The shortest regularisation length satisfies l^2 = 4
 /// max_t(sin^4 t / t^2) D4/D2.
-double shortest_regularisation_length(const problem::ImpulseLaw& law);
+double shortest_stable_regularisation_length(const problem::ImpulseLaw& law);
 
 /// Returns the cell widths of an axis for which kramers_moyal_excitation with the regularisation
 /// length l may be unstable, in increasing order. Cell widths less than 5 % above the preceding
@@ -132,9 +132,9 @@ std::vector<double> possibly_unstable_cell_widths(const Axis& axis, const proble
 /// kramers_moyal_excitation is stable on cells of all given widths. On cells as wide as l, a
 /// regularisation length l for which the continuous symbol is stable may be too short.
 /// @param stencil_size even number of cells in each stencil of the centred differences
-double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
-                                      std::span<const double> widths, int stencil_size,
-                                      double min_length);
+double shortest_stable_regularisation_length(const problem::ImpulseTrain& impulses,
+                                             std::span<const double> widths, int stencil_size,
+                                             double min_length);
 
 /// Returns the default regularisation length of the impulse law, increased if stability on the
 /// cells of the axis requires a longer length. For schemes of order 3 and higher, the returned

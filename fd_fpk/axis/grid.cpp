@@ -10,17 +10,18 @@ namespace fpkcheck::fd_fpk {
 Axis::Axis(std::vector<double> faces, AxisEndCondition left, AxisEndCondition right)
     : faces_(std::move(faces)), left_(left), right_(right) {}
 
-Axis Axis::with_uniform_cells(double origin, double step, int cells, AxisEndCondition left) {
-  std::vector<double> faces(cells + 1);
-  for (int f = 0; f <= cells; ++f) faces[f] = origin + f * step;
-  return Axis(std::move(faces), left);
+Axis Axis::with_uniform_cells(double origin, double cell_width, int cell_count,
+                              AxisEndCondition left_end_condition) {
+  std::vector<double> faces(cell_count + 1);
+  for (int f = 0; f <= cell_count; ++f) faces[f] = origin + f * cell_width;
+  return Axis(std::move(faces), left_end_condition);
 }
 
-double Axis::face_position(int f) const {
+double Axis::face_position(int face) const {
   const int last = cell_count();
-  if (f < 0) return faces_.front() + f * (faces_[1] - faces_[0]);
-  if (f > last) return faces_.back() + (f - last) * (faces_[last] - faces_[last - 1]);
-  return faces_[f];
+  if (face < 0) return faces_.front() + face * (faces_[1] - faces_[0]);
+  if (face > last) return faces_.back() + (face - last) * (faces_[last] - faces_[last - 1]);
+  return faces_[face];
 }
 
 double Axis::smallest_cell_width() const { return cell_widths().minCoeff(); }
@@ -40,7 +41,8 @@ double graded_cell_count(double length, double step, const Grading& grading) {
 }
 
 std::vector<double> graded_faces(double length, int cells, const Grading& grading) {
-  // Exact uniform faces make vanishing stencil weights exactly 0 and the operator sparse.
+  // With exactly uniform faces the stencil weights that vanish in theory are exactly 0, so that the
+  // operator is sparse.
   std::vector<double> uniform(cells + 1);
   for (int f = 0; f <= cells; ++f) uniform[f] = length * f / cells;
   if (grading.reach == 0) return uniform;
@@ -98,7 +100,8 @@ std::vector<double> faces_from_width_function(std::span<const double> anchors,
     x.assign(1, from);
     cells.assign(1, 0);
     while (x.back() < to) {
-      // The step length is based on the smaller one of the cell widths at the two ends of the step.
+      // The step length is a fraction of the smaller of the cell widths at the two ends of the
+      // step.
       double step = kStepFraction * width(x.back());
       step = std::min(step, kStepFraction * width(std::min(to, x.back() + step)));
       const double next = x.back() + step < to ? x.back() + step : to;
@@ -139,22 +142,24 @@ Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_g
                         graded_faces(x2_max, nv / 2, x2_grading));
 }
 
-transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages) {
-  return {grid.x1.faces(), grid.x2.faces(), {averages.begin(), averages.end()}};
+transform::GridDensity grid_density_from_averages(const Grid& grid,
+                                                  const Eigen::VectorXd& cell_averages) {
+  return {grid.x1.faces(), grid.x2.faces(), {cell_averages.begin(), cell_averages.end()}};
 }
 
-BoxEdgeDensity box_edge_density(const Grid& grid, const Eigen::VectorXd& averages,
+BoxEdgeDensity box_edge_density(const Grid& grid, const Eigen::VectorXd& cell_averages,
                                 double peak_density) {
   BoxEdgeDensity wall{0, 0};
   const Eigen::Index nx = grid.nx(), nv = grid.nv();
   const bool open_left = grid.x1.left_end_condition() == AxisEndCondition::vacuum;
   const bool open_right = grid.x1.right_end_condition() == AxisEndCondition::vacuum;
   for (Eigen::Index j = 0; j < nv; ++j) {
-    if (open_right) wall.x1 = std::max(wall.x1, std::abs(averages((nx - 1) * nv + j)));
-    if (open_left) wall.x1_low = std::max(wall.x1_low, std::abs(averages(j)));
+    if (open_right) wall.x1 = std::max(wall.x1, std::abs(cell_averages((nx - 1) * nv + j)));
+    if (open_left) wall.x1_low = std::max(wall.x1_low, std::abs(cell_averages(j)));
   }
   for (Eigen::Index i = 0; i < nx; ++i) {
-    wall.x2 = std::max({wall.x2, std::abs(averages(i * nv)), std::abs(averages((i + 1) * nv - 1))});
+    wall.x2 = std::max(
+        {wall.x2, std::abs(cell_averages(i * nv)), std::abs(cell_averages((i + 1) * nv - 1))});
   }
   return {wall.x1 / peak_density, wall.x2 / peak_density, wall.x1_low / peak_density};
 }

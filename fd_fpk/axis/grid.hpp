@@ -13,7 +13,7 @@ enum class AxisEnd { left, right };
 
 /// Condition at an end of an axis. The condition `vacuum`, at an edge of the box, sets the density
 /// outside to zero. The condition `boundary`, at an impact wall, shifts stencils inwards. The
-/// condition `barrier`, at the right end, absorbs all motion that reaches it, for first passages.
+/// condition `barrier`, for first passages, absorbs all motion that reaches the right end.
 enum class AxisEndCondition { vacuum, boundary, barrier };
 
 class Axis {
@@ -21,23 +21,25 @@ class Axis {
   explicit Axis(std::vector<double> faces, AxisEndCondition left = AxisEndCondition::vacuum,
                 AxisEndCondition right = AxisEndCondition::vacuum);
   /// Returns an axis with `cells` cells of the width `step`; the first cell begins at `origin`.
-  static Axis with_uniform_cells(double origin, double step, int cells,
-                                 AxisEndCondition left = AxisEndCondition::vacuum);
+  static Axis with_uniform_cells(double origin, double cell_width, int cell_count,
+                                 AxisEndCondition left_end_condition = AxisEndCondition::vacuum);
 
   int cell_count() const { return static_cast<int>(faces_.size()) - 1; }
-  /// Returns the position of face f. Indices beyond the end faces refer to vacuum cells outside the
+  /// Returns the position of a face. Indices beyond the end faces refer to vacuum cells outside the
   /// axis, which are as wide as the outermost cell.
-  double face_position(int f) const;
-  double cell_centre(int i) const { return (face_position(i) + face_position(i + 1)) / 2; }
-  double cell_width(int i) const { return face_position(i + 1) - face_position(i); }
+  double face_position(int face) const;
+  double cell_centre(int cell) const { return (face_position(cell) + face_position(cell + 1)) / 2; }
+  double cell_width(int cell) const { return face_position(cell + 1) - face_position(cell); }
   double smallest_cell_width() const;
 
   AxisEndCondition left_end_condition() const { return left_; }
   AxisEndCondition right_end_condition() const { return right_; }
   const std::vector<double>& faces() const { return faces_; }
   Eigen::VectorXd cell_widths() const;
-  /// Returns the same axis with another condition at its right end.
-  Axis with_right_end(AxisEndCondition condition) const { return Axis(faces_, left_, condition); }
+  /// Returns an axis with the same faces and the given condition at the right end.
+  Axis with_right_end_condition(AxisEndCondition condition) const {
+    return Axis(faces_, left_, condition);
+  }
   /// Returns the part of the axis above an inner face, with the condition `vacuum` at both ends.
   Axis subaxis_above_face(int first_face) const;
 
@@ -118,7 +120,8 @@ Grid symmetric_grid(std::vector<double> x1_faces, const std::vector<double>& pos
 Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading = {},
                const Grading& x2_grading = {});
 
-transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages);
+transform::GridDensity grid_density_from_averages(const Grid& grid,
+                                                  const Eigen::VectorXd& cell_averages);
 
 /// Largest density in the cells along each edge of the box, relative to a peak density.
 struct BoxEdgeDensity {
@@ -128,7 +131,7 @@ struct BoxEdgeDensity {
 };
 
 /// @param peak_density peak density, to which the returned densities are relative
-BoxEdgeDensity box_edge_density(const Grid& grid, const Eigen::VectorXd& averages,
+BoxEdgeDensity box_edge_density(const Grid& grid, const Eigen::VectorXd& cell_averages,
                                 double peak_density);
 
 }  // namespace fpkcheck::fd_fpk

@@ -103,7 +103,7 @@ AxisOperator first_order_impact_map(const Axis& speed_axis, const problem::Wall&
   AxisOperator speed(speed_axis.cell_count() + 1, speed_axis.cell_count() + 1);
   for (int f = 0; f <= speed_axis.cell_count(); ++f) {
     const double u = speed_axis.face_position(f);
-    speed.insert(f, f) = (1 - wall.restitution_at(u)) * u;
+    speed.insert(f, f) = (1 - wall.restitution_at_speed(u)) * u;
   }
   AxisOperator matrix(speed_axis.cell_count(), speed_axis.cell_count());
   matrix.setIdentity();

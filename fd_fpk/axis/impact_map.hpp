@@ -50,7 +50,7 @@ class CumulativeDistributionInterpolation {
 /// x1 = 0 with speed u and flux f(u) = u p(0, -u). The flux off the wall at speed w is
 ///
 ///     map     f(w/r)/r,                          p(0+, w) = p(0-, w/r)/r^2: exact
-///     delta   f(w) + d((1-r) w f)/dw,            its first order in 1-r: paper (12)
+///     delta   f(w) + d((1-r) w f)/dw,            first order in 1-r: paper (12)
 ///
 /// With a restitution coefficient r(u) that depends on the impact speed, the map is f(u) du/dw for
 /// w = u r(u).

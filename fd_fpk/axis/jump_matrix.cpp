@@ -17,14 +17,15 @@ constexpr int kFaces = 8;  // number of faces in each stencil, for interpolation
 
 constexpr int kMoments = 8;  // degree of the polynomial through a face and neighbouring faces
 
-std::vector<numerics::QuadraturePoint> gauss_points(double a, double b, double longest) {
+std::vector<numerics::QuadraturePoint> gauss_points_on_short_panels(double a, double b,
+                                                                    double max_panel_width) {
   return numerics::composite_gauss_points<8>(
-      a, b, std::max(1, static_cast<int>(std::ceil((b - a) / longest))));
+      a, b, std::max(1, static_cast<int>(std::ceil((b - a) / max_panel_width))));
 }
 
 // C_0, C_1, .., C_cells are the values of the cumulative distribution C at the faces. Column f of
-// `change` contains the weights of these values in E[C(x_f - Y)] - C_f, the mean change of C by an
-// impulse at the face x_f.
+// `change` contains the weights of C_0 .. C_cells in E[C(x_f - Y)] - C_f, the mean change of C by
+// an impulse at the face x_f.
 Eigen::MatrixXd generator_matrix(const Axis& axis,
                                  const CumulativeDistributionInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {
@@ -41,7 +42,7 @@ Eigen::MatrixXd generator_matrix(const Axis& axis,
 }
 
 // Returns whether the four cells on each side of the face are wider than length = E[Y^8]^(1/8).
-bool are_impulses_within_neighbours(const Axis& axis, int face, double length) {
+bool are_cells_wider_than_impulses(const Axis& axis, int face, double length) {
   for (int cell = face - kMoments / 2; cell < face + kMoments / 2; ++cell) {
     if (length >= axis.cell_width(cell)) return false;
   }
@@ -83,22 +84,22 @@ void add_continuous_piece(const Axis& axis, const CumulativeDistributionInterpol
                           double face, const problem::ImpulseLaw& law, double from, double to,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   const double longest = law.deviation();
-  // As a function of the jump u = face - y, the interpolating polynomial changes where y is a face
-  // of the axis.
+  // The interpolating polynomial of C(u), with u = face - y, changes where u is a face of the axis.
   const double left = std::max(face - to, axis.faces().front());
   const double right = std::min(face - from, axis.faces().back());
   const auto& faces = axis.faces();
   auto next = std::upper_bound(faces.begin(), faces.end(), left);
   for (double u = left; u < right; ++next) {
     const double end = std::min(*next, right);
-    for (const auto& [at, weight] : gauss_points(u, end, longest)) {
+    for (const auto& [at, weight] : gauss_points_on_short_panels(u, end, longest)) {
       cumulative.add_interpolation_weights(at, weight * law.density(face - at), weights);
     }
     u = end;
   }
   const double farthest = face - faces.back();
   if (from < std::min(to, farthest)) {
-    for (const auto& [y, weight] : gauss_points(from, std::min(to, farthest), longest)) {
+    for (const auto& [y, weight] :
+         gauss_points_on_short_panels(from, std::min(to, farthest), longest)) {
       weights(axis.cell_count()) += weight * law.density(y);
     }
   }
@@ -122,7 +123,7 @@ Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
   Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cell_count() + 1, axis.cell_count() + 1);
   const double length = std::pow(law.moment(kMoments), 1.0 / kMoments);
   for (int f = 0; f <= axis.cell_count(); ++f) {
-    if (are_impulses_within_neighbours(axis, f, length)) {
+    if (are_cells_wider_than_impulses(axis, f, length)) {
       add_moment_expansion(axis, f, law, change.col(f));
       continue;
     }
@@ -143,7 +144,7 @@ namespace {
 
 // Returns the upper end of a cell; infinity for the last cell, which receives all mass above the
 // axis.
-double upper_end(const Axis& axis, int cell) {
+double upper_end_of_cell(const Axis& axis, int cell) {
   return cell + 1 < axis.cell_count() ? axis.face_position(cell + 1)
                                       : std::numeric_limits<double>::infinity();
 }
@@ -156,7 +157,7 @@ void add_density_jumps(const Axis& axis, const problem::ImpulseLaw& law, int fro
     const double v = axis.cell_centre(from) + offset;
     double below = 0;
     for (int to = 0; to < axis.cell_count(); ++to) {
-      const double end = upper_end(axis, to);
+      const double end = upper_end_of_cell(axis, to);
       const double until = std::isinf(end) ? 1 : law.cumulative_probability(end - v);
       jumps.uniform(to, from) += weight * (until - below);
       jumps.slope(to, from) += weight * offset * (until - below);
@@ -175,7 +176,7 @@ void add_atom_jumps(const Axis& axis, const problem::AmplitudeAtom& atom, int fr
   for (int to = 0; to < axis.cell_count(); ++to) {
     const double begin =
         std::max(left, to == 0 ? -std::numeric_limits<double>::infinity() : axis.face_position(to));
-    const double end = std::min(right, upper_end(axis, to));
+    const double end = std::min(right, upper_end_of_cell(axis, to));
     if (!(end > begin)) continue;
     const double share = atom.probability * (end - begin) / (right - left);
     jumps.uniform(to, from) += share;

@@ -37,7 +37,7 @@ double speed_deviation(const problem::Problem& problem) {
 }
 
 double typical_speed(const problem::Problem& problem, double deviation) {
-  return std::max(deviation, 0.5 * std::sqrt(problem.impulses.law().moment(2)));
+  return std::max(deviation, 0.5 * std::sqrt(problem.impulses.amplitude_law().moment(2)));
 }
 
 double typical_height(const problem::Problem& problem, const Flow& flow, double speed) {
@@ -70,7 +70,7 @@ DensitySingularities density_singularities(const problem::Problem& problem, cons
                                            double typical_speed) {
   constexpr int kHalfCycles = 6;
   constexpr double kFaint = 0.02, kSlow = 0.02, kApart = 0.9, kStep = 1e-3;
-  const auto& law = problem.impulses.law();
+  const auto& law = problem.impulses.amplitude_law();
   DensitySingularities found;
   for (const auto& [amplitude, probability] : law.atoms()) {
     double speed = amplitude > 0 ? amplitude : -problem.system.restitution() * amplitude;
@@ -109,7 +109,8 @@ std::vector<RefinementPoint> refinement_points(double typical, double core,
   return refinement_points;
 }
 
-Grid linearised_grid(const problem::Problem& problem, const Options& options, const Box& box) {
+Grid grid_from_linearised_scales(const problem::Problem& problem, const Options& options,
+                                 const Box& box) {
   const Flow flow(problem.system);
   const double deviation = speed_deviation(problem), v = typical_speed(problem, deviation);
   const double y = typical_height(problem, flow, v);
@@ -124,14 +125,14 @@ Grid linearised_grid(const problem::Problem& problem, const Options& options, co
       faces_graded_to_points(0, box.x2_max, width * v, refinement_points(v, core, singular.v)));
 }
 
-Box initial_linearised_box(const problem::Problem& problem, const Options& options) {
+Box initial_box_from_linearised_scales(const problem::Problem& problem, const Options& options) {
   constexpr double kTimes = 10, kImpulses = 1.5, kHigher = 1.2, kRare = 1e-8;
   // Under a constant force the height of the box is proportional to the square of the speed.
   constexpr double kTimesPressed = 5;
   const double times = mean_acceleration_to_wall(problem) > 0 ? kTimesPressed : kTimes;
-  const double v_max =
-      options.x2_max.value_or(times * typical_speed(problem, speed_deviation(problem)) +
-                              kImpulses * impulse_quantile(problem.impulses.law(), kRare));
+  const double v_max = options.x2_max.value_or(
+      times * typical_speed(problem, speed_deviation(problem)) +
+      kImpulses * impulse_quantile(problem.impulses.amplitude_law(), kRare));
   double y_max = kHigher * typical_height(problem, Flow(problem.system), v_max);
   if (mean_acceleration_to_wall(problem) == 0) {
     const auto linear = problem::equivalent_linearisation(problem);
@@ -169,14 +170,15 @@ bool is_at_wall(const Flow& flow, const RestPoint& point) {
 }
 
 // Factors of the cell widths for motion along a limit cycle. For 3*(y^2-1)*v + y under impulses of
-// rate 1 and intensity 0.5 the estimated L1 error of p(y) within the default limit of time is .008
-// with these factors, .012 with 0.5 and 1.5, and .041 with 0.5 and 1.
+// rate 1 and intensity 0.5 the estimated L1 error of p(y) within the default time limit is 0.008
+// with the factors 0.3 and 1.5, 0.012 with the factors 0.5 and 1.5, and 0.041 with the factors 0.5
+// and 1.
 constexpr double kLimitCycleFactorY = 0.3, kLimitCycleFactorV = 1.5;
 
 // Returns the rest points, or the equilibria that a limit cycle encloses.
 std::vector<double> centres_of_motion(const Flow& flow) {
   std::vector<double> centres;
-  for (const RestPoint& point : rest_points(flow)) centres.push_back(point.y);
+  for (const RestPoint& point : find_rest_points(flow)) centres.push_back(point.y);
   return centres.empty() ? flow.potential_extrema() : centres;
 }
 
@@ -193,24 +195,24 @@ TypicalScales typical_scales(const problem::Problem& problem, const problem::Mot
                              const Flow& flow) {
   TypicalScales found{.speed = typical_speed(problem, scales.velocity_deviation),
                       .core_v = kContactCore,
-                      .points = rest_points(flow)};
+                      .points = find_rest_points(flow)};
   const std::vector<double> centres = centres_of_motion(flow);
-  found.least_potential = flow.potential(centres.front());
+  found.least_potential = flow.potential_energy(centres.front());
   const auto distance_from = [&](double y) {
     const AccessibleInterval accessible_interval = flow.accessible_interval({y, found.speed});
     return std::max(y - accessible_interval.low, accessible_interval.high - y);
   };
   for (const double y : centres) {
     found.widest = std::max(found.widest, distance_from(y));
-    found.least_potential = std::min(found.least_potential, flow.potential(y));
+    found.least_potential = std::min(found.least_potential, flow.potential_energy(y));
   }
   for (const RestPoint& point : found.points) {
     const double length = distance_from(point.y);
     if (point.contact) {
-      // The first cell in y has the height of a flight with the width of the first cell in v as
-      // speed.
+      // The first cell in y is as wide as the height of a flight whose initial speed is the width
+      // of the first cell in v.
       const double slow = kCellWidth * kContactCore * found.speed;
-      const double height = slow * slow / (2 * std::abs(flow.force(point.y)));
+      const double height = slow * slow / (2 * std::abs(flow.static_force(point.y)));
       found.core_y.push_back(height / kCellWidth);
     } else {
       const double core = equilibrium_core_distance(problem, scales, is_at_wall(flow, point));
@@ -221,8 +223,8 @@ TypicalScales typical_scales(const problem::Problem& problem, const problem::Mot
   return found;
 }
 
-Grid contact_grid(const problem::Problem& problem, const problem::MotionScales& scales,
-                  const Options& options, const Box& box) {
+Grid grid_from_rest_points(const problem::Problem& problem, const problem::MotionScales& scales,
+                           const Options& options, const Box& box) {
   const Flow flow(problem.system);
   const TypicalScales scale = typical_scales(problem, scales, flow);
   const double part = kCellWidth / options.refinement;
@@ -235,14 +237,15 @@ Grid contact_grid(const problem::Problem& problem, const problem::MotionScales& 
   }
   anchors.push_back(box.x1_max);
   const auto width_in_y = [&](double y) {
-    const double speed = std::sqrt(2 * std::max(0.0, flow.potential(y) - scale.least_potential));
+    const double speed =
+        std::sqrt(2 * std::max(0.0, flow.potential_energy(y) - scale.least_potential));
     // Near a saddle the force does not determine the length scale of the density.
     double nearest = scale.widest;
     for (const RestPoint& point : scale.points) {
       nearest = std::max(nearest, std::abs(y - point.y) / 4);
     }
     double inverse = std::max(
-        1 / nearest, std::abs(flow.force(y)) / (std::max(speed, scale.speed) * scale.speed));
+        1 / nearest, std::abs(flow.static_force(y)) / (std::max(speed, scale.speed) * scale.speed));
     for (std::size_t k = 0; k < scale.points.size(); ++k) {
       inverse += 1 / (scale.core_y[k] + std::abs(y - scale.points[k].y));
     }
@@ -260,11 +263,11 @@ Grid contact_grid(const problem::Problem& problem, const problem::MotionScales& 
                         beyond(WallSide::right));
 }
 
-Box initial_contact_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                        const Options& options) {
+Box initial_box_from_rest_points(const problem::Problem& problem,
+                                 const problem::MotionScales& scales, const Options& options) {
   constexpr double kTimes = 5, kDeviations = 9, kHigher = 1.1;
   const Flow flow(problem.system);
-  const auto& law = problem.impulses.law();
+  const auto& law = problem.impulses.amplitude_law();
   Box box{
       .x1_max = 0,
       .x2_max = options.x2_max.value_or(kTimes * typical_speed(problem, scales.velocity_deviation) +
@@ -286,14 +289,14 @@ Box initial_contact_box(const problem::Problem& problem, const problem::MotionSc
 
 Grid characteristic_grid(const problem::Problem& problem, const problem::MotionScales& scales,
                          const Options& options, const Box& box) {
-  return has_linearised_scales(problem) ? linearised_grid(problem, options, box)
-                                        : contact_grid(problem, scales, options, box);
+  return has_linearised_scales(problem) ? grid_from_linearised_scales(problem, options, box)
+                                        : grid_from_rest_points(problem, scales, options, box);
 }
 
 Box initial_characteristic_box(const problem::Problem& problem, const problem::MotionScales& scales,
                                const Options& options) {
-  return has_linearised_scales(problem) ? initial_linearised_box(problem, options)
-                                        : initial_contact_box(problem, scales, options);
+  return has_linearised_scales(problem) ? initial_box_from_linearised_scales(problem, options)
+                                        : initial_box_from_rest_points(problem, scales, options);
 }
 
 }  // namespace fpkcheck::fd_fpk

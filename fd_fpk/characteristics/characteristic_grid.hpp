@@ -9,8 +9,8 @@
 namespace fpkcheck::fd_fpk {
 
 /// Returns the grid of cells for characteristics, with all cell widths divided by
-/// options.refinement. The cell widths follow one of two rules. In case 1 with restitution 0.3,
-/// the second rule would triple the error estimate.
+/// options.refinement. The cell widths follow one of two rules. In case 1 with restitution 0.3, the
+/// rule for problems without linearised scales would triple the error estimate.
 ///
 /// First rule, for problems with has_linearised_scales(): far from the origin the cell width is a
 /// fifth of the typical amplitude. Nearer to the origin the cell width is a constant fraction of

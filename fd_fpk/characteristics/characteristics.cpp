@@ -19,14 +19,14 @@ constexpr int kChords = 10;
 // Duration of a characteristic, in mean times between impulses; a longer flight is negligible.
 constexpr double kMaxDecayTimes = 40;
 constexpr long kMostSteps = 20000;
-// The same duration along a limit cycle: 8e-7 of the mass remain in the cell of the last state. For
-// the example `relaxation`, E[y'^2] differs by 2e-5 from the result with a duration of 20, and the
-// error estimate is 2e-3.
+// Maximum duration of a characteristic along a limit cycle, in mean times between impulses: a
+// fraction of 8e-7 of the mass remains in the cell of the last state. For the example `relaxation`,
+// E[y'^2] differs by 2e-5 from the result with a duration of 20, and the error estimate is 2e-3.
 constexpr double kMaxCycleDecayTimes = 14;
 // Lower limit of the flux of area, which decays to zero for overdamped motion.
 constexpr double kLeastFlux = 1e-200;
 
-int cell_of(const Axis& axis, double x) {
+int cell_index_at(const Axis& axis, double x) {
   const auto& faces = axis.faces();
   const auto above = std::upper_bound(faces.begin(), faces.end(), x);
   return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, axis.cell_count() - 1);
@@ -53,7 +53,7 @@ class HermiteCubic {
 
 }  // namespace
 
-struct Characteristics::Position {
+struct Characteristics::TracingState {
   PhaseState state;
   int i, j;
   double flux;
@@ -67,7 +67,7 @@ Characteristics::Characteristics(const problem::System& system, const Grid& grid
       deadline_(deadline),
       flow_(system),
       rate_(impulse_rate),
-      rest_(fd_fpk::rest_points(flow_, grid, impulse_rate)),
+      rest_(fd_fpk::find_rest_points(flow_, grid, impulse_rate)),
       at_rest_(static_cast<std::size_t>(grid.size()), false) {
   for (std::size_t n = 0; n < rest_.size(); ++n) {
     if (rest_[n].contact) contacts_.push_back(static_cast<int>(n));
@@ -99,7 +99,7 @@ void Characteristics::trace_from_box_sides(int characteristics_per_cell) {
   const double length = grid_.x1_max() - grid_.x1_min();
   const double y_min = grid_.x1_min() + kInside * length;
   const double y_max = grid_.x1_max() - kInside * length, v_max = (1 - kInside) * grid_.x2_max();
-  std::vector<Start> starts;
+  std::vector<TraceStart> starts;
   const auto lay = [&](const PhaseState& from, double flux) {
     if (flux > 0) starts.push_back({from, flux});
   };
@@ -136,7 +136,7 @@ void Characteristics::trace_from_wall(WallSide side, int characteristics_per_cel
   const bool rests =
       std::ranges::any_of(rest_, [&](const RestPoint& place) { return place.y == y; });
   WallCharacteristics& wall_characteristics = this->wall_characteristics(side);
-  std::vector<Start> starts;
+  std::vector<TraceStart> starts;
   for (int j = grid_.nv() - 1; j >= (rests ? middle + 1 : middle); --j) {
     const double width = grid_.x2.cell_width(j) / characteristics_per_cell;
     for (int k = characteristics_per_cell - 1; k >= 0; --k) {
@@ -169,10 +169,10 @@ void Characteristics::sort_wall_characteristics() {
 }
 
 // Traces characteristics that start at the faces through which the motion enters a cell, for each
-// cell whose area the strips do not cover. Such cells are inside a limit cycle, where all motion
-// starts near an unstable equilibrium and none enters through the sides of the box. The new strips
-// cover the missing fraction of the area. Cells of lower energy come first, since the motion passes
-// them earlier.
+// cell whose area the strips do not cover. Inside a limit cycle the strips do not cover the cells,
+// since all motion starts near an unstable equilibrium and no motion enters through the sides of
+// the box. The new strips cover the missing fraction of the area. Cells of lower energy come first,
+// since the motion passes cells of lower energy earlier.
 void Characteristics::trace_from_uncovered_cells() {
   constexpr double kMissing = 0.3;  // largest accepted fraction of the area without strips
   constexpr double kInside = 1e-9;  // distance of the starts from the faces, in cell widths
@@ -190,7 +190,8 @@ void Characteristics::trace_from_uncovered_cells() {
   for (int cell = 0; cell < grid_.size(); ++cell) {
     if (missing_fraction(cell) < kMissing) continue;
     uncovered.emplace_back(
-        flow_.energy({grid_.x1.cell_centre(cell / nv), grid_.x2.cell_centre(cell % nv)}), cell);
+        flow_.mechanical_energy({grid_.x1.cell_centre(cell / nv), grid_.x2.cell_centre(cell % nv)}),
+        cell);
   }
   std::ranges::sort(uncovered);
   for (const auto& [energy, cell] : uncovered) {
@@ -234,22 +235,22 @@ void Characteristics::trace_through_uncrossed_cells() {
 
 // Returns the index of the equilibrium whose innermost cells contain the motion from the state.
 std::optional<int> Characteristics::equilibrium_containing(const PhaseState& at) const {
-  const int cell = cell_of(grid_.x1, at.y) * grid_.nv() + cell_of(grid_.x2, at.v);
+  const int cell = cell_index_at(grid_.x1, at.y) * grid_.nv() + cell_index_at(grid_.x2, at.v);
   if (!at_rest_[cell]) return std::nullopt;
   for (std::size_t n = 0; n < rest_.size(); ++n) {
     const RestPoint& place = rest_[n];
     const bool inside =
         !place.contact &&
         std::ranges::any_of(place.cells, [&](const RestMassShare& c) { return c.cell == cell; });
-    if (inside && flow_.energy(at) < place.escape_energy) return static_cast<int>(n);
+    if (inside && flow_.mechanical_energy(at) < place.escape_energy) return static_cast<int>(n);
   }
   return std::nullopt;
 }
 
-// Traces characteristics in several threads. The order of the characteristics and their visits is
-// the order of the starts.
+// Traces characteristics in several threads. The returned characteristics, and the cell visits, are
+// in the order of the starts.
 std::vector<Characteristic> Characteristics::trace_characteristics(
-    const std::vector<Start>& starts) {
+    const std::vector<TraceStart>& starts) {
   constexpr std::size_t kStartsPerPart = 64;  // many parts, since characteristics differ in length
   std::vector<TracedPart> parts((starts.size() + kStartsPerPart - 1) / kStartsPerPart);
   std::atomic<std::size_t> visit_count = visits_.size();
@@ -274,24 +275,24 @@ std::vector<Characteristic> Characteristics::trace_characteristics(
   return tracks;
 }
 
-void Characteristics::trace_characteristic(const Start& start,
+void Characteristics::trace_characteristic(const TraceStart& start,
                                            std::atomic<std::size_t>& visit_count,
                                            TracedPart& part) const {
   const PhaseState& from = start.state;
-  Position at{.state = from,
-              .i = cell_of(grid_.x1, from.y),
-              .j = cell_of(grid_.x2, from.v),
-              .flux = start.flux,
-              .first = part.visits.size()};
+  TracingState at{.state = from,
+                  .i = cell_index_at(grid_.x1, from.y),
+                  .j = cell_index_at(grid_.x2, from.v),
+                  .flux = start.flux,
+                  .first = part.visits.size()};
   if (deadline_.has_passed()) part.out_of_time = true;
   const auto own_visits = [&] { return part.visits.size() - at.first; };
   const auto must_stop_tracing = [&] {
     return out_of_time_ || part.out_of_time || visit_count + own_visits() > kMaxVisits;
   };
-  // Smallest ratio of the current energy and an earlier energy, one of which may be larger, at which
-  // the accessible interval of the earlier state is reused
+  // Smallest ratio of the smaller to the larger of the current energy and an earlier energy at
+  // which the accessible interval of the earlier state is reused
   constexpr double kReuseRatio = 0.7;
-  Characteristic track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
+  Characteristic track{.first = at.first, .last = 0, .energy = flow_.mechanical_energy(from)};
   AccessibleInterval accessible_interval = flow_.accessible_interval(from);
   double energy = track.energy - accessible_interval.least_potential, time = 0;
   for (long step = 0;; ++step) {
@@ -299,10 +300,10 @@ void Characteristics::trace_characteristic(const Start& start,
     if (must_stop_tracing() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
     // Along a limit cycle no rest point ends the characteristic.
     if (rest_.empty() && rate_ * time > kMaxCycleDecayTimes) break;
-    const double left = flow_.energy(at.state) - accessible_interval.least_potential;
+    const double left = flow_.mechanical_energy(at.state) - accessible_interval.least_potential;
     if (left < kReuseRatio * energy || left * kReuseRatio > energy) {
       accessible_interval = flow_.accessible_interval(at.state);
-      energy = flow_.energy(at.state) - accessible_interval.least_potential;
+      energy = flow_.mechanical_energy(at.state) - accessible_interval.least_potential;
     }
     double span = flow_.max_time_step(at.state, accessible_interval);
     PhaseState end = flow_.advance_state(at.state, span);
@@ -342,12 +343,12 @@ void Characteristics::set_end_at_wall(WallSide side, double speed,
     characteristic_end.rest = static_cast<int>(n);
     if (!rest_[n].contact) continue;
     characteristic_end.cascade =
-        impact_cascade(left, std::abs(flow_.force(wall.position)), wall.restitution, rate_);
+        impact_cascade(left, std::abs(flow_.static_force(wall.position)), wall.restitution, rate_);
   }
 }
 
 // Records the cell visits of a straight chord of the path.
-void Characteristics::record_cell_visits(Position& at, const PhaseState& to, double time,
+void Characteristics::record_cell_visits(TracingState& at, const PhaseState& to, double time,
                                          TracedPart& part) const {
   std::vector<CellVisit>& visits = part.visits;
   const PhaseState from = at.state;

@@ -39,7 +39,7 @@ struct CharacteristicEnd {
   int faster = 0, slower = 0;
   double faster_fraction = 0;
   std::optional<int> rest = {};          ///< index in Characteristics::rest_points()
-  std::optional<ImpactCascade> cascade;  ///< cascade of impacts that ends at rest in contact
+  std::optional<ImpactCascade> cascade;  ///< cascade of impacts to rest in contact
 };
 
 /// Characteristic from a wall or an edge of the box to the next impact or to a rest point.
@@ -55,7 +55,8 @@ struct Characteristic {
 struct ContactImpulseDistribution {
   std::vector<double>
       shares;  ///< fraction of the mass on each characteristic of characteristics_from_walls()
-  /// Fraction of the mass to which an impulse gives a speed below that of every characteristic
+  /// Fraction of the mass to which an impulse gives a speed below the start speed of every
+  /// characteristic
   double rest_fraction = 0;
   /// Momentum and energy that impacts after impulses into the wall transfer, per impulse
   double momentum = 0, energy = 0;
@@ -81,10 +82,10 @@ class Characteristics {
   const std::vector<Characteristic>& characteristics_from_boundary() const { return from_outside_; }
   /// Returns the characteristics that start at a wall, by decreasing energy. After an impact the
   /// mass of a characteristic continues on two characteristics with neighbouring start speeds. The
-  /// slower of the two always comes later in the list than the characteristic before the impact;
-  /// the faster of the two may come earlier.
+  /// slower characteristic always comes later in the list than the characteristic before the
+  /// impact; the faster characteristic may come earlier.
   const std::vector<Characteristic>& characteristics_from_walls() const { return from_walls_; }
-  const std::vector<CellVisit>& visits() const { return visits_; }
+  const std::vector<CellVisit>& cell_visits() const { return visits_; }
   /// Returns the reason why the characteristics do not cover the plane; empty for a covered plane.
   std::string failure_reason() const;
   const std::vector<RestPoint>& rest_points() const { return rest_; }
@@ -98,12 +99,13 @@ class Characteristics {
       const problem::ImpulseLaw& law) const;
 
  private:
-  struct Position;  // current state of the tracing of a characteristic
-  struct Start {
+  struct TracingState;  // current state of the tracing of a characteristic
+  struct TraceStart {
     PhaseState state;
     double flux;  // flux of area through the strip
   };
-  // Characteristics that one call of parallel_for() traces; their indices count `visits`.
+  // Characteristics that one call of parallel_for() traces. The indices in `tracks` refer to
+  // `visits`.
   struct TracedPart {
     std::vector<Characteristic> tracks;
     std::vector<CellVisit> visits;
@@ -128,16 +130,17 @@ class Characteristics {
   void sort_wall_characteristics();
   void trace_from_uncovered_cells();
   void trace_through_uncrossed_cells();
-  std::vector<Characteristic> trace_characteristics(const std::vector<Start>& starts);
+  std::vector<Characteristic> trace_characteristics(const std::vector<TraceStart>& starts);
   Characteristic trace_characteristic(const PhaseState& from, double flux) {
     return trace_characteristics({{from, flux}}).front();
   }
   // Appends the characteristic and its visits to `part`. The argument `visit_count` is the number
   // of visits of all characteristics that have been traced in any thread.
-  void trace_characteristic(const Start& start, std::atomic<std::size_t>& visit_count,
+  void trace_characteristic(const TraceStart& start, std::atomic<std::size_t>& visit_count,
                             TracedPart& part) const;
   std::optional<int> equilibrium_containing(const PhaseState& at) const;
-  void record_cell_visits(Position& at, const PhaseState& to, double time, TracedPart& part) const;
+  void record_cell_visits(TracingState& at, const PhaseState& to, double time,
+                          TracedPart& part) const;
   void set_end_at_wall(WallSide side, double speed, CharacteristicEnd& characteristic_end) const;
   void normalise_visit_areas();
   void find_continuations_at_walls(std::vector<Characteristic>& tracks) const;

@@ -9,7 +9,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-std::vector<double> coarsen(const std::vector<double>& faces, int stride) {
+std::vector<double> keep_every_nth_face(const std::vector<double>& faces, int stride) {
   std::vector<double> kept;
   for (std::size_t f = 0; f + 1 < faces.size(); f += static_cast<std::size_t>(stride)) {
     kept.push_back(faces[f]);
@@ -18,10 +18,10 @@ std::vector<double> coarsen(const std::vector<double>& faces, int stride) {
   return kept;
 }
 
-Grid coarsen(const Grid& grid, int stride) {
-  return symmetric_grid(coarsen(grid.x1.faces(), stride),
-                        coarsen(grid.speed_axis().faces(), stride), grid.x1.left_end_condition(),
-                        grid.x1.right_end_condition());
+Grid coarsened_grid(const Grid& grid, int stride) {
+  return symmetric_grid(keep_every_nth_face(grid.x1.faces(), stride),
+                        keep_every_nth_face(grid.speed_axis().faces(), stride),
+                        grid.x1.left_end_condition(), grid.x1.right_end_condition());
 }
 
 int block_stride(const Grid& grid, int max_blocks) {
@@ -44,7 +44,9 @@ std::vector<int> block_indices(const Axis& axis, const Axis& blocks) {
 }  // namespace
 
 ChainAggregation::ChainAggregation(const Grid& grid, int atom_count, int max_blocks)
-    : grid_(grid), atoms_(atom_count), blocks_(coarsen(grid, block_stride(grid, max_blocks))) {
+    : grid_(grid),
+      atoms_(atom_count),
+      blocks_(coarsened_grid(grid, block_stride(grid, max_blocks))) {
   block_of_y_ = block_indices(grid.x1, blocks_.x1);
   block_of_v_ = block_indices(grid.x2, blocks_.x2);
   set_disaggregation_weights(Eigen::VectorXd::Zero(grid.size() + atom_count));
@@ -73,7 +75,7 @@ void ChainAggregation::set_disaggregation_weights(const Eigen::VectorXd& masses)
   const Eigen::VectorXd areas = grid_.cell_areas();
   weights_ = masses.cwiseMax(0);
   weights_.head(grid_.size()) += kEven / areas.sum() * areas;
-  const Eigen::VectorXd sums = aggregate(weights_);
+  const Eigen::VectorXd sums = sum_over_blocks(weights_);
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.nv(); ++j) {
       weights_(i * grid_.nv() + j) /= sums(block_of_y_[i] * blocks_.nv() + block_of_v_[j]);
@@ -81,7 +83,8 @@ void ChainAggregation::set_disaggregation_weights(const Eigen::VectorXd& masses)
   }
 }
 
-Eigen::VectorXd ChainAggregation::aggregate(const Eigen::Ref<const Eigen::VectorXd>& masses) const {
+Eigen::VectorXd ChainAggregation::sum_over_blocks(
+    const Eigen::Ref<const Eigen::VectorXd>& masses) const {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(blocks_.size() + atoms_);
   sums.tail(atoms_) = masses.tail(atoms_);
   for (int i = 0; i < grid_.nx(); ++i) {
@@ -93,7 +96,7 @@ Eigen::VectorXd ChainAggregation::aggregate(const Eigen::Ref<const Eigen::Vector
 }
 
 void ChainAggregation::apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masses) const {
-  const Eigen::VectorXd sums = aggregate(masses);
+  const Eigen::VectorXd sums = sum_over_blocks(masses);
   const Eigen::VectorXd missing = factors_.solve(sums) - sums;
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.nv(); ++j) {
@@ -106,40 +109,43 @@ void ChainAggregation::apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masse
 
 namespace {
 
-class Chain {
+class EmbeddedChain {
  public:
-  Chain(const problem::Problem& problem, const Grid& grid, int characteristics_per_cell,
-        const base::Deadline& deadline)
+  EmbeddedChain(const problem::Problem& problem, const Grid& grid, int characteristics_per_cell,
+                const base::Deadline& deadline)
       : grid_(grid),
-        jumps_(cell_jump_matrices(grid.x2, problem.impulses.law())),
+        jumps_(cell_jump_matrices(grid.x2, problem.impulses.amplitude_law())),
         characteristics_(problem.system, grid, problem.impulses.arrival_rate(),
                          characteristics_per_cell, deadline),
-        transport_(characteristics_, problem.impulses.law()),
+        transport_(characteristics_, problem.impulses.amplitude_law()),
         slopes_after_(grid, characteristics_.rest_points()),
         slopes_before_(grid, characteristics_.rest_points()) {}
 
   const Characteristics& characteristics() const { return characteristics_; }
 
   // Applies the transport operator: p = T q.
-  Eigen::VectorXd apply_flow(const Eigen::VectorXd& after, WallImpacts* impacts = nullptr) const {
-    return transport_(after, has_slopes_ ? slopes_after_(after) : zero_slopes(), impacts);
+  Eigen::VectorXd apply_flow(const Eigen::VectorXd& masses_after_impulse,
+                             WallImpacts* impacts = nullptr) const {
+    return transport_(masses_after_impulse,
+                      has_slopes_ ? slopes_after_(masses_after_impulse) : zero_slopes(), impacts);
   }
 
   // Applies the velocity jumps, q = J p, except to mass in contact, which transport_ treats.
-  Eigen::VectorXd apply_jump(const Eigen::VectorXd& before) const {
-    Eigen::VectorXd after = before;
-    columns(after).noalias() = jumps_.uniform * columns(before);
+  Eigen::VectorXd apply_jump(const Eigen::VectorXd& masses_before_impulse) const {
+    Eigen::VectorXd masses_after_impulse = masses_before_impulse;
+    velocity_columns(masses_after_impulse).noalias() =
+        jumps_.uniform * velocity_columns(masses_before_impulse);
     if (has_slopes_) {
-      const Eigen::VectorXd slopes = slopes_before_.velocity_slopes(before);
-      columns(after).noalias() += jumps_.slope * columns(slopes);
+      const Eigen::VectorXd slopes = slopes_before_.velocity_slopes(masses_before_impulse);
+      velocity_columns(masses_after_impulse).noalias() += jumps_.slope * velocity_columns(slopes);
     }
-    return after;
+    return masses_after_impulse;
   }
 
-  void enable_slopes(const Eigen::VectorXd& after) {
+  void enable_slopes(const Eigen::VectorXd& masses_after_impulse) {
     has_slopes_ = true;
-    slopes_after_.set_slope_limiter(after);
-    slopes_before_.set_slope_limiter(apply_flow_without_slopes(after));
+    slopes_after_.set_slope_limiter(masses_after_impulse);
+    slopes_before_.set_slope_limiter(apply_flow_without_slopes(masses_after_impulse));
   }
 
  private:
@@ -147,14 +153,14 @@ class Chain {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(grid_.size());
     return {zero, zero};
   }
-  Eigen::VectorXd apply_flow_without_slopes(const Eigen::VectorXd& after) const {
-    return transport_(after, zero_slopes());
+  Eigen::VectorXd apply_flow_without_slopes(const Eigen::VectorXd& masses_after_impulse) const {
+    return transport_(masses_after_impulse, zero_slopes());
   }
   // Returns the masses as a matrix with one column for each cell of x1.
-  Eigen::Map<Eigen::MatrixXd> columns(Eigen::VectorXd& masses) const {
+  Eigen::Map<Eigen::MatrixXd> velocity_columns(Eigen::VectorXd& masses) const {
     return {masses.data(), grid_.nv(), grid_.nx()};
   }
-  Eigen::Map<const Eigen::MatrixXd> columns(const Eigen::VectorXd& masses) const {
+  Eigen::Map<const Eigen::MatrixXd> velocity_columns(const Eigen::VectorXd& masses) const {
     return {masses.data(), grid_.nv(), grid_.nx()};
   }
 
@@ -170,32 +176,34 @@ class Chain {
 constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
 // Adds to q, of mass 1, the solution d, of mass 0, of (1 - J T) d + q (1, d) = J T q - q.
-void correct_by_gmres(const Chain& chain, const ChainAggregation& aggregation, double tolerance,
-                      const base::Deadline& deadline, Eigen::VectorXd& after,
-                      StationaryMasses& result) {
-  const Eigen::VectorXd defect = chain.apply_jump(chain.apply_flow(after)) - after;
+void solve_chain_by_gmres(const EmbeddedChain& chain, const ChainAggregation& aggregation,
+                          double tolerance, const base::Deadline& deadline,
+                          Eigen::VectorXd& masses_after_impulse, StationaryMasses& result) {
+  const Eigen::VectorXd defect =
+      chain.apply_jump(chain.apply_flow(masses_after_impulse)) - masses_after_impulse;
   const double norm = defect.cwiseAbs().sum();
   if (norm <= tolerance) return;
   const LinearMap map = [&](const Eigen::VectorXd& d) -> Eigen::VectorXd {
-    return d - chain.apply_jump(chain.apply_flow(d)) + after * d.sum();
+    return d - chain.apply_jump(chain.apply_flow(d)) + masses_after_impulse * d.sum();
   };
   const ApproximateSolve correct = [&](Eigen::Ref<Eigen::VectorXd> d) {
     aggregation.apply_coarse_correction(d);
   };
   const auto found =
-      gmres(map, correct, defect, Eigen::VectorXd::Ones(after.size()), tolerance / norm, deadline);
+      solve_by_gmres(map, correct, defect, Eigen::VectorXd::Ones(masses_after_impulse.size()),
+                     tolerance / norm, deadline);
   result.iterations += found.iterations;
   if (!found.solution) {
     result.failure = found.failure;
     return;
   }
-  after += *found.solution;
-  after /= after.sum();
+  masses_after_impulse += *found.solution;
+  masses_after_impulse /= masses_after_impulse.sum();
 }
 
 // Under many impulses per decay time the chain converges slowly and requires more blocks than under
 // rare impulses.
-int block_count(const problem::Problem& problem, const problem::MotionScales& scales) {
+int max_block_count(const problem::Problem& problem, const problem::MotionScales& scales) {
   constexpr double kPerImpulse = 20;
   const double impulses = problem::impulses_per_decay_time(problem, scales);
   return static_cast<int>(std::clamp(kPerImpulse * impulses, 200.0, 1600.0));
@@ -206,28 +214,29 @@ int block_count(const problem::Problem& problem, const problem::MotionScales& sc
 StationaryMasses stationary_masses(const problem::Problem& problem,
                                    const problem::MotionScales& scales, const Grid& grid,
                                    int characteristics_per_cell, const base::Deadline& deadline) {
-  Chain chain(problem, grid, characteristics_per_cell, deadline);
+  EmbeddedChain chain(problem, grid, characteristics_per_cell, deadline);
   const auto& characteristics = chain.characteristics();
   const auto& points = characteristics.rest_points();
   if (const std::string why = characteristics.failure_reason(); !why.empty()) {
     return {.masses = std::nullopt,
             .failure = why,
-            .visits = static_cast<long>(characteristics.visits().size())};
+            .visits = static_cast<long>(characteristics.cell_visits().size())};
   }
   const auto atoms = static_cast<int>(characteristics.contact_rest_point_indices().size());
-  ChainAggregation aggregation(grid, atoms, block_count(problem, scales));
+  ChainAggregation aggregation(grid, atoms, max_block_count(problem, scales));
   {
-    const Chain block_chain(problem, aggregation.block_grid(), characteristics_per_cell, deadline);
+    const EmbeddedChain block_chain(problem, aggregation.block_grid(), characteristics_per_cell,
+                                    deadline);
     if (const std::string why = block_chain.characteristics().failure_reason(); !why.empty()) {
       return {.masses = std::nullopt, .failure = why};
     }
-    aggregation.set_block_chain([&](const Eigen::VectorXd& after) {
-      return block_chain.apply_jump(block_chain.apply_flow(after));
+    aggregation.set_block_chain([&](const Eigen::VectorXd& masses_after_impulse) {
+      return block_chain.apply_jump(block_chain.apply_flow(masses_after_impulse));
     });
   }
   StationaryMasses result{.masses = std::nullopt,
                           .rest = points,
-                          .visits = static_cast<long>(characteristics.visits().size())};
+                          .visits = static_cast<long>(characteristics.cell_visits().size())};
   // The initial state is the oscillator at rest; without a rest point, the uniform distribution.
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size() + atoms);
   for (const RestPoint& point : points) {
@@ -237,16 +246,19 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
   start.tail(atoms).setOnes();
   if (points.empty()) start = grid.cell_areas();
   start /= start.sum();
-  Eigen::VectorXd after = chain.apply_jump(start);
-  correct_by_gmres(chain, aggregation, kRoughChainTolerance, deadline, after, result);
+  Eigen::VectorXd masses_after_impulse = chain.apply_jump(start);
+  solve_chain_by_gmres(chain, aggregation, kRoughChainTolerance, deadline, masses_after_impulse,
+                       result);
   if (!result.failure.empty()) return result;
-  chain.enable_slopes(after);
-  aggregation.set_disaggregation_weights(after);
-  correct_by_gmres(chain, aggregation, kChainTolerance, deadline, after, result);
+  chain.enable_slopes(masses_after_impulse);
+  aggregation.set_disaggregation_weights(masses_after_impulse);
+  solve_chain_by_gmres(chain, aggregation, kChainTolerance, deadline, masses_after_impulse, result);
   if (!result.failure.empty()) return result;
-  const Eigen::VectorXd before = chain.apply_flow(after, &result.impacts);
-  result.residual = (chain.apply_jump(before) - after).cwiseAbs().sum();
-  const Eigen::VectorXd masses = before / before.sum();
+  const Eigen::VectorXd masses_before_impulse =
+      chain.apply_flow(masses_after_impulse, &result.impacts);
+  result.residual =
+      (chain.apply_jump(masses_before_impulse) - masses_after_impulse).cwiseAbs().sum();
+  const Eigen::VectorXd masses = masses_before_impulse / masses_before_impulse.sum();
   result.masses = masses.head(grid.size());
   for (const RestPoint& point : points) {
     double mass = 0;

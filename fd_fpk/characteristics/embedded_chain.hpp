@@ -30,7 +30,8 @@ class ChainAggregation {
 
   /// @param step function that applies one step of the embedded chain to the masses of the blocks
   void set_block_chain(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step);
-  /// Sets weights that distribute the mass of a block over its cells in proportion to `masses`.
+  /// Sets weights that distribute the mass of a block over the cells of the block in proportion to
+  /// `masses`.
   void set_disaggregation_weights(const Eigen::VectorXd& masses);
 
   /// Replaces the residual r of (1 - A + start 1^T) d = r by an approximate solution d. The
@@ -39,7 +40,7 @@ class ChainAggregation {
   void apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masses) const;
 
  private:
-  Eigen::VectorXd aggregate(const Eigen::Ref<const Eigen::VectorXd>& masses) const;
+  Eigen::VectorXd sum_over_blocks(const Eigen::Ref<const Eigen::VectorXd>& masses) const;
 
   const Grid& grid_;
   int atoms_;

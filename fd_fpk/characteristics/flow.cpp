@@ -11,14 +11,14 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Largest product of damping and Runge-Kutta step. The stability limit on the negative real axis is
-// 2.78; up to 0.75 the decay is also accurate.
+// 2.78; up to 0.75 the computed decay is accurate.
 constexpr double kStability = 0.75;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Returns int_0^t exp(s t') dt' = expm1(s t) / s.
-double integrated_exponential(double s, double time) {
-  return s == 0 ? time : std::expm1(s * time) / s;
+double integrated_exponential(double s, double duration) {
+  return s == 0 ? duration : std::expm1(s * duration) / s;
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ Flow::Flow(const problem::System& system) : system_(system), potential_(system) 
   }
 }
 
-double Flow::distance(double y, WallSide side) const {
+double Flow::distance_from_wall(double y, WallSide side) const {
   assert(wall(side));
   return inward_sign(side) * (y - wall(side)->position);
 }
@@ -41,52 +41,55 @@ std::optional<WallSide> Flow::passed_wall(double y) const {
   return std::nullopt;
 }
 
-double Flow::acceleration(const PhaseState& at) const { return -system_.force(at.y, at.v); }
+double Flow::acceleration(const PhaseState& state) const {
+  return -system_.force(state.y, state.v);
+}
 
-double Flow::contraction_rate(const PhaseState& at) const {
-  return system_.force_slope_in_v(at.y, at.v);
+double Flow::contraction_rate(const PhaseState& state) const {
+  return system_.force_slope_in_v(state.y, state.v);
 }
 
 // Returns the exact solution after a time step for forces linearised about the state. The solution
 // consists of exponentials of the roots s of s^2 + f_v s + (f_y + g') = 0. The roots are real
 // whenever a step exceeds the stability limit of explicit methods.
-PhaseState Flow::advance_overdamped(const PhaseState& from, double time) const {
+PhaseState Flow::advance_overdamped(const PhaseState& from, double duration) const {
   const auto [slow, fast, v_slow, v_fast] = overdamped_modes(from);
-  return {from.y + v_slow * integrated_exponential(slow, time) +
-              v_fast * integrated_exponential(fast, time),
-          v_slow * std::exp(slow * time) + v_fast * std::exp(fast * time)};
+  return {from.y + v_slow * integrated_exponential(slow, duration) +
+              v_fast * integrated_exponential(fast, duration),
+          v_slow * std::exp(slow * duration) + v_fast * std::exp(fast * duration)};
 }
 
-bool Flow::is_overdamped(const PhaseState& at) const {
-  const double damping = contraction_rate(at);
-  return damping > 0 && damping * damping > 4 * system_.force_slope_in_y(at.y, at.v);
+bool Flow::is_overdamped(const PhaseState& state) const {
+  const double damping = contraction_rate(state);
+  return damping > 0 && damping * damping > 4 * system_.force_slope_in_y(state.y, state.v);
 }
 
-Flow::OverdampedModes Flow::overdamped_modes(const PhaseState& at) const {
-  const double damping = contraction_rate(at);
-  const double stiffness = system_.force_slope_in_y(at.y, at.v);
+Flow::OverdampedModes Flow::overdamped_modes(const PhaseState& state) const {
+  const double damping = contraction_rate(state);
+  const double stiffness = system_.force_slope_in_y(state.y, state.v);
   const double root = std::sqrt(std::max(0.0, damping * damping - 4 * stiffness));
   const double fast = -(damping + root) / 2, slow = -2 * stiffness / (damping + root);
-  const double v_fast = (acceleration(at) - slow * at.v) / (fast - slow);
-  return {.slow = slow, .fast = fast, .v_slow = at.v - v_fast, .v_fast = v_fast};
+  const double v_fast = (acceleration(state) - slow * state.v) / (fast - slow);
+  return {.slow = slow, .fast = fast, .v_slow = state.v - v_fast, .v_fast = v_fast};
 }
 
-PhaseState Flow::advance_state(const PhaseState& from, double time) const {
-  if (contraction_rate(from) * time > kStability && is_overdamped(from)) {
-    const PhaseState full = advance_overdamped(from, time);
-    const PhaseState halves = advance_overdamped(advance_overdamped(from, time / 2), time / 2);
+PhaseState Flow::advance_state(const PhaseState& from, double duration) const {
+  if (contraction_rate(from) * duration > kStability && is_overdamped(from)) {
+    const PhaseState full = advance_overdamped(from, duration);
+    const PhaseState halves =
+        advance_overdamped(advance_overdamped(from, duration / 2), duration / 2);
     return {(4 * halves.y - full.y) / 3, (4 * halves.v - full.v) / 3};
   }
-  const double half = time / 2;
+  const double half = duration / 2;
   const PhaseState a{from.v, acceleration(from)};
   const PhaseState at_b{from.y + half * a.y, from.v + half * a.v};
   const PhaseState b{at_b.v, acceleration(at_b)};
   const PhaseState at_c{from.y + half * b.y, from.v + half * b.v};
   const PhaseState c{at_c.v, acceleration(at_c)};
-  const PhaseState at_d{from.y + time * c.y, from.v + time * c.v};
+  const PhaseState at_d{from.y + duration * c.y, from.v + duration * c.v};
   const PhaseState d{at_d.v, acceleration(at_d)};
-  return {from.y + time / 6 * (a.y + 2 * b.y + 2 * c.y + d.y),
-          from.v + time / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
+  return {from.y + duration / 6 * (a.y + 2 * b.y + 2 * c.y + d.y),
+          from.v + duration / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
 }
 
 double Flow::max_time_step(const PhaseState& from,
@@ -97,7 +100,7 @@ double Flow::max_time_step(const PhaseState& from,
   // quickly, so that the step also needs the limits kLongest and kIntervalFraction.
   constexpr double kLongest = 0.3, kIntervalFraction = 0.1;
   const double size =
-      std::sqrt(2 * std::max(0.0, energy(from) - accessible_interval.least_potential));
+      std::sqrt(2 * std::max(0.0, mechanical_energy(from) - accessible_interval.least_potential));
   const double rate = std::hypot(accessible_interval.frequency * from.v, acceleration(from));
   const double free = kChange * size / rate;
   const double across = accessible_interval.high > accessible_interval.low
@@ -120,25 +123,25 @@ double Flow::max_time_step(const PhaseState& from,
   return std::max(kStability / damping, std::min({free, smooth, across}));
 }
 
-// Returns the longest step, of `time` divided by powers of 2, that agrees with two half steps. The
-// force and its slopes at one state do not limit the step, because a formula may change sharply
-// within the step, as tanh(20 v) does.
-double Flow::resolved_time_step(const PhaseState& from, double time, double size,
+// Returns the longest step, of `duration` divided by powers of 2, that agrees with two half steps.
+// The force and the slopes of the force at one state do not determine the step, because a formula
+// such as tanh(20 v) may change sharply within the step.
+double Flow::resolved_time_step(const PhaseState& from, double duration, double size,
                                 double frequency) const {
-  // Largest error of a step relative to the state, in the energy norm. With a hundredth of this
-  // error E[y^2] of 0.02*v + 0.1*tanh(20*v) + y at a wall changes by a
-  // relative 5e-6 (`fpkcheck fd --transport characteristics`).
+  // Largest error of a step relative to the state, in the energy norm. With the value 1e-8 of
+  // kError, E[y^2] of 0.02*v + 0.1*tanh(20*v) + y at a wall changes by a relative 5e-6 (`fpkcheck
+  // fd --transport characteristics`).
   constexpr double kError = 1e-6;
   constexpr int kMostHalvings = 20;
-  PhaseState full = advance_state(from, time);
+  PhaseState full = advance_state(from, duration);
   for (int n = 0; n < kMostHalvings; ++n) {
-    const PhaseState half = advance_state(from, time / 2);
-    const PhaseState end = advance_state(half, time / 2);
+    const PhaseState half = advance_state(from, duration / 2);
+    const PhaseState end = advance_state(half, duration / 2);
     if (std::hypot(frequency * (end.y - full.y), end.v - full.v) <= kError * size) break;
-    time /= 2;
+    duration /= 2;
     full = half;
   }
-  return time;
+  return duration;
 }
 
 // Returns the largest |g'| between two displacements.
@@ -152,7 +155,8 @@ double Flow::largest_stiffness(double low, double high) const {
   inspect(high);
   for (const double y : stiffness_extrema_) inspect(y);
   if (!system_.has_polynomial_force()) {
-    // resolved_time_step() corrects a stiffness that is too small.
+    // If the largest stiffness lies between the sampled displacements, resolved_time_step()
+    // shortens the time step.
     constexpr int kIntervals = 16;
     for (int n = 1; n < kIntervals; ++n) inspect(low + (high - low) * n / kIntervals);
   }
@@ -191,11 +195,11 @@ double Flow::end_of_accessible_interval(double y, double energy, WallSide side) 
   return between(reached, reached + sign * step);
 }
 
-AccessibleInterval Flow::accessible_interval(const PhaseState& at) const {
-  const double level = energy(at);
+AccessibleInterval Flow::accessible_interval(const PhaseState& state) const {
+  const double level = mechanical_energy(state);
   AccessibleInterval accessible_interval{
-      .low = end_of_accessible_interval(at.y, level, WallSide::left),
-      .high = end_of_accessible_interval(at.y, level, WallSide::right),
+      .low = end_of_accessible_interval(state.y, level, WallSide::left),
+      .high = end_of_accessible_interval(state.y, level, WallSide::right),
       .least_potential = 0,
       .frequency = 0};
   const auto inside = [&](double y) {
@@ -218,13 +222,14 @@ HalfCycle Flow::half_cycle(double speed) const {
   const double wall = system_.left_wall()->position;
   PhaseState state{wall, speed};
   HalfCycle half_cycle{.height = 0, .duration = kInfinity};
-  double time = 0;
+  double duration = 0;
   const AccessibleInterval accessible_interval = this->accessible_interval(state);
-  while (energy(state) - accessible_interval.least_potential > kCreeping * speed * speed) {
+  while (mechanical_energy(state) - accessible_interval.least_potential >
+         kCreeping * speed * speed) {
     const double span = max_time_step(state, accessible_interval);
     const PhaseState end = advance_state(state, span);
     if (state.v > 0 && end.v <= 0) {
-      // The turning point is the apex of the parabola.
+      // The time of the turning point follows from linear interpolation of the velocity.
       const double until = span * state.v / (state.v - end.v);
       half_cycle.height = std::max(half_cycle.height, advance_state(state, until).y - wall);
     }
@@ -232,35 +237,37 @@ HalfCycle Flow::half_cycle(double speed) const {
     if (hit == WallSide::left) {
       const double until = impact_time(state, span, WallSide::left);
       half_cycle.impact_speed = -advance_state(state, until).v;
-      half_cycle.duration = time + until;
+      half_cycle.duration = duration + until;
       break;
     }
     if (hit) {
       half_cycle.height = system_.right_wall()->position - wall;
       break;
     }
-    time += span;
+    duration += span;
     state = end;
   }
   return half_cycle;
 }
 
-double Flow::impact_time(const PhaseState& from, double time, WallSide side) const {
-  assert(distance(advance_state(from, time).y, side) <= 0);
-  double before = 0, until = time;
-  const double distance_now = distance(from.y, side);
+double Flow::impact_time(const PhaseState& from, double duration, WallSide side) const {
+  assert(distance_from_wall(advance_state(from, duration).y, side) <= 0);
+  double before = 0, until = duration;
+  const double distance_now = distance_from_wall(from.y, side);
   // The initial guess is the time at which the chord of the path meets the wall. For a flight that
   // starts at the wall the guess is half of the time step.
-  double guess = distance_now > 0 ? time * distance_now /
-                                        (distance_now - distance(advance_state(from, time).y, side))
-                                  : time / 2;
+  double guess =
+      distance_now > 0
+          ? duration * distance_now /
+                (distance_now - distance_from_wall(advance_state(from, duration).y, side))
+          : duration / 2;
   for (int iteration = 0; iteration < 60; ++iteration) {
     const PhaseState at = advance_state(from, guess);
-    const double left = distance(at.y, side);
+    const double left = distance_from_wall(at.y, side);
     (left < 0 ? until : before) = guess;
     double next = guess - left / (inward_sign(side) * at.v);
     if (!(next > before && next < until)) next = (before + until) / 2;
-    const bool close = std::abs(next - guess) <= 1e-13 * time;
+    const bool close = std::abs(next - guess) <= 1e-13 * duration;
     guess = next;
     if (close) break;
   }

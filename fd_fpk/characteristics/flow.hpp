@@ -44,38 +44,40 @@ class Flow {
   }
   /// Returns the distance of y from the wall on the given side; negative behind the wall.
   /// @pre the wall exists
-  double distance(double y, WallSide side) const;
+  double distance_from_wall(double y, WallSide side) const;
   /// Returns the wall behind which the displacement y is; empty if y is between the walls.
   std::optional<WallSide> passed_wall(double y) const;
 
-  double acceleration(const PhaseState& at) const;
+  double acceleration(const PhaseState& state) const;
   /// Returns the relative rate df/dv at which the flow contracts areas of the phase plane
   /// (Liouville), with the damping force f.
-  double contraction_rate(const PhaseState& at) const;
-  double force(double y) const { return system_.force(y, 0); }
-  double energy(const PhaseState& at) const { return at.v * at.v / 2 + potential_(at.y); }
-  double potential(double y) const { return potential_(y); }
+  double contraction_rate(const PhaseState& state) const;
+  double static_force(double y) const { return system_.force(y, 0); }
+  double mechanical_energy(const PhaseState& state) const {
+    return state.v * state.v / 2 + potential_(state.y);
+  }
+  double potential_energy(double y) const { return potential_(y); }
   /// Returns the positions of the extrema of the potential between the walls, in increasing order.
   const std::vector<double>& potential_extrema() const { return potential_.extrema(); }
 
   /// Returns the state after one time step of the classical Runge-Kutta method. Where strong
   /// damping makes the Runge-Kutta method unstable, an exponential (Rosenbrock-Euler) method with
   /// the tangents of f and g computes the state.
-  PhaseState advance_state(const PhaseState& from, double time) const;
+  PhaseState advance_state(const PhaseState& from, double duration) const;
 
   /// Returns the largest time step with which advance_state() is accurate. The relative error of
   /// the state is about 1e-7 after one step and 1e-6 to 1e-5 after a half-cycle. For overdamped
   /// motion towards a rest point the relative error is 1e-4.
   /// @param accessible_interval interval of the state `from` or of an earlier state of the motion
   double max_time_step(const PhaseState& from, const AccessibleInterval& accessible_interval) const;
-  AccessibleInterval accessible_interval(const PhaseState& at) const;
+  AccessibleInterval accessible_interval(const PhaseState& state) const;
 
   /// Returns the half-cycle that starts at the left wall with the given speed > 0.
   HalfCycle half_cycle(double speed) const;
 
   /// Returns the time after which a flight from the state `from` meets the wall.
-  /// @pre the state is behind the wall at the end of `time`
-  double impact_time(const PhaseState& from, double time, WallSide side) const;
+  /// @pre the state is behind the wall at the end of `duration`
+  double impact_time(const PhaseState& from, double duration, WallSide side) const;
 
  private:
   /// Two modes of overdamped motion under linearised forces, v = v_slow exp(slow t) + v_fast
@@ -83,10 +85,10 @@ class Flow {
   struct OverdampedModes {
     double slow, fast, v_slow, v_fast;
   };
-  bool is_overdamped(const PhaseState& at) const;
-  OverdampedModes overdamped_modes(const PhaseState& at) const;
-  PhaseState advance_overdamped(const PhaseState& from, double time) const;
-  double resolved_time_step(const PhaseState& from, double time, double size,
+  bool is_overdamped(const PhaseState& state) const;
+  OverdampedModes overdamped_modes(const PhaseState& state) const;
+  PhaseState advance_overdamped(const PhaseState& from, double duration) const;
+  double resolved_time_step(const PhaseState& from, double duration, double size,
                             double frequency) const;
   double end_of_accessible_interval(double y, double energy, WallSide side) const;
   double largest_stiffness(double low, double high) const;

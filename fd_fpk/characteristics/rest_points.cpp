@@ -9,7 +9,7 @@ namespace {
 
 // Returns the force on the mass at rest, positive towards the wall.
 double force_towards_wall(const Flow& flow, WallSide side) {
-  return inward_sign(side) * flow.force(flow.wall(side)->position);
+  return inward_sign(side) * flow.static_force(flow.wall(side)->position);
 }
 
 // Half-cycle of small amplitude from the wall, up to the next impact or until the motion is
@@ -27,10 +27,10 @@ SmallHalfCycle small_half_cycle(const Flow& flow, WallSide side, double speed,
   const SmallHalfCycle creeping{.fraction_below = side == WallSide::left ? 1.0 : 0.0,
                                 .impact_rate = 0};
   PhaseState state{wall, inward_sign(side) * speed};
-  const double least = flow.potential(wall);
+  const double least = flow.potential_energy(wall);
   double below = 0, time = 0;
   for (long step = 0; step < kMostSteps; ++step) {
-    const double left = flow.energy(state) - least;
+    const double left = flow.mechanical_energy(state) - least;
     if (left < kAtRest * kAtRest * speed * speed / 2) return creeping;
     double span = flow.max_time_step(state, flow.accessible_interval(state)) / kFiner;
     PhaseState end = flow.advance_state(state, span);
@@ -61,7 +61,8 @@ std::vector<int> cell_columns_at(const Axis& axis, double y) {
   return columns;
 }
 
-void assign_cells(const Flow& flow, const Grid& grid, double impulse_rate, RestPoint& point) {
+void assign_innermost_cells(const Flow& flow, const Grid& grid, double impulse_rate,
+                            RestPoint& point) {
   const int middle = grid.nv() / 2;
   const double v = grid.x2.face_position(middle + 1);
   const auto columns = cell_columns_at(grid.x1, point.y);
@@ -70,9 +71,10 @@ void assign_cells(const Flow& flow, const Grid& grid, double impulse_rate, RestP
   const auto cell = [&](int i, int j) { return i * grid.nv() + j; };
   // The escape energy is the smallest energy on the boundary of the innermost cells, except on
   // walls.
-  point.escape_energy = flow.potential(point.y) + v * v / 2;
+  point.escape_energy = flow.potential_energy(point.y) + v * v / 2;
   for (const double end : {low, high}) {
-    if (end != point.y) point.escape_energy = std::min(point.escape_energy, flow.potential(end));
+    if (end != point.y)
+      point.escape_energy = std::min(point.escape_energy, flow.potential_energy(end));
   }
   const auto at_wall = [&]() -> std::optional<WallSide> {
     for (const WallSide side : {WallSide::left, WallSide::right}) {
@@ -96,7 +98,7 @@ void assign_cells(const Flow& flow, const Grid& grid, double impulse_rate, RestP
 
 }  // namespace
 
-std::vector<RestPoint> rest_points(const Flow& flow) {
+std::vector<RestPoint> find_rest_points(const Flow& flow) {
   std::vector<RestPoint> points;
   const auto& potential_extrema = flow.potential_extrema();
   const auto at_wall = [&](WallSide side) {
@@ -107,8 +109,8 @@ std::vector<RestPoint> rest_points(const Flow& flow) {
     const double beside = side == WallSide::left
                               ? (potential_extrema.empty() ? wall + 1 : potential_extrema.front())
                               : (potential_extrema.empty() ? wall - 1 : potential_extrema.back());
-    const bool stable =
-        g > 0 || (g == 0 && flow.potential((wall + beside) / 2) > flow.potential(wall));
+    const bool stable = g > 0 || (g == 0 && flow.potential_energy((wall + beside) / 2) >
+                                                flow.potential_energy(wall));
     if (!stable) return;
     RestPoint point{.y = wall};
     if (g > 0 && flow.wall(side)->restitution < 1) point.contact = side;
@@ -124,15 +126,15 @@ std::vector<RestPoint> rest_points(const Flow& flow) {
       return flow.wall(WallSide::right) ? flow.wall(WallSide::right)->position : turn + 1;
     }();
     const bool repels = flow.contraction_rate({turn, 0}) < 0;
-    if (flow.force((turn + next) / 2) > 0 && !repels) points.push_back({.y = turn});
+    if (flow.static_force((turn + next) / 2) > 0 && !repels) points.push_back({.y = turn});
   }
   at_wall(WallSide::right);
   return points;
 }
 
-std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double impulse_rate) {
-  auto points = rest_points(flow);
-  for (RestPoint& point : points) assign_cells(flow, grid, impulse_rate, point);
+std::vector<RestPoint> find_rest_points(const Flow& flow, const Grid& grid, double impulse_rate) {
+  auto points = find_rest_points(flow);
+  for (RestPoint& point : points) assign_innermost_cells(flow, grid, impulse_rate, point);
   return points;
 }
 
@@ -162,7 +164,7 @@ double contraction_rate_of_limit_cycle(const Flow& flow) {
 }  // namespace
 
 double contraction_rate_of_attractors(const Flow& flow) {
-  const auto points = rest_points(flow);
+  const auto points = find_rest_points(flow);
   if (points.empty()) return contraction_rate_of_limit_cycle(flow);
   double largest = 0;
   for (const RestPoint& point : points) {

@@ -33,14 +33,14 @@ struct RestPoint {
 
 /// Returns all rest points of the motion, by increasing y, with innermost cells.
 /// @param impulse_rate arrival rate of impulses, per unit time
-std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double impulse_rate);
+std::vector<RestPoint> find_rest_points(const Flow& flow, const Grid& grid, double impulse_rate);
 
 /// Returns all rest points of the motion, by increasing y, without innermost cells.
-std::vector<RestPoint> rest_points(const Flow& flow);
+std::vector<RestPoint> find_rest_points(const Flow& flow);
 
 /// Returns the largest rate at which the motion contracts areas of the phase plane near its
-/// equilibria, or, without a rest point, the mean rate along a limit cycle. Where impulses arrive
-/// less often, the stationary density is unbounded.
+/// equilibria, or, without a rest point, the mean rate along a limit cycle. If impulses arrive at a
+/// lower rate than the contraction rate, the stationary density is unbounded.
 double contraction_rate_of_attractors(const Flow& flow);
 
 /// Returns the distance to an equilibrium, relative to the typical amplitude A, below which cells

@@ -15,7 +15,7 @@ namespace fpkcheck::fd_fpk {
 // Returns the weights of the masses m_i in the slope of each cell. The slope of the middle cell is
 // the derivative of the parabola through the densities m_i / h_i of three cells, times the cell
 // width h.
-std::vector<SlopeReconstruction::Weights> SlopeReconstruction::weights(const Axis& axis) {
+std::vector<SlopeReconstruction::Weights> SlopeReconstruction::slope_weights(const Axis& axis) {
   std::vector<Weights> weights(axis.cell_count(), Weights{0, 0, 0});
   for (int i = 0; i < axis.cell_count(); ++i) {
     const double h = axis.cell_width(i);
@@ -40,8 +40,8 @@ std::vector<SlopeReconstruction::Weights> SlopeReconstruction::weights(const Axi
 
 SlopeReconstruction::SlopeReconstruction(const Grid& grid, const std::vector<RestPoint>& points)
     : grid_(grid),
-      of_y_(weights(grid.x1)),
-      of_v_(weights(grid.x2)),
+      of_y_(slope_weights(grid.x1)),
+      of_v_(slope_weights(grid.x2)),
       at_rest_(static_cast<std::size_t>(grid.size()), false),
       limits_y_(Eigen::VectorXd::Ones(grid.size())),
       limits_v_(Eigen::VectorXd::Ones(grid.size())) {
@@ -146,14 +146,15 @@ class TransportSums {
   void add_characteristics_from_boundary(std::size_t first, std::size_t last) {
     const auto& from_boundary = characteristics_.characteristics_from_boundary();
     for (std::size_t n = first; n < last; ++n) {
-      distribute_at_end(from_boundary[n], mass_at_track_end(from_boundary[n], 0, kIncludeSources));
+      distribute_mass_at_end(from_boundary[n],
+                             mass_at_track_end(from_boundary[n], 0, kIncludeSources));
     }
   }
 
-  // Adds the masses that start along characteristics from walls, and all masses that enter these
-  // characteristics after impacts.
+  // Adds the masses that start along characteristics from walls, and all masses that enter
+  // characteristics from walls after impacts.
   void add_characteristics_from_walls(double total_mass) {
-    leave_walls(kIncludeSources);
+    transport_masses_from_walls(kIncludeSources);
     // With two walls, mass may continue on a characteristic that the pass has already processed.
     constexpr int kMostRounds = 1000;
     constexpr double kNothing = 1e-15;
@@ -161,11 +162,11 @@ class TransportSums {
       double left = 0;
       for (const double mass : entering_) left += std::abs(mass);
       if (left <= kNothing * total_mass) break;
-      leave_walls(kExcludeSources);
+      transport_masses_from_walls(kExcludeSources);
     }
   }
 
-  void add(const TransportSums& other) {
+  void add_sums(const TransportSums& other) {
     for (std::size_t n = 0; n < cells_.size(); ++n) cells_[n].ended += other.cells_[n].ended;
     for (std::size_t k = 0; k < at_rest_.size(); ++k) at_rest_[k] += other.at_rest_[k];
     for (std::size_t n = 0; n < entering_.size(); ++n) entering_[n] += other.entering_[n];
@@ -176,7 +177,7 @@ class TransportSums {
   }
 
   // Returns the masses of p in the cells and at rest in contact.
-  Eigen::VectorXd masses() const {
+  Eigen::VectorXd transported_masses() const {
     const auto& rest = characteristics_.rest_points();
     const auto& contacts = characteristics_.contact_rest_point_indices();
     const auto count = static_cast<Eigen::Index>(cells_.size());
@@ -196,7 +197,8 @@ class TransportSums {
 
  private:
   static constexpr std::true_type kIncludeSources{};
-  // tag of later passes, which do not add the masses that start in the cells again
+  // Tag of all passes after the first pass. Later passes do not add the masses that start in the
+  // cells
   static constexpr std::false_type kExcludeSources{};
 
   void add_impacts(WallSide side, double number, double momentum, double energy) {
@@ -206,7 +208,7 @@ class TransportSums {
     sums.energy += energy;
   }
 
-  double source(const CellVisit& visit) const {
+  double mass_starting_in_visit(const CellVisit& visit) const {
     const CellMass& cell = cells_[visit.cell];
     return visit.share * (cell.mass + cell.slope_y * visit.y + cell.slope_v * visit.v);
   }
@@ -214,10 +216,10 @@ class TransportSums {
   template <bool with_sources>
   double mass_at_track_end(const Characteristic& track, double mass,
                            std::bool_constant<with_sources>) {
-    const auto& visits = characteristics_.visits();
+    const auto& visits = characteristics_.cell_visits();
     for (std::size_t n = track.first; n < track.last; ++n) {
       const CellVisit& visit = visits[n];
-      const double begins = with_sources ? source(visit) : 0;
+      const double begins = with_sources ? mass_starting_in_visit(visit) : 0;
       // The two updates are independent: the recurrence of `mass` needs only the previous `mass`.
       cells_[visit.cell].ended += visit.ended * mass + visit.mean_end_probability * begins;
       mass = (1.0 - visit.ended) * mass + (1.0 - visit.mean_end_probability) * begins;
@@ -225,7 +227,7 @@ class TransportSums {
     return mass;
   }
 
-  void come_to_rest(const CharacteristicEnd& characteristic_end, double mass) {
+  void add_mass_coming_to_rest(const CharacteristicEnd& characteristic_end, double mass) {
     const int point = *characteristic_end.rest;
     if (!characteristic_end.cascade) {
       at_rest_[point] += mass;
@@ -243,24 +245,24 @@ class TransportSums {
                 (characteristic_end.speed * characteristic_end.speed + cascade.energy) * mass);
   }
 
-  void distribute_at_end(const Characteristic& track, double mass) {
+  void distribute_mass_at_end(const Characteristic& track, double mass) {
     const CharacteristicEnd& characteristic_end = track.characteristic_end;
     if (characteristic_end.rest) {
-      come_to_rest(characteristic_end, mass);
+      add_mass_coming_to_rest(characteristic_end, mass);
     } else if (characteristic_end.wall) {
       entering_[characteristic_end.faster] += characteristic_end.faster_fraction * mass;
       entering_[characteristic_end.slower] += (1 - characteristic_end.faster_fraction) * mass;
       add_impacts(*characteristic_end.wall, mass, characteristic_end.speed * mass,
                   characteristic_end.speed * characteristic_end.speed * mass);
     } else if (track.last > track.first) {
-      cells_[characteristics_.visits()[track.last - 1].cell].ended += mass;
+      cells_[characteristics_.cell_visits()[track.last - 1].cell].ended += mass;
     }
   }
 
   template <bool with_sources>
-  void leave_walls(std::bool_constant<with_sources> sources) {
+  void transport_masses_from_walls(std::bool_constant<with_sources> sources) {
     const auto& from_walls = characteristics_.characteristics_from_walls();
-    const auto& visits = characteristics_.visits();
+    const auto& visits = characteristics_.cell_visits();
     for (std::size_t n = 0; n < from_walls.size(); ++n) {
       const Characteristic& track = from_walls[n];
       const CharacteristicEnd& characteristic_end = track.characteristic_end;
@@ -279,14 +281,14 @@ class TransportSums {
         double lost = 0, left = 0;
         for (std::size_t m = track.first; m < track.last; ++m) {
           const CellVisit& visit = visits[m];
-          const double begins = with_sources ? source(visit) : 0;
+          const double begins = with_sources ? mass_starting_in_visit(visit) : 0;
           left = (1.0 - visit.ended) * left + (1.0 - visit.mean_end_probability) * begins;
           lost += (1 - lost) * visit.ended;
         }
         mass = (mass + again * left) / (1 - again + again * lost);
       }
       const double left = mass_at_track_end(track, mass, sources);
-      distribute_at_end(track, left);
+      distribute_mass_at_end(track, left);
       // The variable `left` already includes the mass of all returns to the characteristic.
       entering_[n] -= again * left;
     }
@@ -325,7 +327,7 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
     parts[part]->add_characteristics_from_boundary(part_bounds_[part], part_bounds_[part + 1]);
   });
   TransportSums& sums = *parts[0];
-  for (std::size_t part = 1; part < kParts; ++part) sums.add(*parts[part]);
+  for (std::size_t part = 1; part < kParts; ++part) sums.add_sums(*parts[part]);
   sums.add_masses_at_rest();
   const auto& contacts = characteristics_.contact_rest_point_indices();
   const Eigen::Index count = masses.size() - static_cast<Eigen::Index>(contacts.size());
@@ -335,7 +337,7 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
   }
   sums.add_characteristics_from_walls(masses.cwiseAbs().sum());
   if (impacts) *impacts = sums.impacts();
-  return sums.masses();
+  return sums.transported_masses();
 }
 
 }  // namespace fpkcheck::fd_fpk

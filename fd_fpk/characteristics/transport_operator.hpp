@@ -40,7 +40,7 @@ class SlopeReconstruction {
   struct Weights {
     double below, centre, above;
   };
-  static std::vector<Weights> weights(const Axis& axis);
+  static std::vector<Weights> slope_weights(const Axis& axis);
 
   const Grid& grid_;
   std::vector<Weights> of_y_, of_v_;

@@ -17,14 +17,14 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-struct Level : LevelValues {
+struct TimedValuesOnGrid : ValuesOnGrid {
   double seconds = 0;
 };
 
-// Sets the error estimates from the differences between the last three levels, or between the last
-// two levels if there are only two; the order of convergence is then assumed to be 1.
-void estimate_errors(const std::vector<Level>& levels, const Eigen::VectorXd& scales, int order,
-                     ConvergedValues& result) {
+// Sets the error estimates from the differences between the last three grids. From two grids the
+// error estimates follow with the assumed order of convergence 1.
+void estimate_errors(const std::vector<TimedValuesOnGrid>& levels, const Eigen::VectorXd& scales,
+                     int order, ConvergedValues& result) {
   const std::size_t n = levels.size();
   const double q = transform::kRefinementRatio;
   const Eigen::VectorXd last = (levels[n - 1].values - levels[n - 2].values).cwiseAbs();
@@ -45,36 +45,36 @@ void estimate_errors(const std::vector<Level>& levels, const Eigen::VectorXd& sc
   for (Eigen::Index k = 0; k < last.size(); ++k) {
     result.errors(k) =
         transform::kErrorSafetyFactor *
-        transform::difference_error(before(k), last(k), reduction, 1 / (reduction - 1));
+        transform::error_from_differences(before(k), last(k), reduction, 1 / (reduction - 1));
   }
 }
 
 }  // namespace
 
-ConvergedValues converge_on_grids(const std::function<LevelValues(double refinement)>& evaluate,
-                                  int order, double tolerance, const Magnitudes& magnitudes,
-                                  const base::Deadline& deadline) {
+ConvergedValues converge_on_grids(
+    const std::function<ValuesOnGrid(double refinement)>& evaluate_on_grid, int order,
+    double tolerance, const MagnitudeFunction& magnitudes, const base::Deadline& deadline) {
   constexpr double q = transform::kRefinementRatio;
   // Ratio of the computing times on successive grids
   constexpr double kTimeRatio = 3;
   const auto timed = [&](double refinement) {
     const base::Stopwatch stopwatch;
-    Level level{evaluate(refinement)};
+    TimedValuesOnGrid level{evaluate_on_grid(refinement)};
     level.seconds = stopwatch.seconds();
     return level;
   };
   ConvergedValues result;
-  std::vector<Level> levels(2);
+  std::vector<TimedValuesOnGrid> levels(2);
   base::parallel_for(2, base::kOneThreadPerProcessor,
                      [&](std::size_t k) { levels[k] = timed(k == 0 ? 1 / (q * q) : 1 / q); });
-  const auto failed =
-      std::ranges::find_if(levels, [](const Level& level) { return level.values.size() == 0; });
+  const auto failed = std::ranges::find_if(
+      levels, [](const TimedValuesOnGrid& level) { return level.values.size() == 0; });
   if (failed != levels.end()) {
     result.failure = failed->failure;
     return result;
   }
   for (double refinement = 1;; refinement *= q) {
-    const Level& finest = levels.back();
+    const TimedValuesOnGrid& finest = levels.back();
     result.values = finest.values;
     result.nx = finest.nx;
     result.nv = finest.nv;
@@ -87,8 +87,8 @@ ConvergedValues converge_on_grids(const std::function<LevelValues(double refinem
       result.failure = "max_seconds would expire on a finer grid; increase max-seconds";
       return result;
     }
-    Level next = timed(refinement);
-    if (next.values.size() == 0) {  // the result of the coarser grids remains
+    TimedValuesOnGrid next = timed(refinement);
+    if (next.values.size() == 0) {  // `result` keeps the values of the coarser grids
       result.failure = next.failure;
       return result;
     }
@@ -98,17 +98,18 @@ ConvergedValues converge_on_grids(const std::function<LevelValues(double refinem
 
 ConvergedValues converge_on_grids(const problem::Problem& problem, const Options& options,
                                   double tolerance, const StationaryFunctionals& functionals,
-                                  const Magnitudes& magnitudes) {
-  // All grids have the same box, so that their differences do not contain the error by the ends of
-  // the box. The box is therefore wider than for a density. A still wider box changes E[y'^4] of
-  // case1 by 6e-7 and its derivatives by 4e-6, relative. With the box of a density the two numbers
-  // are 2e-5 and 1e-4 (`fpkcheck sensitivity case1 --methods fd-kf`).
+                                  const MagnitudeFunction& magnitudes) {
+  // All grids have the same box, so that the differences between grids do not contain the
+  // truncation error of the box. The box of functionals is therefore wider than the box of a
+  // stationary density. A still wider box changes E[y'^4] of case1 by a relative 6e-7 and the
+  // derivatives of E[y'^4] by a relative 4e-6. With the box of a stationary density the relative
+  // changes are 2e-5 and 1e-4 (`fpkcheck sensitivity case1 --methods fd-kf`).
   constexpr double kEdgeDensityFactor = 1e-2;
   const base::Deadline deadline(options.max_seconds);
   Options on_grid = options;
   on_grid.wall_density *= kEdgeDensityFactor;
-  on_grid.order = options.order.value_or(automatic_order(problem));
-  ScalesAndBox scales_and_box{.scales = problem::scales(problem)};
+  on_grid.order = options.order.value_or(automatic_scheme_order(problem));
+  ScalesAndBox scales_and_box{.scales = problem::motion_scales(problem)};
   if (!has_linearised_scales(problem)) on_grid.wall_density *= box_edge_density_factor(problem);
   scales_and_box.box = stationary_box(problem, scales_and_box.scales, on_grid, deadline);
   on_grid.x1_max = scales_and_box.box->x1_max;
@@ -119,20 +120,22 @@ ConvergedValues converge_on_grids(const problem::Problem& problem, const Options
   if (failure.empty()) failure = check_well_posedness(problem, on_grid, first).ill_posed_reason;
   if (!failure.empty()) return {.failure = failure};
 
-  const auto evaluate = [&](double refinement) -> LevelValues {
-    DirectSolution on =
-        solve_directly(problem, scales_and_box, with_refined_cells(on_grid, refinement), deadline);
-    LevelValues level{.nx = on.discretisation.grid.nx(), .nv = on.discretisation.grid.nv()};
-    if (on.averages && !on.converged) {
+  const auto evaluate_on_grid = [&](double refinement) -> ValuesOnGrid {
+    DirectSolution direct_solution = compute_direct_solution(
+        problem, scales_and_box, with_refined_cells(on_grid, refinement), deadline);
+    ValuesOnGrid level{.nx = direct_solution.discretisation.grid.nx(),
+                       .nv = direct_solution.discretisation.grid.nv()};
+    if (direct_solution.averages && !direct_solution.converged) {
       level.failure = "GMRES did not find the stationary density; use another grid";
-    } else if (on.averages) {
-      level.values = functionals(on, deadline, level.failure);
+    } else if (direct_solution.averages) {
+      level.values = functionals(direct_solution, deadline, level.failure);
     } else {
-      level.failure = on.failure;
+      level.failure = direct_solution.failure;
     }
     return level;
   };
-  return converge_on_grids(evaluate, transport_order(on_grid), tolerance, magnitudes, deadline);
+  return converge_on_grids(evaluate_on_grid, transport_order(on_grid), tolerance, magnitudes,
+                           deadline);
 }
 
 }  // namespace fpkcheck::fd_fpk

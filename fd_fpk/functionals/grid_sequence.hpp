@@ -24,35 +24,36 @@ struct ConvergedValues {
 };
 
 /// Values on one grid.
-struct LevelValues {
+struct ValuesOnGrid {
   Eigen::VectorXd values = {};
   int nx = 0, nv = 0;
   std::string failure = {};  ///< reason why `values` is empty
 };
 
 /// Function that returns the magnitudes of values, to which the tolerance is relative.
-using Magnitudes = std::function<Eigen::VectorXd(const Eigen::VectorXd& values)>;
+using MagnitudeFunction = std::function<Eigen::VectorXd(const Eigen::VectorXd& values)>;
 
-/// Computes functionals on grids whose cells become narrower by transform::kRefinementRatio, on three
-/// grids at least if the time limit permits. The errors follow from the differences between the last
-/// three grids, as in transform/richardson.hpp. The first two grids are solved in parallel.
-/// @param evaluate function that computes the values on the grid with automatic cells divided by
-/// `refinement`; two threads may call it at the same time
+/// Computes functionals on a sequence of grids. The cells of each grid are narrower than the cells
+/// of the preceding grid by the factor transform::kRefinementRatio. The sequence has at least three
+/// grids if the time limit permits. The errors follow from the differences between the last three
+/// grids, as in transform/richardson.hpp. The first two grids are solved in parallel.
+/// @param evaluate_on_grid function that computes the values on the grid with automatic cells
+/// divided by `refinement`; two threads may call the function at the same time
 /// @param order order of the scheme
 /// @param tolerance relative error at which no finer grid is tried
-ConvergedValues converge_on_grids(const std::function<LevelValues(double refinement)>& evaluate,
-                                  int order, double tolerance, const Magnitudes& magnitudes,
-                                  const base::Deadline& deadline);
+ConvergedValues converge_on_grids(
+    const std::function<ValuesOnGrid(double refinement)>& evaluate_on_grid, int order,
+    double tolerance, const MagnitudeFunction& magnitudes, const base::Deadline& deadline);
 
-/// Function that computes the values from the stationary solution on one grid. If its result is
-/// empty, it has stored a reason in `failure`.
+/// Function that computes the values from the stationary solution on one grid. If the returned
+/// vector is empty, the function has stored a reason in `failure`.
 using StationaryFunctionals = std::function<Eigen::VectorXd(
-    DirectSolution& on, const base::Deadline& deadline, std::string& failure)>;
+    DirectSolution& direct_solution, const base::Deadline& deadline, std::string& failure)>;
 
 /// Computes functionals of the generator and of the stationary density by converge_on_grids().
 /// @pre unsupported_reason() and transient_unsupported_reason() are empty
 ConvergedValues converge_on_grids(const problem::Problem& problem, const Options& options,
                                   double tolerance, const StationaryFunctionals& functionals,
-                                  const Magnitudes& magnitudes);
+                                  const MagnitudeFunction& magnitudes);
 
 }  // namespace fpkcheck::fd_fpk

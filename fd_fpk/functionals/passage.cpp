@@ -36,8 +36,9 @@ constexpr double kPassageTargetFraction = 0.5;
 // of convergence.
 constexpr int kObservedOrder = 2;
 
-// Positions of the values of a grid in a vector, followed by the survival probabilities from the
-// point and from the stationary law.
+// Indices of the values in the vector of a grid. After the values with indices below kValueCount
+// the vector contains the survival probabilities from the initial state and from the stationary
+// law.
 enum PassageValue {
   kHazard,
   kFromPoint,
@@ -47,14 +48,15 @@ enum PassageValue {
   kValueCount
 };
 
-// The problem below the barrier, and its box.
+// Data of a first-passage problem.
 struct PassageProblem {
   const problem::Problem& problem;
   const Options& options;
   const problem::MotionScales& scales;
   double barrier;
-  std::optional<transform::StartState> start;  // in wall coordinates; empty if there is none
-  /// Rate of the impulses that end a start at rest; 0 if noise ends the rest, or for another start
+  std::optional<transform::StartState> start;  // initial state, in wall coordinates; may be empty
+  /// Rate of the impulses that end the rest of an initial state at rest; 0 if noise ends the rest,
+  /// or if the initial state moves
   double waiting_rate;
   Box box;  // box of the stationary density, whose right end is beyond the barrier
 };
@@ -64,8 +66,8 @@ struct PassageProblem {
 struct PassageGrids {
   Grid below, whole;
 };
-std::optional<PassageGrids> make_grids(const PassageProblem& passage, const Options& options,
-                                       std::string& failure) {
+std::optional<PassageGrids> make_passage_grids(const PassageProblem& passage,
+                                               const Options& options, std::string& failure) {
   Box box = passage.box;
   box.x1_max = passage.barrier;
   Options to_barrier = options;
@@ -84,7 +86,8 @@ std::optional<PassageGrids> make_grids(const PassageProblem& passage, const Opti
   }
   const Axis& x1 = below.grid.x1;
   std::vector<double> faces = x1.faces();
-  // Beyond the barrier the cells widen by 15 % from cell to cell, up to the cells of a density.
+  // Beyond the barrier the cell widths increase by 15 % from cell to cell, up to the automatic cell
+  // width of the stationary density.
   constexpr double kWidening = 1.15;
   double width = x1.cell_width(x1.cell_count() - 1);
   const double widest =
@@ -97,12 +100,12 @@ std::optional<PassageGrids> make_grids(const PassageProblem& passage, const Opti
   faces.push_back(end);
   const auto right =
       passage.problem.system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum;
-  return PassageGrids{{x1.with_right_end(AxisEndCondition::barrier), below.grid.x2},
+  return PassageGrids{{x1.with_right_end_condition(AxisEndCondition::barrier), below.grid.x2},
                       {Axis(std::move(faces), x1.left_end_condition(), right), below.grid.x2}};
 }
 
 // Returns the row of weights that evaluates cell averages at a position of an axis.
-Eigen::RowVectorXd value_at(const Axis& axis, int order, double x) {
+Eigen::RowVectorXd point_value_weights(const Axis& axis, int order, double x) {
   const std::vector<double>& faces = axis.faces();
   const auto cell = std::clamp<std::ptrdiff_t>(
       std::upper_bound(faces.begin(), faces.end(), x) - faces.begin() - 1, 0,
@@ -113,13 +116,15 @@ Eigen::RowVectorXd value_at(const Axis& axis, int order, double x) {
 }
 
 // Returns the weights of the velocity cells in the mean of a function of the velocity right after
-// the first impulse on a mass at rest. A wall there reflects impulses against it.
-Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis& x2, int order) {
-  constexpr int kParts = 8;  // parts of a cell, with the values at their centres
+// the first impulse on a mass at rest. A wall at the position of the mass reflects the velocity of
+// impulses towards the wall.
+Eigen::RowVectorXd mean_after_first_impulse_weights(const PassageProblem& passage, const Axis& x2,
+                                                    int order) {
+  constexpr int kParts = 8;  // number of parts of a cell; the centre of each part has a value
   std::vector<double> centres;
   for (int k = 0; k < kParts; ++k) centres.push_back((k + 0.5) / kParts);
   const AxisOperator values = point_value_operator(x2, averaging_stencil_size(order), centres);
-  const problem::ImpulseLaw& law = passage.problem.impulses.law();
+  const problem::ImpulseLaw& law = passage.problem.impulses.amplitude_law();
   const auto& wall = passage.problem.system.left_wall();
   const bool on_wall = wall && passage.start->y <= wall->position;
   // An impulse Y changes the velocity by b Y, with b = 1 unless the impulses are parametric.
@@ -149,21 +154,23 @@ Eigen::RowVectorXd mean_after_impulse(const PassageProblem& passage, const Axis&
   return weights;
 }
 
-// Returns the functional of cell averages that evaluates the survival probability or the mean time
-// at the start; from rest under impulses, after the first of them.
-Eigen::VectorXd value_at_start(const PassageProblem& passage, const Grid& grid, int order) {
-  const Eigen::RowVectorXd of_x1 = value_at(grid.x1, order, passage.start->y);
+// Returns the functional of cell averages that evaluates the survival probability or the mean
+// passage time at the initial state. From rest under impulses, the functional evaluates the mean
+// over the states after the first impulse.
+Eigen::VectorXd start_value_functional(const PassageProblem& passage, const Grid& grid, int order) {
+  const Eigen::RowVectorXd of_x1 = point_value_weights(grid.x1, order, passage.start->y);
   const Eigen::RowVectorXd of_x2 = passage.waiting_rate > 0
-                                       ? mean_after_impulse(passage, grid.x2, order)
-                                       : value_at(grid.x2, order, passage.start->ydot);
+                                       ? mean_after_first_impulse_weights(passage, grid.x2, order)
+                                       : point_value_weights(grid.x2, order, passage.start->ydot);
   const Eigen::MatrixXd weights = of_x2.transpose() * of_x1;
   return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
 }
 
-// Survival probabilities at the times, from the modes of the Krylov space. At rest the mass waits
-// for an impulse of rate lambda before the modes begin.
-Eigen::VectorXd survival(const ReducedResolvent::Modes& modes, const std::vector<double>& times,
-                         double waiting_rate) {
+// Returns the survival probabilities at the given times, as sums over the modes of the Krylov
+// space. From rest, no passage occurs before the first impulse, which arrives at the rate
+// `waiting_rate`.
+Eigen::VectorXd survival_probabilities(const ReducedResolvent::Modes& modes,
+                                       const std::vector<double>& times, double waiting_rate) {
   Eigen::VectorXd values(times.size());
   for (std::size_t k = 0; k < times.size(); ++k) {
     const double t = times[k];
@@ -183,21 +190,22 @@ Eigen::VectorXd passage_values(ReducedResolvent& model, const Eigen::VectorXd& f
                                const Eigen::VectorXd& from_stationary,
                                const std::vector<double>& times, double waiting_rate) {
   const Eigen::VectorXcd origin = Eigen::VectorXcd::Zero(1);
-  const auto of_point = model.modes(from_point), of_stationary = model.modes(from_stationary);
+  const auto of_point = model.reduced_model_modes(from_point),
+             of_stationary = model.reduced_model_modes(from_stationary);
   const auto n = static_cast<Eigen::Index>(times.size());
   Eigen::VectorXd values = Eigen::VectorXd::Zero(kValueCount + 2 * n);
-  // Modes without a contribution may be no modes of the operator.
+  // Modes with negligible coefficients may be artefacts of the Krylov space.
   constexpr double kSmallestCoefficient = 1e-6;
   values(kHazard) = HUGE_VAL;
   for (Eigen::Index j = 0; j < of_stationary.rates.size(); ++j) {
     if (std::abs(of_stationary.coefficients(j)) < kSmallestCoefficient) continue;
     values(kHazard) = std::min(values(kHazard), -of_stationary.rates(j).real());
   }
-  values(kFromStationary) = model.transfer(from_stationary, origin)(0).real();
-  values(kFromPoint) =
-      model.transfer(from_point, origin)(0).real() + (waiting_rate > 0 ? 1 / waiting_rate : 0);
-  values.segment(kValueCount, n) = survival(of_point, times, waiting_rate);
-  values.segment(kValueCount + n, n) = survival(of_stationary, times, 0);
+  values(kFromStationary) = model.transfer_function_values(from_stationary, origin)(0).real();
+  values(kFromPoint) = model.transfer_function_values(from_point, origin)(0).real() +
+                       (waiting_rate > 0 ? 1 / waiting_rate : 0);
+  values.segment(kValueCount, n) = survival_probabilities(of_point, times, waiting_rate);
+  values.segment(kValueCount + n, n) = survival_probabilities(of_stationary, times, 0);
   return values;
 }
 
@@ -205,13 +213,13 @@ Eigen::VectorXd passage_values(ReducedResolvent& model, const Eigen::VectorXd& f
 // probabilities, since small probabilities have large relative errors.
 Eigen::VectorXd passage_magnitudes(const Eigen::VectorXd& values) {
   Eigen::VectorXd magnitudes = values.cwiseAbs();
-  if (magnitudes(kFromPoint) == 0) magnitudes(kFromPoint) = 1;  // without such a start
+  if (magnitudes(kFromPoint) == 0) magnitudes(kFromPoint) = 1;  // without an initial state
   magnitudes.tail(values.size() - kValueCount).setOnes();
   return magnitudes;
 }
 
-// Returns the largest differences between two successive Krylov spaces. The survival at short
-// times, to which many modes contribute, converges last.
+// Returns the largest accepted differences between the values of two successive Krylov spaces. The
+// survival probability at short times, to which many modes contribute, converges last.
 Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
   constexpr double kOfValues = 1e-5, kOfSurvival = 1e-3;
   Eigen::VectorXd errors = kOfValues * values.cwiseAbs();
@@ -236,7 +244,7 @@ transform::MeanTimeMap mean_time_map(const PassageProblem& passage, const Grid& 
 
 // Values on one grid, and the mean times in its cells.
 struct PassageOnGrid {
-  LevelValues level;
+  ValuesOnGrid level;
   transform::MeanTimeMap mean_times;
 };
 
@@ -250,8 +258,8 @@ PassageOnGrid passage_on_grid(const PassageProblem& passage, double refinement,
   const Options options = with_refined_cells(passage.options, refinement);
   const int order = transport_order(options);
   PassageOnGrid result;
-  LevelValues& level = result.level;
-  const auto grids = make_grids(passage, options, level.failure);
+  ValuesOnGrid& level = result.level;
+  const auto grids = make_passage_grids(passage, options, level.failure);
   if (!grids) return result;
   const auto& [below, whole] = *grids;
   level.nx = below.nx();
@@ -265,7 +273,7 @@ PassageOnGrid passage_on_grid(const PassageProblem& passage, double refinement,
   Preconditioner for_whole(problem.system, passage.scales.slowest_decay_rate, of_whole.excitation,
                            options.impact, whole, order);
   const NullVector stationary =
-      null_vector(op_whole, for_whole, initial_gaussian(whole, passage.scales), deadline);
+      find_null_vector(op_whole, for_whole, initial_gaussian(whole, passage.scales), deadline);
   if (!stationary.averages) {
     level.failure = stationary.failure;
     return result;
@@ -285,17 +293,18 @@ PassageOnGrid passage_on_grid(const PassageProblem& passage, double refinement,
   const FokkerPlanckOperator op = fokker_planck_operator(problem, options, of_below);
   Preconditioner preconditioner(problem.system, passage.scales.slowest_decay_rate,
                                 of_below.excitation, options.impact, below, order);
-  // The vector z with exp(L^T t) areas = z is the survival probability times the areas.
+  // The vector exp(L^T t) areas is the survival probability times the cell areas.
   const ShiftedSystem system(op, preconditioner, below.nv(), order, shift, Transposed::yes);
   ReducedResolvent model(system, areas);
   const Eigen::VectorXd from_point =
-      passage.start ? Eigen::VectorXd(value_at_start(passage, below, order).cwiseQuotient(areas))
-                    : Eigen::VectorXd(Eigen::VectorXd::Zero(areas.size()));
+      passage.start
+          ? Eigen::VectorXd(start_value_functional(passage, below, order).cwiseQuotient(areas))
+          : Eigen::VectorXd(Eigen::VectorXd::Zero(areas.size()));
   const Eigen::VectorXd from_stationary = p / probability;
   Eigen::VectorXd last;
   bool agree = false;
   while (!agree && model.size() < kMost) {
-    if (!model.extend(kStep, deadline)) {
+    if (!model.add_basis_vectors(kStep, deadline)) {
       level.failure = model.failure_reason();
       return result;
     }
@@ -327,13 +336,15 @@ PassageOnGrid passage_on_grid(const PassageProblem& passage, double refinement,
   return result;
 }
 
-// Returns the box of the stationary density, enlarged for the motion that reaches the barrier or
-// comes from the start: it impacts the wall with the speed w and comes from there with w/r.
+// Returns the box of the stationary density, enlarged for motion that reaches the barrier or that
+// starts at the initial state. Motion that leaves the wall at the speed w has hit the wall at the
+// speed w/r.
 Box passage_box(const problem::Problem& problem, const problem::MotionScales& scales,
                 const Options& options, double barrier,
                 const std::optional<transform::StartState>& start, const base::Deadline& deadline) {
   constexpr double kImpulseDeviations = 5.5;
-  constexpr double kBeyond = 0.5;  // shortest part of the box beyond the barrier, in deviations
+  constexpr double kBeyond =
+      0.5;  // shortest part of the box beyond the barrier, in standard deviations of y
   Box box = stationary_box(problem, scales, options, deadline);
   const problem::EffectivePotential potential(problem.system);
   const auto& wall = problem.system.left_wall();
@@ -351,8 +362,8 @@ Box passage_box(const problem::Problem& problem, const problem::MotionScales& sc
     if (!wall) box.x1_min = std::min(box.x1_min, half_cycles.front().left);
   }
   const double speed = std::sqrt(2 * energy);
-  const double restitution = wall ? std::max(0.1, wall->restitution_at(speed)) : 1;
-  const auto& law = problem.impulses.law();
+  const double restitution = wall ? std::max(0.1, wall->restitution_at_speed(speed)) : 1;
+  const auto& law = problem.impulses.amplitude_law();
   const double of_impulse = problem.impulses.is_present()
                                 ? std::abs(law.mean()) + kImpulseDeviations * law.deviation()
                                 : 0;
@@ -363,10 +374,11 @@ Box passage_box(const problem::Problem& problem, const problem::MotionScales& sc
 }
 
 // Returns ten times up to three mean times, rounded to two digits.
-std::vector<double> automatic_times(double mean) {
+std::vector<double> automatic_survival_times(double mean_passage_time) {
   std::vector<double> times;
   for (int k = 1; k <= 10; ++k) {
-    const double time = 0.3 * k * mean, unit = std::pow(10, std::floor(std::log10(time)) - 1);
+    const double time = 0.3 * k * mean_passage_time,
+                 unit = std::pow(10, std::floor(std::log10(time)) - 1);
     times.push_back(std::round(time / unit) * unit);
   }
   return times;
@@ -392,9 +404,9 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
     return passage;
   }
   const base::Deadline deadline(options.max_seconds);
-  const problem::MotionScales scales = problem::scales(transformed);
+  const problem::MotionScales scales = problem::motion_scales(transformed);
   Options with_order = options;
-  with_order.order = options.order.value_or(automatic_order(transformed));
+  with_order.order = options.order.value_or(automatic_scheme_order(transformed));
   if (!has_linearised_scales(transformed))
     with_order.wall_density *= box_edge_density_factor(transformed);
   start = transform::passage_start(transformed, level, start);
@@ -415,18 +427,18 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
     passage.reason = "the stationary probability below the barrier is negligible";
     return passage;
   }
-  // Smaller shifts slow down the convergence of the survival at short times, larger shifts that of
-  // the hazard.
+  // Smaller shifts slow down the convergence of the survival probability at short times; larger
+  // shifts slow down the convergence of the hazard.
   constexpr double kShift = 4;
   const double shift = kShift * scales.velocity_deviation / scales.displacement_deviation;
   if (times.empty()) {
     constexpr double kCoarse = 0.5;
-    const LevelValues coarse = passage_on_grid(below, kCoarse, {}, shift, deadline).level;
+    const ValuesOnGrid coarse = passage_on_grid(below, kCoarse, {}, shift, deadline).level;
     if (coarse.values.size() == 0) {
       passage.reason = coarse.failure;
       return passage;
     }
-    times = automatic_times(coarse.values(kFromStationary));
+    times = automatic_survival_times(coarse.values(kFromStationary));
   }
   const double target = kPassageTargetFraction * options.accuracy;
   // The map of the finest grid; two threads evaluate the first two grids.

@@ -14,11 +14,11 @@ namespace fpkcheck::fd_fpk {
 ///     dT/dt = L* T,   T(b, v) = 0 for v > 0,   T(0, -u) = T(0, r u),
 ///
 /// for the survival probability T, in a Krylov space of the transposed matrix of finite volumes.
-/// The motion through the barrier leaves, and nothing returns. The stationary density on the same
-/// cells, continued beyond the barrier, gives the stationary start and Rice's rate. The errors
-/// follow from three or more grids (ConvergedValues).
+/// Motion that crosses the barrier is absorbed. The stationary density, computed on the same cells
+/// and on further cells beyond the barrier, gives the stationary initial density and Rice's rate.
+/// The errors follow from three or more grids (ConvergedValues).
 /// @param times times of the survival probabilities; automatic times if empty
-/// @param start start of Passage::mean_from_point; empty for a start at rest
+/// @param start initial state of Passage::mean_from_point; if empty, the initial state is at rest
 /// @throws InputError for invalid options
 transform::Passage solve_passage(const problem::Problem& problem, const Options& options,
                                  double barrier, std::vector<double> times,

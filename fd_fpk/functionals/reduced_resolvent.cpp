@@ -8,8 +8,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Residuals of the linear systems of the first and of the last basis vectors, relative to a basis
-// vector. With 1e-9 for all vectors the spectra of case1 change by less than 1e-6 of their values.
+// Relative residuals of the linear systems of the first and of the last basis vectors. With the
+// residual 1e-9 for all basis vectors the spectral densities of case1 change by a relative 1e-6 at
+// most.
 constexpr double kTolerance = 1e-8, kLargestTolerance = 1e-4;
 
 }  // namespace
@@ -18,14 +19,15 @@ ReducedResolvent::ReducedResolvent(const ShiftedSystem& system, const Eigen::Vec
                                    Eigen::VectorXd stationary)
     : system_(system), stationary_(std::move(stationary)), norm_(b.norm()), basis_(b / norm_) {}
 
-bool ReducedResolvent::extend(int count, const base::Deadline& deadline) {
+bool ReducedResolvent::add_basis_vectors(int count, const base::Deadline& deadline) {
   basis_.conservativeResize(Eigen::NoChange, size_ + count + 1);
   hessenberg_.conservativeResize(size_ + count + 1, size_ + count);
   const double tolerance = std::min(kTolerance / weight_of_last_, kLargestTolerance);
   for (const int end = size_ + count; size_ < end; ++size_) {
     auto solution = system_.solve(basis_.col(size_), tolerance, deadline, failure_);
     if (!solution) return false;
-    if (stationary_.size() > 0) *solution -= system_.op().total_mass(*solution) * stationary_;
+    if (stationary_.size() > 0)
+      *solution -= system_.unshifted_operator().total_mass(*solution) * stationary_;
     hessenberg_.col(size_).setZero();
     hessenberg_.row(size_ + 1).setZero();
     // Classical Gram-Schmidt orthogonalisation, twice for orthogonality to rounding
@@ -42,18 +44,20 @@ bool ReducedResolvent::extend(int count, const base::Deadline& deadline) {
   return true;
 }
 
-Eigen::VectorXcd ReducedResolvent::transfer(const Eigen::VectorXd& w, const Eigen::VectorXcd& s) {
+Eigen::VectorXcd ReducedResolvent::transfer_function_values(const Eigen::VectorXd& functional,
+                                                            const Eigen::VectorXcd& points) {
   // With Schur's form H = U T U^*, each point s needs the solution of one triangular system.
   const Eigen::MatrixXd h = hessenberg_.topLeftCorner(size_, size_);
   const Eigen::ComplexSchur<Eigen::MatrixXd> schur(h);
   const Eigen::MatrixXcd &t = schur.matrixT(), &u = schur.matrixU();
   const Eigen::VectorXcd of_w =
-      u.transpose() * (basis_.leftCols(size_).transpose() * w).cast<std::complex<double>>();
+      u.transpose() *
+      (basis_.leftCols(size_).transpose() * functional).cast<std::complex<double>>();
   const Eigen::VectorXcd right = norm_ * (u.adjoint() * h.col(0).cast<std::complex<double>>());
-  Eigen::VectorXcd values(s.size());
+  Eigen::VectorXcd values(points.size());
   weight_of_last_ = 0;
-  for (Eigen::Index k = 0; k < s.size(); ++k) {
-    Eigen::MatrixXcd matrix = (s(k) - system_.shift()) * t;
+  for (Eigen::Index k = 0; k < points.size(); ++k) {
+    Eigen::MatrixXcd matrix = (points(k) - system_.shift()) * t;
     matrix.diagonal().array() += 1;
     const Eigen::VectorXcd solution = matrix.triangularView<Eigen::Upper>().solve(right);
     const std::complex<double> last = u.row(size_ - 1).transpose().cwiseProduct(solution).sum();
@@ -70,14 +74,15 @@ Eigen::VectorXd ReducedResolvent::solution(double s) const {
   return basis_.leftCols(size_) * matrix.partialPivLu().solve(norm_ * h.col(0));
 }
 
-ReducedResolvent::Modes ReducedResolvent::modes(const Eigen::VectorXd& w,
-                                                std::optional<int> size) const {
-  const int n = size.value_or(size_);
+ReducedResolvent::Modes ReducedResolvent::reduced_model_modes(const Eigen::VectorXd& functional,
+                                                              std::optional<int> basis_size) const {
+  const int n = basis_size.value_or(size_);
   const Eigen::EigenSolver<Eigen::MatrixXd> eigen(hessenberg_.topLeftCorner(n, n));
   const Eigen::MatrixXcd vectors = eigen.eigenvectors();
   const Eigen::VectorXcd start = vectors.partialPivLu().solve(norm_ * Eigen::VectorXcd::Unit(n, 0));
   const Eigen::VectorXcd of_w =
-      vectors.transpose() * (basis_.leftCols(n).transpose() * w).cast<std::complex<double>>();
+      vectors.transpose() *
+      (basis_.leftCols(n).transpose() * functional).cast<std::complex<double>>();
   return {.rates = system_.shift() - eigen.eigenvalues().cwiseInverse().array(),
           .coefficients = of_w.cwiseProduct(start)};
 }

@@ -10,15 +10,16 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Reduced model of the transfer functions h(s) = <w, (s - L)^-1 b> of a generator L or its adjoint,
-/// by Arnoldi iteration with the real matrix B = (sigma - L)^-1 from the vector b. With the basis V
-/// of the Krylov space, B V = V H + .., and
+/// Reduced model of the transfer functions h(s) = <w, (s - L)^-1 b> of a generator L or its
+/// adjoint, by Arnoldi iteration with the real matrix B = (sigma - L)^-1 from the vector b. With
+/// the basis V of the Krylov space, B V = V H + .., and
 ///
 ///     (s - L)^-1 = (1 - (sigma - s) B)^-1 B,    h(s) ~ <w, V (1 - (sigma - s) H)^-1 H V^T b>.
 ///
-/// One factorisation serves all s. If b has mass 0 and L conserves mass, all vectors of the Krylov
-/// space have mass 0, and s = 0 is not singular. Rounding errors of the mass, which the iteration would
-/// amplify, are removed with the stationary density.
+/// One factorisation of sigma - L suffices for all s. If b has mass 0 and L conserves mass, all
+/// vectors of the Krylov space have mass 0, and s = 0 is not singular. The iteration would amplify
+/// rounding errors of the mass. Multiples of the stationary density are therefore subtracted, so
+/// that every vector has mass 0.
 class ReducedResolvent {
  public:
   /// @param system linear systems of sigma - L, which must outlive this object
@@ -28,16 +29,17 @@ class ReducedResolvent {
 
   /// Adds `count` vectors to the basis.
   /// @return whether the linear systems were solved; otherwise failure_reason() gives the reason
-  bool extend(int count, const base::Deadline& deadline);
+  bool add_basis_vectors(int count, const base::Deadline& deadline);
 
   int size() const { return size_; }
   const std::string& failure_reason() const { return failure_; }
 
-  /// Returns the transfer functions of the functional w at the points s. The call also determines
-  /// the accuracy of the linear systems of further vectors: an error of vector k enters the transfer
-  /// function with the coefficient of this vector, and the coefficients decrease (Simoncini and
-  /// Szyld, SIAM Journal on Scientific Computing 25 (2003) 454).
-  Eigen::VectorXcd transfer(const Eigen::VectorXd& w, const Eigen::VectorXcd& s);
+  /// Returns the transfer function h(s) of the functional w at the given points s. The call also
+  /// determines the accuracy of the linear systems of further vectors: an error of vector k enters
+  /// the transfer function with the coefficient of vector k, and the coefficients decrease with k
+  /// (Simoncini and Szyld, SIAM Journal on Scientific Computing 25 (2003) 454).
+  Eigen::VectorXcd transfer_function_values(const Eigen::VectorXd& functional,
+                                            const Eigen::VectorXcd& points);
 
   /// Returns the vector (s - L)^-1 b at a real s, with the accuracy of transfer().
   Eigen::VectorXd solution(double s) const;
@@ -47,8 +49,9 @@ class ReducedResolvent {
   struct Modes {
     Eigen::VectorXcd rates, coefficients;
   };
-  /// @param size number of basis vectors of the reduced model, at most size(); all if absent
-  Modes modes(const Eigen::VectorXd& w, std::optional<int> size = {}) const;
+  /// @param basis_size number of basis vectors of the reduced model, at most size(); all if absent
+  Modes reduced_model_modes(const Eigen::VectorXd& functional,
+                            std::optional<int> basis_size = {}) const;
 
  private:
   const ShiftedSystem& system_;

@@ -22,8 +22,8 @@ constexpr double kElasticityFraction = 0.01;
 constexpr double kSolverTolerance = 1e-11;
 constexpr Eigen::Index kMomentCount = std::size(transform::kDifferentiatedMoments);
 
-Eigen::VectorXd moment_values(const problem::Problem& problem, const Grid& grid,
-                              const Eigen::VectorXd& averages, int order) {
+Eigen::VectorXd differentiated_moment_values(const problem::Problem& problem, const Grid& grid,
+                                             const Eigen::VectorXd& averages, int order) {
   const transform::Moments moments = physical_moments(problem.frame, grid, averages, order);
   Eigen::VectorXd values(kMomentCount);
   for (Eigen::Index k = 0; k < kMomentCount; ++k) {
@@ -35,25 +35,25 @@ Eigen::VectorXd moment_values(const problem::Problem& problem, const Grid& grid,
 // Returns the moments, then the derivatives of all moments for each parameter.
 Eigen::VectorXd sensitivities_on_grid(const problem::Problem& problem, const Options& options,
                                       const std::vector<problem::ParameterDerivative>& parameters,
-                                      DirectSolution& on, const base::Deadline& deadline,
-                                      std::string& failure) {
-  const Grid& grid = on.discretisation.grid;
+                                      DirectSolution& direct_solution,
+                                      const base::Deadline& deadline, std::string& failure) {
+  const Grid& grid = direct_solution.discretisation.grid;
   const int order = transport_order(options);
-  const Eigen::VectorXd& p = *on.averages;
+  const Eigen::VectorXd& p = *direct_solution.averages;
   Eigen::VectorXd values(kMomentCount * static_cast<Eigen::Index>(1 + parameters.size()));
-  values.head(kMomentCount) = moment_values(problem, grid, p, order);
+  values.head(kMomentCount) = differentiated_moment_values(problem, grid, p, order);
   // The factors of s - L with a small shift s solve the singular systems of L in a few iterations.
   constexpr double kSmallShift = 1e-3;  // in decay rates of the slowest mode
-  const ShiftedSystem system(on.op, *on.preconditioner, grid.nv(), order,
-                             kSmallShift * on.scales.slowest_decay_rate);
-  const numerics::BlockBandedLu* factors = system.factors();
-  if (factors == nullptr && !on.preconditioner->factorise_stationary()) {
-    failure = on.preconditioner->failure_reason();
+  const ShiftedSystem system(direct_solution.op, *direct_solution.preconditioner, grid.nv(), order,
+                             kSmallShift * direct_solution.scales.slowest_decay_rate);
+  const numerics::BlockBandedLu* factors = system.direct_factors();
+  if (factors == nullptr && !direct_solution.preconditioner->factorise_stationary()) {
+    failure = direct_solution.preconditioner->failure_reason();
     return {};
   }
-  const auto times = [&](const Eigen::VectorXd& x) { return on.op * x; };
+  const auto times = [&](const Eigen::VectorXd& x) { return direct_solution.op * x; };
   const auto approximate_solve = [&](Eigen::Ref<Eigen::VectorXd> x) {
-    if (factors == nullptr) return on.preconditioner->solve_in_place(x);
+    if (factors == nullptr) return direct_solution.preconditioner->solve_in_place(x);
     factors->solve_in_place(x);
     x = -x;
   };
@@ -61,20 +61,20 @@ Eigen::VectorXd sensitivities_on_grid(const problem::Problem& problem, const Opt
     Eigen::VectorXd rate = Eigen::VectorXd::Zero(p.size());  // dL p
     for (const auto& [weight, changed] : parameters[k].terms) {
       const problem::Problem transformed = problem::to_wall_coordinates(problem.frame, changed);
-      rate += weight *
-              (fokker_planck_operator(transformed, options,
-                                      with_excitation_of(transformed, options, on.discretisation)) *
-               p);
+      rate += weight * (fokker_planck_operator(transformed, options,
+                                               with_excitation_of(transformed, options,
+                                                                  direct_solution.discretisation)) *
+                        p);
     }
-    auto [derivative, iterations, reason] =
-        gmres(times, approximate_solve, -rate, on.op.areas, kSolverTolerance, deadline);
+    auto [derivative, iterations, reason] = solve_by_gmres(
+        times, approximate_solve, -rate, direct_solution.op.areas, kSolverTolerance, deadline);
     if (!derivative) {
       failure = reason;
       return {};
     }
-    *derivative -= on.op.total_mass(*derivative) * p;
+    *derivative -= direct_solution.op.total_mass(*derivative) * p;
     values.segment(static_cast<Eigen::Index>(k + 1) * kMomentCount, kMomentCount) =
-        moment_values(problem, grid, *derivative, order);
+        differentiated_moment_values(problem, grid, *derivative, order);
   }
   return values;
 }
@@ -99,10 +99,11 @@ transform::Sensitivities solve_sensitivities(
     return result;
   }
   Options with_order = options;
-  with_order.order = options.order.value_or(automatic_order(transformed));
-  const auto on_grid = [&](DirectSolution& on, const base::Deadline& deadline,
+  with_order.order = options.order.value_or(automatic_scheme_order(transformed));
+  const auto on_grid = [&](DirectSolution& direct_solution, const base::Deadline& deadline,
                            std::string& failure) {
-    return sensitivities_on_grid(transformed, with_order, parameters, on, deadline, failure);
+    return sensitivities_on_grid(transformed, with_order, parameters, direct_solution, deadline,
+                                 failure);
   };
   // Magnitudes of the moments. E[y] may be 0 and has the magnitude of the root mean square.
   const auto moment_scales = [](const Eigen::VectorXd& moments) -> Eigen::VectorXd {

@@ -14,8 +14,8 @@ namespace fpkcheck::fd_fpk {
 ///
 ///     L dp = -dL p,    int dp = 0,
 ///
-/// with the derivative dL of the generator on the same grid, by difference quotients of its matrix.
-/// The errors follow from three or more grids (ConvergedValues).
+/// where dL is the derivative of the generator on the same grid, computed by difference quotients
+/// of the generator matrix. The errors follow from three or more grids (ConvergedValues).
 /// @param parameters derivatives with steps of about 1e-4
 /// @throws InputError for invalid options
 transform::Sensitivities solve_sensitivities(

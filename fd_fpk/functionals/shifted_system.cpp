@@ -7,21 +7,24 @@ namespace fpkcheck::fd_fpk {
 ShiftedSystem::ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner& preconditioner, int nv,
                              int order, double shift, Transposed transposed)
     : op_(op), preconditioner_(preconditioner), shift_(shift), transposed_(transposed) {
-  // Largest number of elements of the factors, 400 MB. With factors `fpkcheck spectrum case1 --methods
-  // fd-kf` takes 3.6 s instead of 6.6 s.
+  // Largest number of elements of the factors, 400 MB. With factors `fpkcheck spectrum case1
+  // --methods fd-kf` takes 3.6 s instead of 6.6 s.
   constexpr double kMostElements = 5e7;
-  // One-sided stencils at a wall reach order - 1 cells, stencils elsewhere about half as many.
+  // One-sided stencils at a wall reach order - 1 cells; all other stencils reach about half as many
+  // cells.
   const int reach = (order + 2) / 2;
   const auto size = static_cast<double>(op.areas.size());
-  if (numerics::BlockBandedLu::element_count(size, nv, reach) <= kMostElements) {
-    factors_.emplace(scale_and_shift(-1, op.assembled_matrix(), shift), nv);
+  if (numerics::BlockBandedLu::factor_element_count(size, nv, reach) <= kMostElements) {
+    factors_.emplace(scale_and_shift_matrix(-1, op.assembled_matrix(), shift), nv);
     if (factors_->is_finite()) return;
     factors_.reset();
   }
-  if (!preconditioner.factorise(1 / shift)) failure_ = preconditioner.failure_reason();
+  if (!preconditioner.factorise_newton_matrix(1 / shift))
+    failure_ = preconditioner.failure_reason();
 }
 
-std::optional<Eigen::VectorXd> ShiftedSystem::solve(const Eigen::VectorXd& b, double tolerance,
+std::optional<Eigen::VectorXd> ShiftedSystem::solve(const Eigen::VectorXd& right_hand_side,
+                                                    double tolerance,
                                                     const base::Deadline& deadline,
                                                     std::string& failure) const {
   const bool is_transposed = transposed_ == Transposed::yes;
@@ -30,7 +33,7 @@ std::optional<Eigen::VectorXd> ShiftedSystem::solve(const Eigen::VectorXd& b, do
       failure = "max_seconds expired; increase max-seconds or use fewer cells";
       return std::nullopt;
     }
-    Eigen::VectorXd x = b;
+    Eigen::VectorXd x = right_hand_side;
     is_transposed ? factors_->solve_transposed_in_place(x) : factors_->solve_in_place(x);
     return x;
   }
@@ -46,8 +49,8 @@ std::optional<Eigen::VectorXd> ShiftedSystem::solve(const Eigen::VectorXd& b, do
                   : preconditioner_.solve_in_place(x);
   };
   const Eigen::VectorXd weights = is_transposed ? op_.areas.cwiseInverse() : op_.areas;
-  auto [solution, iterations, reason] =
-      gmres(times, approximate_solve, b / shift_, weights, tolerance, deadline);
+  auto [solution, iterations, reason] = solve_by_gmres(
+      times, approximate_solve, right_hand_side / shift_, weights, tolerance, deadline);
   if (!solution) failure = reason;
   return std::move(solution);
 }

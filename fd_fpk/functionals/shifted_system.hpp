@@ -14,8 +14,9 @@ namespace fpkcheck::fd_fpk {
 enum class Transposed { no, yes };
 
 /// Linear systems (s - L) x = b of an operator L with a shift s > 0, or of the transposed operator.
-/// One matrix serves many right-hand sides: if memory permits, the whole matrix including the jumps is
-/// factored, in dense blocks for the cells at one x1. Otherwise GMRES solves each system.
+/// The system is solved for many right-hand sides. If memory permits, the constructor therefore
+/// factors the whole matrix, including the jumps, in dense blocks for the cells at one x1.
+/// Otherwise GMRES solves each system.
 class ShiftedSystem {
  public:
   /// @param op,preconditioner must outlive this object
@@ -25,13 +26,13 @@ class ShiftedSystem {
                 double shift, Transposed transposed = Transposed::no);
 
   double shift() const { return shift_; }
-  const FokkerPlanckOperator& op() const { return op_; }
+  const FokkerPlanckOperator& unshifted_operator() const { return op_; }
   /// Returns the factors of s - L; null if GMRES solves the systems.
-  const numerics::BlockBandedLu* factors() const { return factors_ ? &*factors_ : nullptr; }
+  const numerics::BlockBandedLu* direct_factors() const { return factors_ ? &*factors_ : nullptr; }
 
   /// @param tolerance relative residual of GMRES
   /// @return the solution; empty with a reason in `failure`
-  std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b, double tolerance,
+  std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& right_hand_side, double tolerance,
                                        const base::Deadline& deadline, std::string& failure) const;
 
  private:

@@ -20,21 +20,23 @@ namespace {
 
 using transform::Status;
 
-// Error of each density, relative to this density, at which no finer grid is tried, as a fraction of
+// Relative error of each spectral density at which no finer grid is tried, as a fraction of
 // Options::accuracy
 constexpr double kTargetFraction = 0.2;
-// Smallest density, relative to the largest density, to which relative errors refer
+// Smallest spectral density to which relative errors refer, relative to the largest spectral
+// density
 constexpr double kFloor = 1e-3;
-// Agreement of two successive Krylov spaces, relative to the same densities, which is part of the
-// errors
+// Largest accepted relative difference between the spectral densities of two successive Krylov
+// spaces; the error estimates contain the largest accepted difference
 constexpr double kAgreement = 1e-5;
 
 constexpr int kModes = 2;  // number of modes in the result
-// Numbers after the densities: the variance, and for each mode decay rate, frequency and share
+// Number of the values after the spectral densities and autocovariances: the variance, and for each
+// mode decay rate, frequency and share
 constexpr Eigen::Index kFurtherValues = 1 + 3 * kModes;
 
-// Returns the modes with the largest coefficients: for each its decay rate, frequency and share of the
-// variance. A conjugate pair is one mode.
+// Returns decay rate, frequency and share of the variance of the modes with the largest
+// coefficients, three values for each mode. A conjugate pair is one mode.
 Eigen::VectorXd largest_modes(const ReducedResolvent::Modes& modes, double variance) {
   std::vector<Eigen::Index> upper;
   for (Eigen::Index j = 0; j < modes.rates.size(); ++j) {
@@ -53,9 +55,9 @@ Eigen::VectorXd largest_modes(const ReducedResolvent::Modes& modes, double varia
   return values;
 }
 
-// Returns the autocovariance sum c exp(a t) at times t, with the modes that decay.
-Eigen::VectorXd autocovariance_of(const ReducedResolvent::Modes& modes,
-                                  const std::vector<double>& lags) {
+// Returns the autocovariance sum c exp(a t) at the lags t, over the modes that decay.
+Eigen::VectorXd autocovariance_from_modes(const ReducedResolvent::Modes& modes,
+                                          const std::vector<double>& lags) {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(lags.size()));
   for (Eigen::Index j = 0; j < modes.rates.size(); ++j) {
     if (!(modes.rates(j).real() < 0)) continue;
@@ -68,19 +70,20 @@ Eigen::VectorXd autocovariance_of(const ReducedResolvent::Modes& modes,
 }
 
 // Returns the densities at the frequencies, the autocovariances at the lags, the changes of the
-// autocovariances by the last vectors of the Krylov space, and then the further values. The Krylov
+// autocovariances by the last vectors of the Krylov space, the variance, and the modes. The Krylov
 // space grows until the densities of two successive spaces agree.
 Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
                                  const std::vector<double>& lags, transform::StateVariable variable,
-                                 double shift, int order, DirectSolution& on,
+                                 double shift, int order, DirectSolution& direct_solution,
                                  const base::Deadline& deadline, std::string& failure) {
   constexpr int kStep = 10, kMost = 200;
-  const Grid& grid = on.discretisation.grid;
-  const Eigen::VectorXd& p = *on.averages;
+  const Grid& grid = direct_solution.discretisation.grid;
+  const Eigen::VectorXd& p = *direct_solution.averages;
   const Eigen::VectorXd functional = coordinate_functional(grid, variable, order);
-  const double mean = functional.dot(p) / on.op.total_mass(p);
+  const double mean = functional.dot(p) / direct_solution.op.total_mass(p);
   const Eigen::VectorXd b = multiply_by_coordinate(grid, p, variable, order) - mean * p;
-  const ShiftedSystem system(on.op, *on.preconditioner, grid.nv(), order, shift);
+  const ShiftedSystem system(direct_solution.op, *direct_solution.preconditioner, grid.nv(), order,
+                             shift);
   ReducedResolvent model(system, b, p);
   Eigen::VectorXcd points(frequencies.size());
   for (std::size_t k = 0; k < frequencies.size(); ++k) points(k) = {0, frequencies[k]};
@@ -90,23 +93,23 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
   Eigen::VectorXd values(n + 2 * m + kFurtherValues), last = Eigen::VectorXd::Zero(n);
   const double variance = functional.dot(b);
   while (model.size() < kMost) {
-    if (!model.extend(kStep, deadline)) {
+    if (!model.add_basis_vectors(kStep, deadline)) {
       failure = model.failure_reason();
       return {};
     }
     const Eigen::VectorXd density =
-        2 / std::numbers::pi * model.transfer(functional, points).real();
+        2 / std::numbers::pi * model.transfer_function_values(functional, points).real();
     const double floor = kFloor * density.cwiseAbs().maxCoeff();
     const bool agree =
         ((density - last).array().abs() <= kAgreement * density.array().abs().max(floor)).all();
     last = density;
     if (agree) {
-      const ReducedResolvent::Modes modes = model.modes(functional),
+      const ReducedResolvent::Modes modes = model.reduced_model_modes(functional),
                                     of_smaller_space =
-                                        model.modes(functional, model.size() - kStep);
-      const Eigen::VectorXd covariance = autocovariance_of(modes, lags);
+                                        model.reduced_model_modes(functional, model.size() - kStep);
+      const Eigen::VectorXd covariance = autocovariance_from_modes(modes, lags);
       values << density, covariance,
-          (covariance - autocovariance_of(of_smaller_space, lags)).cwiseAbs(), variance,
+          (covariance - autocovariance_from_modes(of_smaller_space, lags)).cwiseAbs(), variance,
           largest_modes(modes, variance);
       return values;
     }
@@ -135,13 +138,14 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
     spectrum.status = Status::not_offered;
     return spectrum;
   }
-  const problem::MotionScales scales = problem::scales(transformed);
+  const problem::MotionScales scales = problem::motion_scales(transformed);
   const double shift = 2 * scales.velocity_deviation / scales.displacement_deviation;
-  const int order = options.order.value_or(automatic_order(transformed));
+  const int order = options.order.value_or(automatic_scheme_order(transformed));
   const double target = kTargetFraction * options.accuracy;
-  const auto on_grid = [&](DirectSolution& on, const base::Deadline& deadline,
+  const auto on_grid = [&](DirectSolution& direct_solution, const base::Deadline& deadline,
                            std::string& failure) {
-    return spectrum_on_grid(frequencies, lags, variable, shift, order, on, deadline, failure);
+    return spectrum_on_grid(frequencies, lags, variable, shift, order, direct_solution, deadline,
+                            failure);
   };
   const auto n = static_cast<Eigen::Index>(frequencies.size()),
              m = static_cast<Eigen::Index>(lags.size());

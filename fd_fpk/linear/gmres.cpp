@@ -10,26 +10,26 @@ namespace {
 using namespace numerics::sundials_owned;
 
 struct GmresCallbackData {
-  const LinearMap& a;
+  const LinearMap& linear_map;
   const ApproximateSolve& approximate_solve;
   const base::Deadline& deadline;
   bool deadline_exceeded = false;
   CallbackExceptionStore thrown = {};
 };
 
-int times(void* data, N_Vector v, N_Vector z) {
+int gmres_product_callback(void* data, N_Vector v, N_Vector z) {
   auto& callbacks = *static_cast<GmresCallbackData*>(data);
-  return callbacks.thrown.invoke([&] {
+  return callbacks.thrown.call_and_store_exception([&] {
     callbacks.deadline_exceeded = callbacks.deadline.has_passed();
     if (callbacks.deadline_exceeded) return CallbackExceptionStore::kUnrecoverable;
-    vector_view(z) = callbacks.a(vector_view(v));
+    vector_view(z) = callbacks.linear_map(vector_view(v));
     return 0;
   });
 }
 
-int precondition(void* data, N_Vector r, N_Vector z, sunrealtype, int) {
+int gmres_precondition_callback(void* data, N_Vector r, N_Vector z, sunrealtype, int) {
   auto& callbacks = *static_cast<GmresCallbackData*>(data);
-  return callbacks.thrown.invoke([&] {
+  return callbacks.thrown.call_and_store_exception([&] {
     vector_view(z) = vector_view(r);
     callbacks.approximate_solve(vector_view(z));
     return 0;
@@ -38,31 +38,33 @@ int precondition(void* data, N_Vector r, N_Vector z, sunrealtype, int) {
 
 }  // namespace
 
-GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
-                  const Eigen::VectorXd& b, const Eigen::VectorXd& weights, double tolerance,
-                  const base::Deadline& deadline) {
+GmresResult solve_by_gmres(const LinearMap& linear_map, const ApproximateSolve& approximate_solve,
+                           const Eigen::VectorXd& right_hand_side, const Eigen::VectorXd& weights,
+                           double tolerance, const base::Deadline& deadline) {
   constexpr int kBasis = 100;
   constexpr int kRestarts = 4;
   QuietContext context;
-  GmresCallbackData callbacks{a, approximate_solve, deadline};
-  const auto x = make_sundials_vector(Eigen::VectorXd::Zero(b.size()), context);
-  const auto right = make_sundials_vector(b, context);
+  GmresCallbackData callbacks{linear_map, approximate_solve, deadline};
+  const auto x = make_sundials_vector(Eigen::VectorXd::Zero(right_hand_side.size()), context);
+  const auto right = make_sundials_vector(right_hand_side, context);
   const auto scale = make_sundials_vector(weights, context);
-  const auto solver =
-      make_owned(SUNLinSol_SPGMR(x.get(), SUN_PREC_RIGHT, kBasis, context), "a GMRES solver");
+  const auto solver = make_owned_handle(SUNLinSol_SPGMR(x.get(), SUN_PREC_RIGHT, kBasis, context),
+                                        "a GMRES solver");
   require_success(SUNLinSol_SPGMRSetMaxRestarts(solver.get(), kRestarts),
                   "SUNLinSol_SPGMRSetMaxRestarts");
-  require_success(SUNLinSolSetATimes(solver.get(), &callbacks, times), "SUNLinSolSetATimes");
-  require_success(SUNLinSolSetPreconditioner(solver.get(), &callbacks, nullptr, precondition),
-                  "SUNLinSolSetPreconditioner");
+  require_success(SUNLinSolSetATimes(solver.get(), &callbacks, gmres_product_callback),
+                  "SUNLinSolSetATimes");
+  require_success(
+      SUNLinSolSetPreconditioner(solver.get(), &callbacks, nullptr, gmres_precondition_callback),
+      "SUNLinSolSetPreconditioner");
   require_success(SUNLinSolSetScalingVectors(solver.get(), scale.get(), scale.get()),
                   "SUNLinSolSetScalingVectors");
   require_success(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
   require_success(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
   // A Krylov basis loses orthogonality before the residual has fallen by much more than the factor
-  // kReduction. On fine grids only a restart reduces the residual below this factor.
+  // kReduction. On fine grids only a restart of GMRES reduces the residual further.
   constexpr double kReduction = 1e-7;
-  const double norm = weights.cwiseProduct(b).norm();
+  const double norm = weights.cwiseProduct(right_hand_side).norm();
   GmresResult result{std::nullopt};
   int flag = kSuccess;
   for (double reached = 1; reached > tolerance;) {
@@ -70,7 +72,7 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
                     "SUNLinSolSetZeroGuess");
     reached = std::max(tolerance, kReduction * reached);
     flag = SUNLinSolSolve(solver.get(), nullptr, x.get(), right.get(), reached * norm);
-    callbacks.thrown.rethrow();
+    callbacks.thrown.rethrow_stored_exception();
     result.iterations += SUNLinSolNumIters(solver.get());
     if (flag < 0) break;
   }

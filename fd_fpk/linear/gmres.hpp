@@ -27,9 +27,10 @@ struct GmresResult {
 /// @param weights weights w of the norm of a vector x, (sum_i (w_i x_i)^2)^(1/2)
 /// @param tolerance largest accepted ||A x - b|| / ||b||
 /// @throws std::runtime_error if SUNDIALS cannot allocate its memory; also rethrows every exception
-/// of `a` and `approximate_solve`
-GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
-                  const Eigen::VectorXd& b, const Eigen::VectorXd& weights, double tolerance,
-                  const base::Deadline& deadline = base::Deadline::unlimited());
+/// of `linear_map` and `approximate_solve`
+GmresResult solve_by_gmres(const LinearMap& linear_map, const ApproximateSolve& approximate_solve,
+                           const Eigen::VectorXd& right_hand_side, const Eigen::VectorXd& weights,
+                           double tolerance,
+                           const base::Deadline& deadline = base::Deadline::unlimited());
 
 }  // namespace fpkcheck::fd_fpk

@@ -17,44 +17,49 @@ namespace {
 
 using namespace numerics::sundials_owned;
 
-CvodeCallbackData& callbacks_in(void* data) { return *static_cast<CvodeCallbackData*>(data); }
+CvodeCallbackData& cvode_callback_data(void* data) {
+  return *static_cast<CvodeCallbackData*>(data);
+}
 
-int write_product(CvodeCallbackData& callbacks, double t, N_Vector v, N_Vector lv) {
-  return callbacks.thrown.invoke([&] {
-    vector_view(lv) = callbacks.system.times(t, vector_view(v));
+int store_product_or_exception(CvodeCallbackData& callbacks, double t, N_Vector v, N_Vector lv) {
+  return callbacks.thrown.call_and_store_exception([&] {
+    vector_view(lv) = callbacks.system.apply_operator(t, vector_view(v));
     return 0;
   });
 }
 
-int right_hand_side(sunrealtype t, N_Vector p, N_Vector p_dot, void* data) {
-  return write_product(callbacks_in(data), t, p, p_dot);
+int right_hand_side_callback(sunrealtype t, N_Vector p, N_Vector p_dot, void* data) {
+  return store_product_or_exception(cvode_callback_data(data), t, p, p_dot);
 }
 
-int times(N_Vector v, N_Vector lv, sunrealtype t, N_Vector, N_Vector, void* data, N_Vector) {
-  return write_product(callbacks_in(data), t, v, lv);
+int jacobian_product_callback(N_Vector v, N_Vector lv, sunrealtype t, N_Vector, N_Vector,
+                              void* data, N_Vector) {
+  return store_product_or_exception(cvode_callback_data(data), t, v, lv);
 }
 
-int factor(sunrealtype, N_Vector, N_Vector, sunbooleantype, sunbooleantype* current,
-           sunrealtype gamma, void* data) {
-  auto& callbacks = callbacks_in(data);
+int preconditioner_setup_callback(sunrealtype, N_Vector, N_Vector, sunbooleantype,
+                                  sunbooleantype* current, sunrealtype gamma, void* data) {
+  auto& callbacks = cvode_callback_data(data);
   *current = SUNTRUE;
-  return callbacks.thrown.invoke(
-      [&] { return callbacks.system.factor(gamma) ? 0 : CallbackExceptionStore::kUnrecoverable; });
+  return callbacks.thrown.call_and_store_exception([&] {
+    return callbacks.system.factor_shifted_matrix(gamma) ? 0
+                                                         : CallbackExceptionStore::kUnrecoverable;
+  });
 }
 
-int precondition(sunrealtype, N_Vector, N_Vector, N_Vector r, N_Vector z, sunrealtype, sunrealtype,
-                 int, void* data) {
-  auto& callbacks = callbacks_in(data);
-  return callbacks.thrown.invoke([&] {
+int preconditioner_solve_callback(sunrealtype, N_Vector, N_Vector, N_Vector r, N_Vector z,
+                                  sunrealtype, sunrealtype, int, void* data) {
+  auto& callbacks = cvode_callback_data(data);
+  return callbacks.thrown.call_and_store_exception([&] {
     vector_view(z) = vector_view(r);
-    callbacks.system.solve(vector_view(z));
+    callbacks.system.approximate_solve(vector_view(z));
     return 0;
   });
 }
 
-void store_message(const char* function, const char* text, void* data) {
-  auto& callbacks = callbacks_in(data);
-  callbacks.thrown.invoke([&] {
+void store_cvode_error_message(const char* function, const char* text, void* data) {
+  auto& callbacks = cvode_callback_data(data);
+  callbacks.thrown.call_and_store_exception([&] {
     callbacks.message = fmt::format("{}: {}", function, text);
     return 0;
   });
@@ -62,17 +67,21 @@ void store_message(const char* function, const char* text, void* data) {
 
 }  // namespace
 
-LinearOdeSystem linear_ode_system(LinearOdeSystem::Product times, Preconditioner& preconditioner) {
-  return {.times = std::move(times),
-          .factor = [&preconditioner](double gamma) { return preconditioner.factorise(gamma); },
-          .solve = [&preconditioner](
-                       Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }};
+LinearOdeSystem make_linear_ode_system(LinearOdeSystem::Product apply_operator,
+                                       Preconditioner& preconditioner) {
+  return {
+      .apply_operator = std::move(apply_operator),
+      .factor_shifted_matrix =
+          [&preconditioner](double gamma) { return preconditioner.factorise_newton_matrix(gamma); },
+      .approximate_solve =
+          [&preconditioner](Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }};
 }
 
 LinearOdeSystem with_deadline_check(const base::Deadline& deadline, LinearOdeSystem system) {
-  system.times = [&deadline, times = std::move(system.times)](double t, const Eigen::VectorXd& p) {
+  system.apply_operator = [&deadline, apply_operator = std::move(system.apply_operator)](
+                              double t, const Eigen::VectorXd& p) {
     if (deadline.has_passed()) throw DeadlineExceeded();
-    return times(t, p);
+    return apply_operator(t, p);
   };
   return system;
 }
@@ -84,65 +93,70 @@ struct LinearCvodeIntegrator::Handles {
   OwnedHandle<SUNLinearSolver> gmres;
   OwnedHandle<void*> cvode;
 
-  Handles(LinearOdeSystem system, const Eigen::VectorXd& start)
+  Handles(LinearOdeSystem system, const Eigen::VectorXd& initial_averages)
       : callbacks{std::move(system)},
-        averages(make_sundials_vector(start, context)),
-        gmres(make_owned(SUNLinSol_SPGMR(averages.get(), SUN_PREC_RIGHT, 100, context),
-                         "a GMRES solver")),
-        cvode(make_owned(CVodeCreate(CV_BDF, context), "CVODE")) {}
+        averages(make_sundials_vector(initial_averages, context)),
+        gmres(make_owned_handle(SUNLinSol_SPGMR(averages.get(), SUN_PREC_RIGHT, 100, context),
+                                "a GMRES solver")),
+        cvode(make_owned_handle(CVodeCreate(CV_BDF, context), "CVODE")) {}
 
-  using Count = int(void* cvode, long* count);
-  long count(Count get, const char* call) const {
+  using CounterQuery = int(void* cvode, long* count);
+  long query_counter(CounterQuery query, const char* function_name) const {
     long number = 0;
-    require_success(get(cvode.get(), &number), call);
+    require_success(query(cvode.get(), &number), function_name);
     return number;
   }
 };
 
-LinearCvodeIntegrator::LinearCvodeIntegrator(LinearOdeSystem system, const Eigen::VectorXd& start,
-                                             const BdfSettings& control)
-    : handles_(std::make_unique<Handles>(std::move(system), start)) {
+LinearCvodeIntegrator::LinearCvodeIntegrator(LinearOdeSystem system,
+                                             const Eigen::VectorXd& initial_averages,
+                                             const BdfSettings& settings)
+    : handles_(std::make_unique<Handles>(std::move(system), initial_averages)) {
   void* const cvode = handles_->cvode.get();
   void* const data = &handles_->callbacks;
-  require_success(CVodeInit(cvode, right_hand_side, 0.0, handles_->averages.get()), "CVodeInit");
-  set_error_handler<store_message>(cvode, handles_->context, data);
+  require_success(CVodeInit(cvode, right_hand_side_callback, 0.0, handles_->averages.get()),
+                  "CVodeInit");
+  set_error_handler<store_cvode_error_message>(cvode, handles_->context, data);
   require_success(CVodeSetUserData(cvode, data), "CVodeSetUserData");
-  if (const auto& of_cells = control.absolute_tolerances) {
+  if (const auto& of_cells = settings.absolute_tolerances) {
     const OwnedHandle<N_Vector> tolerances =
         make_sundials_vector(*of_cells, handles_->context);  // CVODE copies the tolerances
-    require_success(CVodeSVtolerances(cvode, control.relative_tolerance, tolerances.get()),
+    require_success(CVodeSVtolerances(cvode, settings.relative_tolerance, tolerances.get()),
                     "CVodeSVtolerances");
   } else {
     require_success(
-        CVodeSStolerances(cvode, control.relative_tolerance, control.absolute_tolerance),
+        CVodeSStolerances(cvode, settings.relative_tolerance, settings.absolute_tolerance),
         "CVodeSStolerances");
   }
-  require_success(CVodeSetMaxOrd(cvode, control.max_order), "CVodeSetMaxOrd");
+  require_success(CVodeSetMaxOrd(cvode, settings.max_order), "CVodeSetMaxOrd");
   require_success(CVodeSetLinearSolver(cvode, handles_->gmres.get(), nullptr),
                   "CVodeSetLinearSolver");
-  require_success(CVodeSetJacTimes(cvode, nullptr, times), "CVodeSetJacTimes");
-  require_success(CVodeSetPreconditioner(cvode, factor, precondition), "CVodeSetPreconditioner");
-  require_success(CVodeSetEpsLin(cvode, control.linear_tolerance), "CVodeSetEpsLin");
-  if (const auto& step = control.first_step)
+  require_success(CVodeSetJacTimes(cvode, nullptr, jacobian_product_callback), "CVodeSetJacTimes");
+  require_success(
+      CVodeSetPreconditioner(cvode, preconditioner_setup_callback, preconditioner_solve_callback),
+      "CVodeSetPreconditioner");
+  require_success(CVodeSetEpsLin(cvode, settings.linear_tolerance), "CVodeSetEpsLin");
+  if (const auto& step = settings.first_step)
     require_success(CVodeSetInitStep(cvode, *step), "CVodeSetInitStep");
-  if (const auto& step = control.max_step)
+  if (const auto& step = settings.max_step)
     require_success(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
-  if (const auto& time = control.stop_time)
+  if (const auto& time = settings.stop_time)
     require_success(CVodeSetStopTime(cvode, *time), "CVodeSetStopTime");
-  if (const auto& steps = control.max_steps) {
+  if (const auto& steps = settings.max_steps) {
     require_success(CVodeSetMaxNumSteps(cvode, *steps), "CVodeSetMaxNumSteps");
   }
-  if (const auto& steps = control.steps_per_factorisation) {
+  if (const auto& steps = settings.steps_per_factorisation) {
     require_success(CVodeSetLSetupFrequency(cvode, *steps), "CVodeSetLSetupFrequency");
   }
 }
 
 LinearCvodeIntegrator::~LinearCvodeIntegrator() = default;
 
-LinearCvodeIntegrator::StepResult LinearCvodeIntegrator::run(double time, int task) {
+LinearCvodeIntegrator::StepResult LinearCvodeIntegrator::call_cvode(double time, int cvode_task) {
   StepResult reached{.flag = 0, .time = 0};
-  reached.flag = CVode(handles_->cvode.get(), time, handles_->averages.get(), &reached.time, task);
-  handles_->callbacks.thrown.rethrow();
+  reached.flag =
+      CVode(handles_->cvode.get(), time, handles_->averages.get(), &reached.time, cvode_task);
+  handles_->callbacks.thrown.rethrow_stored_exception();
   return reached;
 }
 
@@ -151,13 +165,13 @@ void LinearCvodeIntegrator::set_linear_tolerance(double tolerance) {
 }
 
 LinearCvodeIntegrator::StepResult LinearCvodeIntegrator::take_step() {
-  return run(HUGE_VAL, CV_ONE_STEP);
+  return call_cvode(HUGE_VAL, CV_ONE_STEP);
 }
-LinearCvodeIntegrator::StepResult LinearCvodeIntegrator::advance(double time) {
-  return run(time, CV_NORMAL);
+LinearCvodeIntegrator::StepResult LinearCvodeIntegrator::advance_to_time(double time) {
+  return call_cvode(time, CV_NORMAL);
 }
 
-Eigen::Map<const Eigen::VectorXd> LinearCvodeIntegrator::averages() const {
+Eigen::Map<const Eigen::VectorXd> LinearCvodeIntegrator::cell_averages() const {
   const auto all = vector_view(handles_->averages.get());
   return {all.data(), all.size()};
 }
@@ -167,16 +181,16 @@ const std::string& LinearCvodeIntegrator::error_message() const {
 }
 
 long LinearCvodeIntegrator::step_count() const {
-  return handles_->count(CVodeGetNumSteps, "CVodeGetNumSteps");
+  return handles_->query_counter(CVodeGetNumSteps, "CVodeGetNumSteps");
 }
 long LinearCvodeIntegrator::factorisation_count() const {
-  return handles_->count(CVodeGetNumPrecEvals, "CVodeGetNumPrecEvals");
+  return handles_->query_counter(CVodeGetNumPrecEvals, "CVodeGetNumPrecEvals");
 }
 long LinearCvodeIntegrator::rhs_evaluation_count() const {
-  return handles_->count(CVodeGetNumRhsEvals, "CVodeGetNumRhsEvals");
+  return handles_->query_counter(CVodeGetNumRhsEvals, "CVodeGetNumRhsEvals");
 }
 long LinearCvodeIntegrator::krylov_iteration_count() const {
-  return handles_->count(CVodeGetNumLinIters, "CVodeGetNumLinIters");
+  return handles_->query_counter(CVodeGetNumLinIters, "CVodeGetNumLinIters");
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -16,13 +16,15 @@ namespace fpkcheck::fd_fpk {
 /// with I - gamma L.
 struct LinearOdeSystem {
   using Product = std::function<Eigen::VectorXd(double t, const Eigen::VectorXd& p)>;
-  Product times;
+  Product apply_operator;
   /// Factors I - gamma L for `solve`; returns false on failure
-  std::function<bool(double gamma)> factor;
-  ApproximateSolve solve;  ///< function that solves the system with the matrix factored last
+  std::function<bool(double gamma)> factor_shifted_matrix;
+  ApproximateSolve
+      approximate_solve;  ///< function that solves the system with the matrix factored last
 };
 /// @param preconditioner must outlive the returned system
-LinearOdeSystem linear_ode_system(LinearOdeSystem::Product times, Preconditioner& preconditioner);
+LinearOdeSystem make_linear_ode_system(LinearOdeSystem::Product apply_operator,
+                                       Preconditioner& preconditioner);
 
 /// Exception that a matrix-vector product throws after the deadline. Products must check the
 /// deadline, because one time step of CVODE may contain many products.
@@ -55,8 +57,8 @@ struct BdfSettings {
 class LinearCvodeIntegrator {
  public:
   /// @throws std::runtime_error when SUNDIALS cannot be set up
-  LinearCvodeIntegrator(LinearOdeSystem system, const Eigen::VectorXd& start,
-                        const BdfSettings& control);
+  LinearCvodeIntegrator(LinearOdeSystem system, const Eigen::VectorXd& initial_averages,
+                        const BdfSettings& settings);
   ~LinearCvodeIntegrator();
   LinearCvodeIntegrator(const LinearCvodeIntegrator&) = delete;
   LinearCvodeIntegrator& operator=(const LinearCvodeIntegrator&) = delete;
@@ -70,9 +72,9 @@ class LinearCvodeIntegrator {
   StepResult take_step();
   /// Advances to `time`, at which the averages are interpolated.
   /// @throws every exception of the system
-  StepResult advance(double time);
+  StepResult advance_to_time(double time);
 
-  Eigen::Map<const Eigen::VectorXd> averages() const;
+  Eigen::Map<const Eigen::VectorXd> cell_averages() const;
   const std::string& error_message() const;
 
   long step_count() const;
@@ -82,7 +84,7 @@ class LinearCvodeIntegrator {
 
  private:
   struct Handles;
-  StepResult run(double time, int task);
+  StepResult call_cvode(double time, int cvode_task);
   std::unique_ptr<Handles> handles_;
 };
 

@@ -13,8 +13,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                       const Eigen::VectorXd& start, const base::Deadline& deadline) {
+NullVector find_null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+                            const Eigen::VectorXd& initial_averages,
+                            const base::Deadline& deadline) {
   constexpr double kTolerance = 1e-13;
   if (!preconditioner.factorise_stationary())
     return {std::nullopt, 0, preconditioner.failure_reason()};
@@ -23,25 +24,26 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
     preconditioner.solve_in_place(b);
   };
   const base::Stopwatch stopwatch;
-  auto [correction, iterations, failure] =
-      gmres(times, approximate_solve, -(op * start), op.areas, kTolerance, deadline);
+  auto [correction, iterations, failure] = solve_by_gmres(
+      times, approximate_solve, -(op * initial_averages), op.areas, kTolerance, deadline);
   const double seconds = stopwatch.seconds();
   if (!correction) return {std::nullopt, iterations, failure, seconds};
-  Eigen::VectorXd averages = start + *correction;
+  Eigen::VectorXd averages = initial_averages + *correction;
   averages /= op.total_mass(averages);
   return {std::move(averages), iterations, "", seconds};
 }
 
-NullVector null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
-                                            const Eigen::VectorXd& start, double frequency) {
+NullVector find_null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
+                                                 const Eigen::VectorXd& initial_averages,
+                                                 double frequency) {
   // shift that makes the matrix nonsingular, in frequencies of the oscillator
   constexpr double kShift = 1e-7;
   constexpr int kIterations = 4;
   constexpr double kResidual = 1e-8;
   KluFactorisation klu;
-  if (!klu.factorise(scale_and_shift(1, op.assembled_matrix(), -kShift * frequency)))
+  if (!klu.factorise(scale_and_shift_matrix(1, op.assembled_matrix(), -kShift * frequency)))
     return {std::nullopt, 0, klu.failure_reason()};
-  Eigen::VectorXd averages = start;
+  Eigen::VectorXd averages = initial_averages;
   for (int k = 0; k < kIterations; ++k) {
     klu.solve_in_place(averages);
     averages /= op.total_mass(averages);
@@ -81,7 +83,7 @@ class ShiftedInverse {
   void set_shift(double sigma) {
     // The pattern of nonzeros must not depend on the shift sigma, since KLU reuses the ordering.
     ++factorisations_;
-    if (!klu_.factorise(scale_and_shift(1, matrix_, -sigma)))
+    if (!klu_.factorise(scale_and_shift_matrix(1, matrix_, -sigma)))
       throw std::runtime_error(klu_.failure_reason());
     sigma_ = sigma;
   }
@@ -93,7 +95,7 @@ class ShiftedInverse {
   }
 
   long factorisation_count() const { return factorisations_; }
-  long solves() const { return solves_; }
+  long solve_count() const { return solves_; }
 
  private:
   SparseColumnMatrix matrix_;
@@ -111,7 +113,7 @@ class SpectralTransform {
   /// Constructs the transform T = (L - sigma)^-1.
   explicit SpectralTransform(const ShiftedInverse& inverse) : SpectralTransform(inverse, 0, 1) {}
   /// Returns the Cayley transform T = C = 1 + 2 (sigma - m) (L - sigma)^-1.
-  static SpectralTransform cayley(const ShiftedInverse& inverse, double m) {
+  static SpectralTransform cayley_transform(const ShiftedInverse& inverse, double m) {
     return {inverse, 1, 2 * (inverse.shift() - m)};
   }
 
@@ -126,8 +128,8 @@ class SpectralTransform {
     result = constant_ * vector + factor_ * result;
   }
 
-  Complex eigenvalue_of_l(Complex of_t) const {
-    return inverse_.shift() + factor_ / (of_t - constant_);
+  Complex untransform_eigenvalue(Complex transformed) const {
+    return inverse_.shift() + factor_ / (transformed - constant_);
   }
 
  private:
@@ -151,7 +153,7 @@ EigenPairs largest_eigenpairs(SpectralTransform& transform, int count, long rest
   solver.compute(Spectra::SortRule::LargestMagn, restarts, kTolerance);
   EigenPairs pairs{{}, solver.eigenvectors()};
   for (const Complex value : solver.eigenvalues()) {
-    pairs.values.push_back(transform.eigenvalue_of_l(value));
+    pairs.values.push_back(transform.untransform_eigenvalue(value));
   }
   return pairs;
 }
@@ -197,8 +199,9 @@ int count_with_conjugates(const EigenPairs& pairs, int count) {
 
 }  // namespace
 
-RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, double growth,
-                                           double frequency, int count) {
+RightmostEigenvalues find_rightmost_eigenvalues(const FokkerPlanckOperator& op,
+                                                double excitation_growth_rate, double frequency,
+                                                int count) {
   constexpr double kRightOfGrowth = 0.05;
   constexpr double kLeftOfLast = 0.05;
   constexpr double kFastest = 8;
@@ -206,11 +209,11 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
   ShiftedInverse inverse(op.assembled_matrix());
   RightmostEigenvalues result;
   try {
-    const double unit = std::max(growth, frequency);
+    const double unit = std::max(excitation_growth_rate, frequency);
     // If sigma - m is at least the frequency of every mode, sorting transformed eigenvalues by
     // modulus sorts the eigenvalues of L by real part.
-    const double width = std::max(growth, kFastest * frequency);
-    inverse.set_shift(std::max(growth, 0.0) + kRightOfGrowth * unit);
+    const double width = std::max(excitation_growth_rate, kFastest * frequency);
+    inverse.set_shift(std::max(excitation_growth_rate, 0.0) + kRightOfGrowth * unit);
     SpectralTransform nearest(inverse);
     EigenPairs found =
         merge_by_real_part(largest_eigenpairs(nearest, kNearest, kRestarts), {}, unit);
@@ -229,7 +232,7 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
       const double next = found.values[count].real();
       const double m = std::max((last + next) / 2, last - kLeftOfLast * unit);
       inverse.set_shift(m + width);
-      SpectralTransform cayley = SpectralTransform::cayley(inverse, m);
+      SpectralTransform cayley = SpectralTransform::cayley_transform(inverse, m);
       const EigenPairs right =
           largest_eigenpairs(cayley, count_with_conjugates(found, count) + kSpare, kTestRestarts);
       const EigenPairs all = merge_by_real_part(found, right, unit);
@@ -250,7 +253,7 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
     result.failure = error.what();
   }
   result.factorisations = inverse.factorisation_count();
-  result.solves = inverse.solves();
+  result.solves = inverse.solve_count();
   return result;
 }
 

@@ -23,16 +23,17 @@ struct NullVector {
 /// L with mass 1. GMRES solves L d = -L start for the correction d, where the vector `start` has
 /// mass 1. The operator L conserves mass, so that all residuals have mass 0 and the singular system
 /// is consistent.
-NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                       const Eigen::VectorXd& start,
-                       const base::Deadline& deadline = base::Deadline::unlimited());
+NullVector find_null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+                            const Eigen::VectorXd& initial_averages,
+                            const base::Deadline& deadline = base::Deadline::unlimited());
 
 /// Computes the null vector of mass 1 of an unstable operator by inverse iteration with KLU factors
 /// of the whole matrix L. A solver without a test of well-posedness would return the null vector of
 /// an unstable operator.
 /// @param frequency frequency of the oscillator, the unit of residuals
-NullVector null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
-                                            const Eigen::VectorXd& start, double frequency);
+NullVector find_null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
+                                                 const Eigen::VectorXd& initial_averages,
+                                                 double frequency);
 
 /// Eigenvalues of the operator L with the largest real parts, the rates of the slowest modes.
 struct RightmostEigenvalues {
@@ -60,9 +61,11 @@ struct RightmostEigenvalues {
 /// The check does not prove completeness. The check may miss a mode that oscillates many times
 /// faster than eight times the growth rate or the frequency of the oscillator.
 ///
-/// @param growth expected rightmost real part: the growth rate of the excitation; 0 if stable
+/// @param excitation_growth_rate expected rightmost real part: the growth rate of the excitation; 0
+/// if stable
 /// @param frequency frequency of the oscillator, sqrt(k_eq), the unit of rates
-RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, double growth,
-                                           double frequency, int count);
+RightmostEigenvalues find_rightmost_eigenvalues(const FokkerPlanckOperator& op,
+                                                double excitation_growth_rate, double frequency,
+                                                int count);
 
 }  // namespace fpkcheck::fd_fpk

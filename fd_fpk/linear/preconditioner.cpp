@@ -55,21 +55,21 @@ Excitation drift_diffusion_approximation(const Excitation& excitation, const Axi
 
 Preconditioner::Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                                problem::ImpactCondition impact, const Grid& grid, int order)
-    : Preconditioner(problem.system, problem::scales(problem).slowest_decay_rate, excitation,
+    : Preconditioner(problem.system, problem::motion_scales(problem).slowest_decay_rate, excitation,
                      impact, grid, order) {}
 
-Preconditioner::Preconditioner(const problem::System& system, double loss,
+Preconditioner::Preconditioner(const problem::System& system, double mass_loss_rate,
                                const Excitation& excitation, problem::ImpactCondition impact,
                                const Grid& grid, int order)
-    : loss_(loss) {
+    : mass_loss_rate_(mass_loss_rate) {
   const bool centred = order % 2 == 0;
-  approximation_ = scale_and_shift(
+  approximation_ = scale_and_shift_matrix(
       1,
       fokker_planck_operator(system, drift_diffusion_approximation(excitation, grid.x2), impact,
                              grid, centred ? order : kOrder,
                              centred ? ProductAveraging::full : ProductAveraging::lumped)
           .local,
-      -loss);
+      -mass_loss_rate);
 }
 
 bool Preconditioner::factor_with_klu(const SparseColumnMatrix& matrix) {
@@ -82,14 +82,14 @@ bool Preconditioner::factor_with_klu(const SparseColumnMatrix& matrix) {
   return succeeded;
 }
 
-bool Preconditioner::factorise(double gamma) {
+bool Preconditioner::factorise_newton_matrix(double gamma) {
   // ratio of gamma to the decay time, above which the factors of M are reused
   constexpr double kLong = 3;
-  if (are_stationary_ && gamma * loss_ >= kLong) {
+  if (are_stationary_ && gamma * mass_loss_rate_ >= kLong) {
     matrix_scale_ = -gamma;
     return true;
   }
-  factored_ = scale_and_shift(-gamma, approximation_, 1);
+  factored_ = scale_and_shift_matrix(-gamma, approximation_, 1);
   return factor_with_klu(factored_);
 }
 

@@ -23,16 +23,16 @@ class Preconditioner {
   /// would not converge with a dissipative preconditioner.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                  problem::ImpactCondition impact, const Grid& grid, int order = 3);
-  /// @param loss rate of the mass loss that makes M nonsingular, such as
+  /// @param mass_loss_rate rate of the mass loss that makes M nonsingular, such as
   /// problem::MotionScales::slowest_decay_rate
-  Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
+  Preconditioner(const problem::System& system, double mass_loss_rate, const Excitation& excitation,
                  problem::ImpactCondition impact, const Grid& grid, int order);
 
-  /// Factors I - gamma M and returns false on failure; see failure_reason(). If gamma is much
-  /// longer than the slowest decay time, I - gamma M is nearly -gamma M. For such a value of gamma
-  /// the function reuses the factors of M if they are the present factors.
-  bool factorise(double gamma);
-  /// Factors M, unless the present factors are those of M, and returns false on failure; see
+  /// Factors I - gamma M and returns false on failure; see failure_reason(). If gamma is at least
+  /// three times the slowest decay time, the function reuses present factors of M, since I - gamma
+  /// M is nearly -gamma M.
+  bool factorise_newton_matrix(double gamma);
+  /// Factors M, unless the present factors are the factors of M, and returns false on failure; see
   /// failure_reason().
   bool factorise_stationary();
   std::string failure_reason() const { return klu_.failure_reason(); }
@@ -47,7 +47,7 @@ class Preconditioner {
  private:
   bool factor_with_klu(const SparseColumnMatrix& matrix);
 
-  double loss_;
+  double mass_loss_rate_;
   SparseColumnMatrix approximation_;  // the matrix M, with all diagonal entries stored
   SparseColumnMatrix factored_;
   KluFactorisation klu_;

@@ -25,7 +25,7 @@ constexpr double kImpulseBoxDeviations = 6.5;
 constexpr double kPadeReach = 28;
 
 // Returns the excitation by parametric impulses, which change the velocity by b(y) Y. The
-// excitation has no matrix of jumps, since parametric_exchange() computes the matrices. The
+// excitation has no matrix of jumps, since parametric_exchange_terms() computes the matrices. The
 // preconditioner uses the diffusion for b = 1.
 Excitation parametric_jump_excitation(const problem::Problem& problem) {
   const problem::ImpulseTrain& impulses = problem.impulses;
@@ -59,23 +59,24 @@ Excitation impulse_excitation(const problem::Problem& problem, const Options& op
 // Returns the diffusion coefficient of all terms with a factor of noise or impulses. White noise in
 // place of parametric impulses has the coefficient lambda E[Y^2] b^2 / 2.
 VariableDiffusion variable_diffusion(const problem::Problem& problem, bool with_impulses) {
-  // The functions keep a copy of the problem, which they may outlive.
+  // The functions contain a copy of the problem, since the functions may outlive the problem.
   const double of_impulses = with_impulses ? problem.impulses.rate_times_moment(2) / 2 : 0;
   VariableDiffusion diffusion{.coefficient = [=](double x1, double x2) {
-    return problem::noise_diffusion(problem, x1, x2) +
-           of_impulses * problem::square_impulse_factor(problem, x1);
+    return problem::noise_diffusion_coefficient(problem, x1, x2) +
+           of_impulses * problem::squared_impulse_factor(problem, x1);
   }};
   if (problem.noise_factor && problem.noise_factor->depends_on_v()) {
     diffusion.slope_in_x2 = [=](double x1, double x2) {
-      return problem.noise.diffusion() * problem.noise_factor->slope_of_square(x1, x2);
+      return problem.noise.diffusion() * problem.noise_factor->square_slope_in_v(x1, x2);
     };
   }
   return diffusion;
 }
 
-// White noise adds (D G p)'' to every equation.
-Excitation excitation(const problem::Problem& problem, const Options& options, const Axis& axis,
-                      double regularisation_length) {
+// Returns all excitation terms. White noise with the diffusion coefficient D adds the term (D p)''
+// to every equation.
+Excitation make_excitation(const problem::Problem& problem, const Options& options,
+                           const Axis& axis, double regularisation_length) {
   const bool has_impulse_diffusion =
       problem.impulse_factor && options.equation == DensityEquation::white;
   Excitation terms = impulse_excitation(problem, options, axis, regularisation_length);
@@ -100,21 +101,21 @@ double regularisation_length(const problem::Problem& problem, const Options& opt
   return length > 0 ? length : axis.smallest_cell_width();
 }
 
-LengthScales standard_deviations(const problem::Problem& problem) {
-  const problem::MotionScales scales = problem::scales(problem);
+LengthScales standard_deviation_scales(const problem::Problem& problem) {
+  const problem::MotionScales scales = problem::motion_scales(problem);
   return {scales.displacement_deviation, scales.velocity_deviation};
 }
 
 // Returns the number of cells of an axis as a double, since a box may need more cells than an int
 // can represent.
-double cell_count(double refined_length, double width, double least) {
-  return std::max(least, std::ceil(refined_length / width - 1e-9));
+double axis_cell_count(double refined_length, double cell_width, double min_count) {
+  return std::max(min_count, std::ceil(refined_length / cell_width - 1e-9));
 }
 
 // Returns the minimum number of cells of an axis, proportional to the refinement, so that the grids
 // of an error estimate differ. The constant kFewest is the number of cells that one-sided stencils
 // require.
-double fewest_cells(const Options& options) {
+double min_axis_cell_count(const Options& options) {
   constexpr double kAutomatic = 16, kFewest = 8;
   return std::max(kFewest, std::ceil(kAutomatic * options.refinement - 1e-9));
 }
@@ -147,7 +148,7 @@ std::string grid_failure_reason(const problem::Problem& problem, const Options& 
            "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2; use km4 or kf";
   }
   if (const double length = options.regularisation_length.value_or(
-          default_regularisation_length(problem.impulses.law()));
+          default_regularisation_length(problem.impulses.amplitude_law()));
       options.equation == DensityEquation::km4 && length > box.x2_max / 2) {
     return fmt::format(
         "the fourth difference of km4 has step {:.3g} in a box |y'| <= {:.3g}: the step must be at "
@@ -157,19 +158,20 @@ std::string grid_failure_reason(const problem::Problem& problem, const Options& 
   return "";
 }
 
-// Returns the end of an axis with `cells` cells up to `length`, after `more` cells are added beyond
-// `length`.
-double extended_axis_end(int more, int cells, double length, const Grading& grading) {
-  const double present = graded_cell_count(length, 1, grading), added = present * more / cells;
-  if (more == 0) return length;
+// Returns the end of an axis with `cells` cells up to `length`, after `added_cells` cells are added
+// beyond `length`.
+double extended_axis_end(int added_cells, int cells, double length, const Grading& grading) {
+  const double present = graded_cell_count(length, 1, grading),
+               added = present * added_cells / cells;
+  if (added_cells == 0) return length;
   // The number of cells increases at least as fast as the length.
   return numerics::bracketed_root(
       [&](double end) { return graded_cell_count(end, 1, grading) - present - added; }, length,
       length + 2 * added);
 }
-int additional_cells(int cells, double length, double factor, const Grading& grading) {
+int additional_cells(int cells, double length, double length_factor, const Grading& grading) {
   const double quotient =
-      graded_cell_count(factor * length, 1, grading) / graded_cell_count(length, 1, grading);
+      graded_cell_count(length_factor * length, 1, grading) / graded_cell_count(length, 1, grading);
   return static_cast<int>(std::lround((quotient - 1) * cells));
 }
 
@@ -210,7 +212,8 @@ class StretchedCoordinate {
   }
 
  private:
-  // Two intervals in the narrowest cell of the largest grids (kMaxCells, with 300 x 300 cells)
+  // Number of intervals, such that the narrowest cell of the largest grids (300 x 300 cells,
+  // kMaxCells) contains two intervals
   static constexpr int kIntervals = 2000;
 
   double position(int node) const { return from_ + node * interval_; }
@@ -284,13 +287,13 @@ LengthScales fisher_length_scales(const problem::System& system, const Box& box,
 }
 
 Box initial_box(const problem::Problem& problem, const Options& options) {
-  return initial_box(problem, problem::scales(problem), options);
+  return initial_box(problem, problem::motion_scales(problem), options);
 }
 
 Box initial_box(const problem::Problem& problem, const problem::MotionScales& scales,
                 const Options& options) {
   const problem::System& system = problem.system;
-  const auto& law = problem.impulses.law();
+  const auto& law = problem.impulses.amplitude_law();
   // For problems without has_linearised_scales(), problem::MotionScales contains the limits of the
   // box.
   const bool linearised = has_linearised_scales(problem);
@@ -310,7 +313,8 @@ Box initial_box(const problem::Problem& problem, const problem::MotionScales& sc
 
 EnlargedBox enlarge_box(const problem::Problem& problem, const Options& options, const Grid& grid,
                         double factor_x1, double factor_x2) {
-  const GridGradings graded = automatic_gradings(problem, options, standard_deviations(problem));
+  const GridGradings graded =
+      automatic_gradings(problem, options, standard_deviation_scales(problem));
   const Grading &of_x1 = graded.x1, &of_x2 = graded.x2;
   const int nx = grid.nx(), half = grid.nv() / 2;
   const int more_x1 = additional_cells(nx, grid.x1_max(), factor_x1, of_x1);
@@ -323,16 +327,18 @@ EnlargedBox enlarge_box(const problem::Problem& problem, const Options& options,
 
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
   const problem::System& system = problem.system;
-  const LengthScales lengths = box.lengths.x1 > 0 ? box.lengths : standard_deviations(problem);
+  const LengthScales lengths =
+      box.lengths.x1 > 0 ? box.lengths : standard_deviation_scales(problem);
   const GridGradings graded = automatic_gradings(problem, options, lengths);
   const LengthScales widths = automatic_cell_widths(problem, options, lengths);
   const double length = box.x1_max - box.x1_min;
   std::vector<RefinementPoint> points;
   if (graded.at_left_wall) points.push_back({box.x1_min, graded.x1});
   // Faces at the kinks of force and factors keep the order of the averages over cells.
-  const std::vector<double> kinks = problem::kinks_in_y(problem, box.x1_min, box.x1_max);
-  // An axis of usual grids has about 100 cells. More kinks are closer than these cells, and a face at
-  // each of them would only add cells.
+  const std::vector<double> kinks =
+      problem::coefficient_kinks_in_y(problem, box.x1_min, box.x1_max);
+  // An axis of usual grids has about 100 cells. If the axis has more kinks than kMostKinks, the
+  // distances between kinks are below the cell width, and faces at the kinks would only add cells.
   constexpr std::size_t kMostKinks = 100;
   if (kinks.size() <= kMostKinks) {
     for (const double kink : kinks) points.push_back({kink, {}});
@@ -340,14 +346,14 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   if (graded.at_right_wall) points.push_back({box.x1_max, graded.x1});
   const StretchedCoordinate stretched(system, box, lengths);
   const X1Cells x1_cells{box, points, stretched};
-  const double least = fewest_cells(options);
+  const double least = min_axis_cell_count(options);
   // The call value_or() would convert the double to int.
   const double nx = options.nx ? *options.nx
-                               : cell_count(x1_cells.refined_length(),
-                                            std::min(widths.x1, length / least), least);
-  const double nv =
-      options.nv ? *options.nv
-                 : 2 * cell_count(graded_cell_count(box.x2_max, 1, graded.x2), widths.x2, least);
+                               : axis_cell_count(x1_cells.refined_length(),
+                                                 std::min(widths.x1, length / least), least);
+  const double nv = options.nv ? *options.nv
+                               : 2 * axis_cell_count(graded_cell_count(box.x2_max, 1, graded.x2),
+                                                     widths.x2, least);
   std::string failure = grid_failure_reason(problem, options, box, nx, nv);
   if (!failure.empty()) return failed_discretisation(box, std::move(failure), nx * nv);
   Grid grid =
@@ -356,7 +362,7 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
                      system.left_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum,
                      system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum);
   const double l = regularisation_length(problem, options, grid.x2);
-  Excitation terms = excitation(problem, options, grid.x2, l);
+  Excitation terms = make_excitation(problem, options, grid.x2, l);
   const double cells = grid.size();
   return {.grid = std::move(grid),
           .excitation = std::move(terms),
@@ -366,16 +372,17 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
 }
 
 Discretisation with_excitation_of(const problem::Problem& problem, const Options& options,
-                                  const Discretisation& on) {
-  Discretisation changed = on;
-  changed.excitation = excitation(problem, options, on.grid.x2, on.regularisation_length);
+                                  const Discretisation& discretisation) {
+  Discretisation changed = discretisation;
+  changed.excitation = make_excitation(problem, options, discretisation.grid.x2,
+                                       discretisation.regularisation_length);
   return changed;
 }
 
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
-                                            const Discretisation& on) {
-  return fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid,
-                                transport_order(options));
+                                            const Discretisation& discretisation) {
+  return fokker_planck_operator(problem.system, discretisation.excitation, options.impact,
+                                discretisation.grid, transport_order(options));
 }
 
 UnboundedAxisExcitation unbounded_axis_excitation(const problem::Problem& problem,
@@ -390,7 +397,7 @@ UnboundedAxisExcitation unbounded_axis_excitation(const problem::Problem& proble
         kPadeReach * std::sqrt(pade_kernel_length_squared(problem.impulses)) / cell_width));
   }
   Axis axis = Axis::with_uniform_cells(0, cell_width, 2 * reach + 1);
-  Excitation terms = excitation(problem, options, axis, length);
+  Excitation terms = make_excitation(problem, options, axis, length);
   return {std::move(axis), std::move(terms)};
 }
 

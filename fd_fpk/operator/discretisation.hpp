@@ -49,12 +49,13 @@ struct EnlargedBox {
 EnlargedBox enlarge_box(const problem::Problem& problem, const Options& options, const Grid& grid,
                         double factor_x1, double factor_x2);
 
-/// Returns a discretisation with the grid of `on` and the excitation of another problem.
+/// Returns a discretisation with the grid of `discretisation` and the excitation of another
+/// problem.
 Discretisation with_excitation_of(const problem::Problem& problem, const Options& options,
-                                  const Discretisation& on);
+                                  const Discretisation& discretisation);
 
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
-                                            const Discretisation& on);
+                                            const Discretisation& discretisation);
 
 /// Excitation on a uniform velocity axis, as input of fastest_growing_wave(). The axis is so long
 /// that the middle row of the excitation matrix equals the row for an unbounded axis.

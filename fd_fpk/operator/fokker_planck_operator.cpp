@@ -42,40 +42,41 @@ AxisOperator single_entry_matrix(int rows, int columns, int row, int column, dou
   return matrix;
 }
 
-AxisOperator zero_other_rows(const AxisOperator& matrix, int first, int count) {
+AxisOperator keep_rows(const AxisOperator& matrix, int first_row, int row_count) {
   AxisOperator mask(matrix.rows(), matrix.rows());
-  for (int r = first; r < first + count; ++r) mask.insert(r, r) = 1.0;
+  for (int r = first_row; r < first_row + row_count; ++r) mask.insert(r, r) = 1.0;
   return mask * matrix;
 }
 
 // Returns the matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner faces of x1.
 // No stencil of the averages of x2 p crosses a kink of p at x2 = 0.
-SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weight_points,
+SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weight_stencil_size,
                                     bool has_kinks) {
   const Axis& x1 = grid.x1;
   const int half = grid.nv() / 2;
   const AxisOperator minus_speed =
-      weighted_average_operator(grid.x2, weight_points, numerics::Polynomial({0, -1}),
+      weighted_average_operator(grid.x2, weight_stencil_size, numerics::Polynomial({0, -1}),
                                 has_kinks ? std::optional(half) : std::nullopt);
   const AxisOperator rightwards =
       divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSide::left);
-  // No motion comes in through a barrier: the density of motion to the left is 0 beyond it.
+  // No motion enters through a barrier: the density of motion to the left is 0 beyond the barrier.
   const bool has_barrier = x1.right_end_condition() == AxisEndCondition::barrier;
   const AxisOperator leftwards =
       divergence_operator(x1) *
-      face_value_operator(has_barrier ? x1.with_right_end(AxisEndCondition::vacuum) : x1,
+      face_value_operator(has_barrier ? x1.with_right_end_condition(AxisEndCondition::vacuum) : x1,
                           scheme_order, UpstreamSide::right);
-  return kronecker_product(rightwards, zero_other_rows(minus_speed, half, half)) +
-         kronecker_product(leftwards, zero_other_rows(minus_speed, 0, half));
+  return kronecker_product(rightwards, keep_rows(minus_speed, half, half)) +
+         kronecker_product(leftwards, keep_rows(minus_speed, 0, half));
 }
 
 // Returns the index of the velocity cell of motion into the wall, for cell b of the speed axis.
-int outgoing_cell(const Grid& grid, AxisEnd end, int b) {
+int cell_of_motion_into_wall(const Grid& grid, AxisEnd end, int speed_cell) {
   const int half = grid.nv() / 2;
-  return end == AxisEnd::left ? half - 1 - b : half + b;
+  return end == AxisEnd::left ? half - 1 - speed_cell : half + speed_cell;
 }
-int returning_cell(const Grid& grid, AxisEnd end, int b) {
-  return outgoing_cell(grid, end == AxisEnd::left ? AxisEnd::right : AxisEnd::left, b);
+int cell_of_motion_off_wall(const Grid& grid, AxisEnd end, int speed_cell) {
+  return cell_of_motion_into_wall(grid, end == AxisEnd::left ? AxisEnd::right : AxisEnd::left,
+                                  speed_cell);
 }
 
 // Returns the matrix of the impacts at a wall. The flux into the wall leaves the column of cells at
@@ -87,11 +88,12 @@ SparseColumnMatrix wall_exchange_matrix(const problem::Wall& wall, problem::Impa
   AxisOperator exchange(grid.nv(), half);
   {
     std::vector<Eigen::Triplet<double>> entries;
-    for (int b = 0; b < half; ++b) entries.emplace_back(outgoing_cell(grid, end, b), b, -1.0);
+    for (int b = 0; b < half; ++b)
+      entries.emplace_back(cell_of_motion_into_wall(grid, end, b), b, -1.0);
     const AxisOperator returned = impact_map(grid.speed_axis(), wall, impact, scheme_order);
     for (int a = 0; a < half; ++a) {
       for (AxisOperator::InnerIterator e(returned, a); e; ++e) {
-        entries.emplace_back(returning_cell(grid, end, a), e.col(), e.value());
+        entries.emplace_back(cell_of_motion_off_wall(grid, end, a), e.col(), e.value());
       }
     }
     exchange.setFromTriplets(entries.begin(), entries.end());
@@ -106,7 +108,8 @@ SparseColumnMatrix wall_exchange_matrix(const problem::Wall& wall, problem::Impa
 SparseColumnMatrix barrier_outflow_matrix(const Grid& grid, int scheme_order) {
   const int half = grid.nv() / 2, last = grid.nx() - 1;
   AxisOperator outflow(grid.nv(), half);
-  for (int b = 0; b < half; ++b) outflow.insert(outgoing_cell(grid, AxisEnd::right, b), b) = -1.0;
+  for (int b = 0; b < half; ++b)
+    outflow.insert(cell_of_motion_into_wall(grid, AxisEnd::right, b), b) = -1.0;
   const AxisOperator out_of_column =
       single_entry_matrix(grid.nx(), 1, last, 0, 1 / grid.x1.cell_width(last));
   return kronecker_product(out_of_column, outflow) *
@@ -130,7 +133,8 @@ struct FaceReconstruction {
 // Returns the one-sided forces at x2 = 0, for x2 < 0 and x2 > 0.
 std::pair<double, double> one_sided_forces(const problem::System& system, double x1,
                                            const Grid& grid) {
-  // At this velocity the force differs from its limit at x2 = 0 by rounding only.
+  // At the velocity `small` the force differs from the one-sided limit at x2 = 0 only by rounding
+  // errors.
   const double small = 1e-12 * grid.x2_max();
   return {system.force(x1, -small), system.force(x1, small)};
 }
@@ -151,8 +155,8 @@ std::vector<DensityKink> density_kinks(const problem::System& system, const Exci
   return kinks;
 }
 
-// Returns the reconstruction on the faces of x2, one for all columns of cells of x1 or, for a
-// density with kinks, one for each column.
+// Returns the reconstructions on the faces of x2: a single reconstruction for all columns of cells
+// of x1 or, for a density with kinks, a reconstruction for each column.
 std::vector<FaceReconstruction> face_reconstructions(const Axis& x2, int scheme_order,
                                                      const std::vector<DensityKink>& kinks) {
   const int centred = centred_stencil_size(scheme_order);
@@ -171,17 +175,19 @@ std::vector<FaceReconstruction> face_reconstructions(const Axis& x2, int scheme_
 
 // Returns the matrix of the term d/dx2 [ weight(x1, x2) L p ], by fluxes through the inner faces of
 // x2. At each face, `weight` is a weight of the averages over cells of x1. The matrix
-// values_of(column) maps cell averages of x2 to the values of L p on the faces, in a column of cells.
+// values_of(column) maps cell averages of x2 to the values of L p on the faces, in a column of
+// cells.
 template <class ValuesOf, class Weight>
-SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_points,
+SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_stencil_size,
                                               const ValuesOf& values_of, const Weight& weight) {
   const Axis& x2 = grid.x2;
   const int nv = grid.nv();
-  const WeightedAverages averages(grid.x1, weight_points);
+  const WeightedAverages averages(grid.x1, weight_stencil_size);
   std::vector<Eigen::Triplet<double>> entries;
   for (int face = 1; face < nv; ++face) {
     const double at = x2.face_position(face);
-    const AxisOperator of_face = averages.matrix([&](double x1) { return weight(x1, at); });
+    const AxisOperator of_face =
+        averages.weighted_average_matrix([&](double x1) { return weight(x1, at); });
     for (int i = 0; i < grid.nx(); ++i) {
       for (AxisOperator::InnerIterator of_x1(of_face, i); of_x1; ++of_x1) {
         const AxisOperator& values = values_of(of_x1.col());
@@ -203,10 +209,10 @@ SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_point
 // which f jumps, f is the mean of the one-sided forces.
 SparseColumnMatrix formula_force_matrix(const problem::System& system, const Grid& grid,
                                         const std::vector<FaceReconstruction>& reconstructions,
-                                        int weight_points) {
+                                        int weight_stencil_size) {
   const bool has_kinks = reconstructions.size() > 1;
   return weighted_divergence_matrix(
-      grid, weight_points,
+      grid, weight_stencil_size,
       [&](Eigen::Index column) -> const AxisOperator& {
         return reconstructions[has_kinks ? column : 0].centred;
       },
@@ -219,20 +225,23 @@ SparseColumnMatrix formula_force_matrix(const problem::System& system, const Gri
 
 // Returns the matrix of the term d^2/dx2^2 [ D(x1, x2) p ], as the divergence of D p' + D' p.
 SparseColumnMatrix variable_diffusion_matrix(const VariableDiffusion& diffusion, const Grid& grid,
-                                             const FaceReconstruction& on, int weight_points) {
+                                             const FaceReconstruction& reconstruction,
+                                             int weight_stencil_size) {
   SparseColumnMatrix matrix = weighted_divergence_matrix(
-      grid, weight_points, [&](Eigen::Index) -> const AxisOperator& { return on.derivative; },
+      grid, weight_stencil_size,
+      [&](Eigen::Index) -> const AxisOperator& { return reconstruction.derivative; },
       diffusion.coefficient);
   if (diffusion.slope_in_x2) {
     matrix += weighted_divergence_matrix(
-        grid, weight_points, [&](Eigen::Index) -> const AxisOperator& { return on.centred; },
+        grid, weight_stencil_size,
+        [&](Eigen::Index) -> const AxisOperator& { return reconstruction.centred; },
         diffusion.slope_in_x2);
   }
   return matrix;
 }
 
 // Returns the block-diagonal matrix of one operator of x2 for each column of cells of x1.
-SparseColumnMatrix block_diagonal(const std::vector<AxisOperator>& blocks) {
+SparseColumnMatrix block_diagonal_matrix(const std::vector<AxisOperator>& blocks) {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::Index row = 0, column = 0;
   for (const AxisOperator& block : blocks) {
@@ -255,30 +264,30 @@ SparseColumnMatrix kinked_drift_diffusion_matrix(
     const std::vector<FaceReconstruction>& reconstructions) {
   const AxisOperator divergence = divergence_operator(x2);
   std::vector<AxisOperator> blocks;
-  for (const FaceReconstruction& on : reconstructions) {
-    blocks.push_back(divergence * AxisOperator(excitation.diffusion * on.derivative -
-                                               excitation.drift * on.centred));
+  for (const FaceReconstruction& reconstruction : reconstructions) {
+    blocks.push_back(divergence * AxisOperator(excitation.diffusion * reconstruction.derivative -
+                                               excitation.drift * reconstruction.centred));
   }
-  return block_diagonal(blocks);
+  return block_diagonal_matrix(blocks);
 }
 
 // Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
 // inner faces of x2.
 SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const Grid& grid,
                                             const std::vector<FaceReconstruction>& reconstructions,
-                                            int weight_points) {
+                                            int weight_stencil_size) {
   if (!system.has_polynomial_force()) {
-    return formula_force_matrix(system, grid, reconstructions, weight_points);
+    return formula_force_matrix(system, grid, reconstructions, weight_stencil_size);
   }
   const Axis& x2 = grid.x2;
   const AxisOperator& values = reconstructions.front().centred;
   const AxisOperator force =
-      weighted_average_operator(grid.x1, weight_points, system.restoring_force());
+      weighted_average_operator(grid.x1, weight_stencil_size, system.restoring_force());
   // Constant damping does not couple the cells of x1, so that the matrix remains sparse.
   const AxisOperator damping =
       system.has_constant_damping()
           ? AxisOperator(system.damping() * identity_matrix(grid.nx()))
-          : weighted_average_operator(grid.x1, weight_points, system.damping_polynomial());
+          : weighted_average_operator(grid.x1, weight_stencil_size, system.damping_polynomial());
   SparseColumnMatrix sum = kronecker_product(damping, power_divergence_matrix(x2, 1, values)) +
                            kronecker_product(force, divergence_operator(x2) * values);
   if (system.rayleigh_coefficient() != 0) {
@@ -304,8 +313,9 @@ SparseColumnMatrix upwind_correction_matrix(
     flux = kronecker_product(columns, reconstructions.front().jump);
   } else {
     std::vector<AxisOperator> jumps;
-    for (const FaceReconstruction& on : reconstructions) jumps.push_back(on.jump);
-    flux = block_diagonal(jumps);
+    for (const FaceReconstruction& reconstruction : reconstructions)
+      jumps.push_back(reconstruction.jump);
+    flux = block_diagonal_matrix(jumps);
   }
   const int faces = grid.nv() + 1;
   Eigen::VectorXd half_speeds(flux.rows());  // |a|/2 on each face
@@ -326,10 +336,10 @@ SparseColumnMatrix upwind_correction_matrix(
 }
 
 // Adds E P A^T to the rate, with E = of_x2 and A = of_x1, where each column of P contains the
-// averages at one x1. Most rows of A are empty: the factor b of their cells is far from the value
-// b_m of this term.
+// averages at one x1. Row i of A is empty if the factor b in cell i of x1 is far from the value b_m
+// of the term.
 void add_parametric_jumps(const AxisOperator& of_x1, const Eigen::MatrixXd& of_x2,
-                          const Eigen::Map<const Eigen::MatrixXd>& averages,
+                          const Eigen::Map<const Eigen::MatrixXd>& cell_averages,
                           Eigen::Map<Eigen::MatrixXd>& rate) {
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < of_x1.rows(); ++i) {
@@ -340,7 +350,7 @@ void add_parametric_jumps(const AxisOperator& of_x1, const Eigen::MatrixXd& of_x
   for (std::size_t k = 0; k < rows.size(); ++k) {
     auto column = averaged.col(static_cast<Eigen::Index>(k));
     for (AxisOperator::InnerIterator e(of_x1, rows[k]); e; ++e) {
-      column += e.value() * averages.col(e.col());
+      column += e.value() * cell_averages.col(e.col());
     }
   }
   const Eigen::MatrixXd jumped = of_x2 * averaged;
@@ -351,10 +361,11 @@ void add_parametric_jumps(const AxisOperator& of_x1, const Eigen::MatrixXd& of_x
 
 }  // namespace
 
-SparseColumnMatrix scale_and_shift(double factor, const SparseColumnMatrix& a, double shift) {
-  SparseColumnMatrix unit(a.rows(), a.cols());
+SparseColumnMatrix scale_and_shift_matrix(double factor, const SparseColumnMatrix& matrix,
+                                          double shift) {
+  SparseColumnMatrix unit(matrix.rows(), matrix.cols());
   unit.setIdentity();
-  return factor * a + shift * unit;
+  return factor * matrix + shift * unit;
 }
 
 SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order, AxisEnd end) {
@@ -366,7 +377,7 @@ SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order, AxisEnd 
       weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),
                                 numerics::Polynomial({0, left ? -1.0 : 1.0}), half);
   AxisOperator in_order(half, grid.nv());
-  for (int b = 0; b < half; ++b) in_order.insert(b, outgoing_cell(grid, end, b)) = 1.0;
+  for (int b = 0; b < half; ++b) in_order.insert(b, cell_of_motion_into_wall(grid, end, b)) = 1.0;
   return kronecker_product(end_value_operator(grid.x1, end, scheme_order),
                            AxisOperator(in_order * speed));
 }
@@ -375,10 +386,11 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             const Excitation& excitation,
                                             problem::ImpactCondition impact, const Grid& grid,
                                             int scheme_order, ProductAveraging averaging) {
-  const int weight_points =
+  const int weight_stencil_size =
       averaging == ProductAveraging::full ? averaging_stencil_size(scheme_order) : 1;
   const std::vector<DensityKink> kinks = density_kinks(system, excitation, grid);
-  SparseColumnMatrix local = streaming_matrix(grid, scheme_order, weight_points, !kinks.empty());
+  SparseColumnMatrix local =
+      streaming_matrix(grid, scheme_order, weight_stencil_size, !kinks.empty());
   if (system.left_wall()) {
     local += wall_exchange_matrix(*system.left_wall(), impact, grid, scheme_order, AxisEnd::left);
   }
@@ -388,7 +400,7 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
     local += wall_exchange_matrix(*system.right_wall(), impact, grid, scheme_order, AxisEnd::right);
   }
   const auto reconstructions = face_reconstructions(grid.x2, scheme_order, kinks);
-  local += damping_and_force_matrix(system, grid, reconstructions, weight_points);
+  local += damping_and_force_matrix(system, grid, reconstructions, weight_stencil_size);
   local += kinks.empty()
                ? kronecker_product(identity_matrix(grid.nx()),
                                    drift_diffusion_matrix(grid.x2, excitation,
@@ -396,25 +408,25 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                : kinked_drift_diffusion_matrix(grid.x2, excitation, reconstructions);
   if (excitation.variable_diffusion) {
     local += variable_diffusion_matrix(*excitation.variable_diffusion, grid,
-                                       reconstructions.front(), weight_points);
+                                       reconstructions.front(), weight_stencil_size);
   }
   if (scheme_order % 2 == 1) local += upwind_correction_matrix(system, grid, reconstructions);
   local.prune(0.0);
   local.makeCompressed();
   std::vector<ExchangeTerm> exchange;
   if (excitation.parametric) {
-    exchange = parametric_exchange(*excitation.parametric, grid, weight_points);
+    exchange = parametric_exchange_terms(*excitation.parametric, grid, weight_stencil_size);
   } else if (excitation.exchange.size() > 0) {
     exchange.push_back({std::nullopt, excitation.exchange});
   }
   return {std::move(local), std::move(exchange), grid.cell_areas()};
 }
 
-Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages) const {
-  Eigen::VectorXd rate = local * averages;
+Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& cell_averages) const {
+  Eigen::VectorXd rate = local * cell_averages;
   for (const auto& [of_x1, of_x2] : exchange) {
-    const Eigen::Index nv = of_x2.rows(), nx = averages.size() / nv;
-    const Eigen::Map<const Eigen::MatrixXd> from(averages.data(), nv, nx);
+    const Eigen::Index nv = of_x2.rows(), nx = cell_averages.size() / nv;
+    const Eigen::Map<const Eigen::MatrixXd> from(cell_averages.data(), nv, nx);
     Eigen::Map<Eigen::MatrixXd> to(rate.data(), nv, nx);
     if (of_x1) {
       add_parametric_jumps(*of_x1, of_x2, from, to);
@@ -458,8 +470,8 @@ double FokkerPlanckOperator::max_mass_loss_rate() const {
   return transposed_product(areas).cwiseQuotient(areas).cwiseAbs().maxCoeff();
 }
 
-double FokkerPlanckOperator::stationarity_residual(const Eigen::VectorXd& averages) const {
-  return areas.dot((*this * averages).cwiseAbs()) / areas.dot(averages.cwiseAbs());
+double FokkerPlanckOperator::stationarity_residual(const Eigen::VectorXd& cell_averages) const {
+  return areas.dot((*this * cell_averages).cwiseAbs()) / areas.dot(cell_averages.cwiseAbs());
 }
 
 }  // namespace fpkcheck::fd_fpk

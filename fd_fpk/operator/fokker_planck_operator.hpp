@@ -18,7 +18,8 @@ namespace fpkcheck::fd_fpk {
 /// indices the triangular solves read a third more memory.
 using SparseColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor>;
 
-/// Term A (x) E of velocity jumps, with A acting on x1, shape (nx, nx), and E on x2, shape (nv, nv).
+/// Term A (x) E of velocity jumps, with A acting on x1, shape (nx, nx), and E on x2, shape (nv,
+/// nv).
 struct ExchangeTerm {
   std::optional<AxisOperator> of_x1;  ///< A; absent for the identity
   Eigen::MatrixXd of_x2;
@@ -33,16 +34,16 @@ struct FokkerPlanckOperator {
   std::vector<ExchangeTerm> exchange;  ///< one term unless the impulses are parametric
   Eigen::VectorXd areas;
 
-  Eigen::VectorXd operator*(const Eigen::VectorXd& averages) const;
+  Eigen::VectorXd operator*(const Eigen::VectorXd& cell_averages) const;
   /// Returns the product of the transposed operator with a vector.
   Eigen::VectorXd transposed_product(const Eigen::VectorXd& x) const;
   /// Returns the whole operator as one sparse matrix, without rounding errors of `exchange`.
   SparseColumnMatrix assembled_matrix() const;
   /// Returns the largest rate of mass loss of the operator in a cell, from the column sums.
   double max_mass_loss_rate() const;
-  double total_mass(const Eigen::VectorXd& averages) const { return areas.dot(averages); }
+  double total_mass(const Eigen::VectorXd& cell_averages) const { return areas.dot(cell_averages); }
   /// Returns the stationarity residual ||L P||_1 / ||P||_1 of the cell averages P, per unit time.
-  double stationarity_residual(const Eigen::VectorXd& averages) const;
+  double stationarity_residual(const Eigen::VectorXd& cell_averages) const;
 };
 
 /// Rule that computes the cell averages of x2 p, and of the force times p, from cell averages of p.
@@ -75,6 +76,7 @@ SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order,
                                     AxisEnd end = AxisEnd::left);
 
 /// Returns the matrix factor A + shift I, with the identity matrix I.
-SparseColumnMatrix scale_and_shift(double factor, const SparseColumnMatrix& a, double shift);
+SparseColumnMatrix scale_and_shift_matrix(double factor, const SparseColumnMatrix& matrix,
+                                          double shift);
 
 }  // namespace fpkcheck::fd_fpk

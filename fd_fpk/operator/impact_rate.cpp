@@ -43,24 +43,26 @@ class TestFunctionBalance {
         of_x1_(point_value_operator(grid.x1, averaging_stencil_size(scheme_order), kFractions)),
         of_x2_(point_value_operator(grid.x2, averaging_stencil_size(scheme_order), kFractions)) {}
 
-  double rate(AxisEnd end, const Eigen::VectorXd& averages, const Eigen::VectorXd& change) const {
+  double impact_rate_at_wall(AxisEnd end, const Eigen::VectorXd& cell_averages,
+                             const Eigen::VectorXd& change) const {
     const bool left = end == AxisEnd::left;
     const problem::Wall& wall = left ? *system_.left_wall() : *system_.right_wall();
     const WallCoordinates from{wall.position, left ? 1.0 : -1.0};
-    const WallTestFunction h(excitation_.diffusion, from.sign * force(wall.position, 0),
+    const WallTestFunction h(excitation_.diffusion, from.sign * force_minus_drift(wall.position, 0),
                              wall.restitution);
-    double balance = integral(averages, [&](double x, double v) {
-      return h.backward_remainder(from.distance(x), from.speed(v), from.sign * force(x, v));
+    double balance = integrate_weighted_density(cell_averages, [&](double x, double v) {
+      return h.backward_remainder(from.distance(x), from.speed(v),
+                                  from.sign * force_minus_drift(x, v));
     });
     Eigen::VectorXd source = -change;
     if (excitation_.exchange.size() > 0) {
-      columns(source).noalias() += excitation_.exchange * columns(averages);
+      velocity_columns(source).noalias() += excitation_.exchange * velocity_columns(cell_averages);
     }
-    balance -=
-        integral(source, [&](double x, double v) { return h(from.distance(x), from.speed(v)); });
+    balance -= integrate_weighted_density(
+        source, [&](double x, double v) { return h(from.distance(x), from.speed(v)); });
     if (const auto& other = left ? system_.right_wall() : system_.left_wall()) {
       balance -=
-          mean_gain_at_wall(*other, left ? AxisEnd::right : AxisEnd::left, from, h, averages);
+          mean_gain_at_wall(*other, left ? AxisEnd::right : AxisEnd::left, from, h, cell_averages);
     }
     const double log_of_loss = impact_ == problem::ImpactCondition::map ? std::log(wall.restitution)
                                                                         : wall.restitution - 1;
@@ -68,19 +70,22 @@ class TestFunctionBalance {
   }
 
  private:
-  Eigen::Map<const Eigen::MatrixXd> columns(const Eigen::VectorXd& averages) const {
-    return {averages.data(), grid_.nv(), grid_.nx()};
+  Eigen::Map<const Eigen::MatrixXd> velocity_columns(const Eigen::VectorXd& cell_averages) const {
+    return {cell_averages.data(), grid_.nv(), grid_.nx()};
   }
-  Eigen::Map<Eigen::MatrixXd> columns(Eigen::VectorXd& averages) const {
-    return {averages.data(), grid_.nv(), grid_.nx()};
+  Eigen::Map<Eigen::MatrixXd> velocity_columns(Eigen::VectorXd& cell_averages) const {
+    return {cell_averages.data(), grid_.nv(), grid_.nx()};
   }
 
-  double force(double x, double v) const { return system_.force(x, v) - excitation_.drift; }
+  double force_minus_drift(double x, double v) const {
+    return system_.force(x, v) - excitation_.drift;
+  }
 
   // Returns the integral of weight times p over the plane, from the cell averages of p.
   template <class Weight>
-  double integral(const Eigen::VectorXd& averages, const Weight& weight) const {
-    const Eigen::MatrixXd p = of_x2_ * columns(averages) * of_x1_.transpose();
+  double integrate_weighted_density(const Eigen::VectorXd& cell_averages,
+                                    const Weight& weight) const {
+    const Eigen::MatrixXd p = of_x2_ * velocity_columns(cell_averages) * of_x1_.transpose();
     double sum = 0;
     for (int i = 0; i < grid_.nx(); ++i) {
       for (int a = 0; a < kPoints; ++a) {
@@ -102,12 +107,12 @@ class TestFunctionBalance {
 
   // Returns the rate of change of E[h] due to impacts at the second wall, `other`.
   double mean_gain_at_wall(const problem::Wall& other, AxisEnd end, const WallCoordinates& from,
-                           const WallTestFunction& h, const Eigen::VectorXd& averages) const {
+                           const WallTestFunction& h, const Eigen::VectorXd& cell_averages) const {
     const int half = grid_.nv() / 2;
     const AxisOperator to_wall = end_value_operator(grid_.x1, end, order_);
     const Eigen::VectorXd p =
         point_value_operator(grid_.x2, averaging_stencil_size(order_), kFractions, half) *
-        (columns(averages) * to_wall.transpose());
+        (velocity_columns(cell_averages) * to_wall.transpose());
     const double distance = from.distance(other.position), r = other.restitution;
     // Under the impact condition to first order in 1-r, a flux f into the wall becomes the flux
     // f(w) + (1-r) d(w f)/dw off the wall. The integral of the flux off the wall times h is
@@ -142,26 +147,28 @@ class TestFunctionBalance {
 
 double impact_rate(const problem::System& system, const Excitation& excitation,
                    problem::ImpactCondition impact, const Grid& grid,
-                   const Eigen::VectorXd& averages, const Eigen::VectorXd& change,
+                   const Eigen::VectorXd& cell_averages, const Eigen::VectorXd& change,
                    int scheme_order) {
   std::optional<TestFunctionBalance> balance;
   const auto of = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
     // The test function needs uniform excitation and a constant restitution.
-    const bool has_test_function = excitation.is_uniform() && system.has_constant_restitution();
+    const bool has_test_function =
+        excitation.is_state_independent() && system.has_constant_restitution();
     if (excitation.diffusion == 0 || !has_dissipative_impacts(*wall) || !has_test_function)
-      return wall_speed_moment(grid, averages, scheme_order, 1, end);
+      return wall_speed_moment(grid, cell_averages, scheme_order, 1, end);
     if (!balance) balance.emplace(system, excitation, impact, grid, scheme_order);
-    return balance->rate(end, averages, change);
+    return balance->impact_rate_at_wall(end, cell_averages, change);
   };
   return of(system.left_wall(), AxisEnd::left) + of(system.right_wall(), AxisEnd::right);
 }
 
 double flux_into_walls(const problem::System& system, const Grid& grid,
-                       const Eigen::VectorXd& averages, int scheme_order) {
-  return (system.left_wall() ? wall_speed_moment(grid, averages, scheme_order, 1) : 0) +
-         (system.right_wall() ? wall_speed_moment(grid, averages, scheme_order, 1, AxisEnd::right)
-                              : 0);
+                       const Eigen::VectorXd& cell_averages, int scheme_order) {
+  return (system.left_wall() ? wall_speed_moment(grid, cell_averages, scheme_order, 1) : 0) +
+         (system.right_wall()
+              ? wall_speed_moment(grid, cell_averages, scheme_order, 1, AxisEnd::right)
+              : 0);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -22,23 +22,24 @@ namespace fpkcheck::fd_fpk {
 ///     (pi / sqrt 3 + log r) rate = E[F h_v - F_0 f_v] - <h, S p> + d/dt E[h]
 ///                                  - int u p(b, u) [h(b, -r_b u) - h(b, u)] du,
 ///
-/// Here F is the sum of restoring and damping force minus the drift of the excitation, and F_0 its
-/// value at the wall. S is the operator of the jumps, and x1 = b a second wall. The integrand F h_v
-/// - F_0 f_v is bounded at the wall. The error of the impact rate is therefore proportional to the
-/// power 4 - beta of the narrowest cell width. For the impact condition to first order in 1-r, the
-/// balance contains r - 1 in place of log r. Under multiplicative noise, and at walls whose
-/// restitution coefficient depends on the impact speed, the impact rate is the flux into the wall.
+/// Here F is the sum of restoring and damping force minus the drift of the excitation, and F_0 is
+/// the value of F at the wall. S is the operator of the jumps, and x1 = b a second wall. The
+/// integrand F h_v - F_0 f_v is bounded at the wall. The error of the impact rate is therefore
+/// proportional to the power 4 - beta of the narrowest cell width. For the impact condition to
+/// first order in 1-r, the balance contains r - 1 in place of log r. Under multiplicative noise,
+/// and at walls whose restitution coefficient depends on the impact speed, the impact rate is the
+/// flux into the wall.
 ///
 /// @param excitation excitation on the x2 axis of the grid, as in the operator of this density
 /// @param rate_of_change rate of change of the averages; 0 for a stationary density
 double impact_rate(const problem::System& system, const Excitation& excitation,
                    problem::ImpactCondition impact, const Grid& grid,
-                   const Eigen::VectorXd& averages, const Eigen::VectorXd& rate_of_change,
+                   const Eigen::VectorXd& cell_averages, const Eigen::VectorXd& rate_of_change,
                    int scheme_order);
 
 /// Returns the flux of probability into the walls, extrapolated from cell averages by the stencils
 /// of the Fokker-Planck operator. The density must be bounded at the walls.
 double flux_into_walls(const problem::System& system, const Grid& grid,
-                       const Eigen::VectorXd& averages, int scheme_order);
+                       const Eigen::VectorXd& cell_averages, int scheme_order);
 
 }  // namespace fpkcheck::fd_fpk

@@ -30,11 +30,11 @@ double integrate_marginal(const Axis& axis, const Eigen::VectorXd& marginal, int
 }
 
 // Returns the integral of a polynomial of x1 times a polynomial of x2 times the joint density.
-double integrate_joint_density(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
-                               const numerics::Polynomial& of_x1,
+double integrate_joint_density(const Grid& grid, const Eigen::VectorXd& cell_averages,
+                               int scheme_order, const numerics::Polynomial& of_x1,
                                const numerics::Polynomial& of_x2) {
   const int points = averaging_stencil_size(scheme_order);
-  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
+  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.nv(), grid.nx());
   const Eigen::RowVectorXd v =
       grid.x2.cell_widths().transpose() * weighted_average_operator(grid.x2, points, of_x2);
   const Eigen::RowVectorXd x =
@@ -46,7 +46,8 @@ double integrate_joint_density(const Grid& grid, const Eigen::VectorXd& averages
 // cells. Where the force jumps at x2 = 0, the density has a kink, which no stencil may cross.
 template <class Function>
 double integrate_function(const problem::System& system, const Grid& grid,
-                          const Eigen::VectorXd& averages, int scheme_order, const Function& f) {
+                          const Eigen::VectorXd& cell_averages, int scheme_order,
+                          const Function& f) {
   using Gauss = boost::math::quadrature::gauss<double, 3>;
   // Nodes and weights of the rule with three points, on the unit interval.
   const double end = Gauss::abscissa()[1] / 2;
@@ -58,7 +59,7 @@ double integrate_function(const problem::System& system, const Grid& grid,
   const AxisOperator of_x1 = point_value_operator(grid.x1, points, fractions),
                      of_x2 = point_value_operator(grid.x2, points, fractions, barrier);
   const Eigen::MatrixXd p =
-      of_x2 * Eigen::Map<const Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) *
+      of_x2 * Eigen::Map<const Eigen::MatrixXd>(cell_averages.data(), grid.nv(), grid.nx()) *
       of_x1.transpose();
   const auto place = [&](const Axis& axis, Eigen::Index n) {
     const auto cell = static_cast<int>(n / 3);
@@ -80,22 +81,23 @@ double integrate_function(const problem::System& system, const Grid& grid,
 
 Eigen::VectorXd normal_cell_averages(const Axis& axis, double deviation, double centre) {
   const auto cdf = [&](double x) { return numerics::normal_probability((x - centre) / deviation); };
-  Eigen::VectorXd averages(axis.cell_count());
+  Eigen::VectorXd cell_averages(axis.cell_count());
   for (int i = 0; i < axis.cell_count(); ++i)
-    averages(i) = cdf(axis.face_position(i + 1)) - cdf(axis.face_position(i));
-  return averages.cwiseQuotient(axis.cell_widths());
+    cell_averages(i) = cdf(axis.face_position(i + 1)) - cdf(axis.face_position(i));
+  return cell_averages.cwiseQuotient(axis.cell_widths());
 }
 
 }  // namespace
 
-Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
+Marginals marginals(const Grid& grid, const Eigen::VectorXd& cell_averages) {
   // Column i of the matrix p contains the velocity cells at cell i of x1.
-  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
+  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.nv(), grid.nx());
   return {p.transpose() * grid.x2.cell_widths(), p * grid.x1.cell_widths()};
 }
 
-transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
-  const Marginals of_cells = marginals(grid, averages);
+transform::Moments moments(const Grid& grid, const Eigen::VectorXd& cell_averages,
+                           int scheme_order) {
+  const Marginals of_cells = marginals(grid, cell_averages);
   const auto of_y = [&](int n) {
     return integrate_marginal(grid.x1, of_cells.y, scheme_order, monomial(n));
   };
@@ -106,10 +108,10 @@ transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, in
 }
 
 transform::Moments physical_moments(const problem::WallFrame& frame, const Grid& grid,
-                                    const Eigen::VectorXd& averages, int scheme_order) {
-  transform::Moments result = moments(grid, averages, scheme_order);
+                                    const Eigen::VectorXd& cell_averages, int scheme_order) {
+  transform::Moments result = moments(grid, cell_averages, scheme_order);
   if (frame.is_identity()) return result;
-  const Eigen::VectorXd y = marginals(grid, averages).y;
+  const Eigen::VectorXd y = marginals(grid, cell_averages).y;
   // The displacement is y = frame.origin + sign x, a polynomial of x.
   const numerics::Polynomial::Coefficients y1{0, 1}, y2{0, 0, 1}, y4{0, 0, 0, 0, 1};
   const auto of_y = [&](const numerics::Polynomial::Coefficients& monomial_of_y) {
@@ -126,15 +128,17 @@ transform::Moments physical_moments(const problem::WallFrame& frame, const Grid&
 
 namespace {
 
-// Returns the moments n = 0 .. 4 of the missing mass beyond the end x of an axis, int_0^inf |x +
-// t|^n p e^(-s t) dt. The slope and the curvature of the logarithm of the marginal density
-// determine the density p at the end and the decay rate s. Slope and curvature are fitted from 0.6
-// to 0.2 of the distance between the end and the mean. Cells nearer to the end lack mass. Under
-// white noise the missing mass counts twice. Under impulses, the box also lacks the return path of
-// motion that would have left the box, with the density p V / v.
+// Returns the moments n = 0 .. 4 of the missing mass beyond an end of an axis, int_0^inf |x + t|^n
+// p e^(-s t) dt, with the coordinate x = end_coordinate of the end. The slope and the curvature of
+// the logarithm of the marginal density determine the density p at the end and the decay rate s.
+// Slope and curvature are fitted from 0.6 to 0.2 of the distance between the end and the mean.
+// Cells nearer to the end lack mass. Under white noise the returned moments contain a factor of 2
+// for the motion that returns from outside the box. Under impulses, the box also lacks the return
+// path of motion that would have left the box, with the density p V / v.
 std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::VectorXd& marginal,
-                                               bool last, double x, bool of_impulses) {
-  const double end = last ? axis.faces().back() : axis.faces().front();
+                                               bool at_right_end, double end_coordinate,
+                                               bool has_impulses) {
+  const double end = at_right_end ? axis.faces().back() : axis.faces().front();
   const double mean =
       integrate_marginal(axis, marginal, 1, monomial(1)) / axis.cell_widths().dot(marginal);
   struct Sample {
@@ -162,11 +166,11 @@ std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::Ve
   std::array<double, 5> tail{};
   for (std::size_t n = 0; n < tail.size(); ++n) {
     const double lower = n == 0 ? 0 : static_cast<double>(n) * tail[n - 1];
-    tail[n] = (std::pow(std::abs(x), static_cast<double>(n)) * p + lower) / rate;
+    tail[n] = (std::pow(std::abs(end_coordinate), static_cast<double>(n)) * p + lower) / rate;
   }
   const double way = std::abs(end - mean);
   for (std::size_t n = 1; n < tail.size(); ++n) {
-    tail[n] *= 1 + (of_impulses ? rate * way / static_cast<double>(n) : 1);
+    tail[n] *= 1 + (has_impulses ? rate * way / static_cast<double>(n) : 1);
   }
   return tail;
 }
@@ -174,9 +178,9 @@ std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::Ve
 }  // namespace
 
 transform::Moments moments_outside_box(const problem::Problem& problem, const Grid& grid,
-                                       const Eigen::VectorXd& averages,
+                                       const Eigen::VectorXd& cell_averages,
                                        const transform::Moments& moments_in_box) {
-  const auto [y, v] = marginals(grid, averages);
+  const auto [y, v] = marginals(grid, cell_averages);
   transform::Moments beyond;
   for (const bool last : {false, true}) {
     const auto of_v =
@@ -201,11 +205,11 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
   return beyond;
 }
 
-Eigen::VectorXd multiply_by_coordinate(const Grid& grid, const Eigen::VectorXd& averages,
+Eigen::VectorXd multiply_by_coordinate(const Grid& grid, const Eigen::VectorXd& cell_averages,
                                        transform::StateVariable coordinate, int scheme_order) {
   const int points = averaging_stencil_size(scheme_order);
-  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  Eigen::VectorXd product(averages.size());
+  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.nv(), grid.nx());
+  Eigen::VectorXd product(cell_averages.size());
   Eigen::Map<Eigen::MatrixXd> to(product.data(), grid.nv(), grid.nx());
   if (coordinate == transform::StateVariable::y) {
     to = p * weighted_average_operator(grid.x1, points, monomial(1)).transpose();
@@ -229,31 +233,32 @@ Eigen::VectorXd coordinate_functional(const Grid& grid, transform::StateVariable
 }
 
 double physical_mixed_moment(const problem::WallFrame& frame, const Grid& grid,
-                             const Eigen::VectorXd& averages, int scheme_order) {
+                             const Eigen::VectorXd& cell_averages, int scheme_order) {
   const numerics::Polynomial y =
       numerics::Polynomial({0, 1}).compose_affine(frame.origin, frame.sign());
-  return frame.sign() * integrate_joint_density(grid, averages, scheme_order, y, monomial(1));
+  return frame.sign() * integrate_joint_density(grid, cell_averages, scheme_order, y, monomial(1));
 }
 
 double mean_energy(const problem::EffectivePotential& spring_potential, const Grid& grid,
-                   const Eigen::VectorXd& averages, int scheme_order) {
-  const auto [y, v] = marginals(grid, averages);
+                   const Eigen::VectorXd& cell_averages, int scheme_order) {
+  const auto [y, v] = marginals(grid, cell_averages);
   const double kinetic = integrate_marginal(grid.x2, v, scheme_order, monomial(2, 0.5));
   if (const numerics::Polynomial* polynomial = spring_potential.polynomial()) {
     return kinetic + integrate_marginal(grid.x1, y, scheme_order, *polynomial);
   }
   const WeightedAverages of_x1(grid.x1, averaging_stencil_size(scheme_order));
-  return kinetic + grid.x1.cell_widths().dot(
-                       of_x1.matrix([&](double x1) { return spring_potential(x1); }) * y);
+  return kinetic + grid.x1.cell_widths().dot(of_x1.weighted_average_matrix([&](double x1) {
+    return spring_potential(x1);
+  }) * y);
 }
 
 namespace {
 
 // Returns the integral of weight(v) p(a, v) over velocities v into a wall, with the matrix of the
 // weighted averages on the axis of v.
-double wall_integral(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+double wall_integral(const Grid& grid, const Eigen::VectorXd& cell_averages, int scheme_order,
                      const AxisOperator& weighted, AxisEnd end) {
-  const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
+  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.nv(), grid.nx());
   const int half = grid.nv() / 2;
   const Eigen::VectorXd wall = p * end_value_operator(grid.x1, end, scheme_order).transpose();
   const int first = end == AxisEnd::left ? 0 : half;
@@ -262,55 +267,58 @@ double wall_integral(const Grid& grid, const Eigen::VectorXd& averages, int sche
 
 }  // namespace
 
-double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& cell_averages, int scheme_order,
                          int speed_exponent, AxisEnd end) {
   // The monomial equals |v|^speed_exponent for velocities into the wall.
   const bool is_negative = end == AxisEnd::left && speed_exponent % 2 == 1;
   return wall_integral(
-      grid, averages, scheme_order,
+      grid, cell_averages, scheme_order,
       weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),
                                 monomial(speed_exponent, is_negative ? -1 : 1), grid.nv() / 2),
       end);
 }
 
-double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& cell_averages, int scheme_order,
                         const std::function<double(double)>& weight, AxisEnd end) {
   const WeightedAverages of_x2(grid.x2, averaging_stencil_size(scheme_order), grid.nv() / 2);
-  return wall_integral(grid, averages, scheme_order,
-                       of_x2.matrix([&](double v) { return std::abs(v) * weight(std::abs(v)); }),
-                       end);
+  return wall_integral(
+      grid, cell_averages, scheme_order,
+      of_x2.weighted_average_matrix([&](double v) { return std::abs(v) * weight(std::abs(v)); }),
+      end);
 }
 
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
-                          const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
+                          const Grid& grid, const Eigen::VectorXd& cell_averages,
+                          int scheme_order) {
   if (system.has_constant_damping()) return system.damping() * moments.v2;
   if (!system.has_polynomial_force()) {
-    return integrate_function(system, grid, averages, scheme_order, [&](double x1, double x2) {
+    return integrate_function(system, grid, cell_averages, scheme_order, [&](double x1, double x2) {
       return x2 * system.damping_force(x1, x2);
     });
   }
-  return integrate_joint_density(grid, averages, scheme_order, system.damping_polynomial(),
+  return integrate_joint_density(grid, cell_averages, scheme_order, system.damping_polynomial(),
                                  monomial(2)) +
          system.rayleigh_coefficient() * moments.v4;
 }
 
 double mean_absolute_damping_power(const problem::System& system, const Grid& grid,
-                                   const Eigen::VectorXd& averages, int scheme_order) {
-  return integrate_function(system, grid, averages, scheme_order, [&](double x1, double x2) {
+                                   const Eigen::VectorXd& cell_averages, int scheme_order) {
+  return integrate_function(system, grid, cell_averages, scheme_order, [&](double x1, double x2) {
     return std::abs(x2 * system.damping_force(x1, x2));
   });
 }
 
-problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
-                                        problem::ImpactCondition impact,
-                                        const transform::Moments& moments, const Grid& grid,
-                                        const Eigen::VectorXd& averages, int scheme_order) {
+problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
+                                               problem::ImpactCondition impact,
+                                               const transform::Moments& moments, const Grid& grid,
+                                               const Eigen::VectorXd& cell_averages,
+                                               int scheme_order) {
   const problem::System& system = problem.system;
   const auto loss = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
     return sum_over_impacts(
-        grid, averages, scheme_order,
-        [&](double u) { return problem::energy_lost(*wall, impact, u); }, end);
+        grid, cell_averages, scheme_order,
+        [&](double u) { return problem::energy_loss_at_impact(*wall, impact, u); }, end);
   };
   problem::PowerBalanceTerms terms{.mean_velocity = moments.v1,
                                    .mean_square_velocity = moments.v2,
@@ -318,29 +326,30 @@ problem::PowerBalanceTerms energy_terms(const problem::Problem& problem,
                                    .right_impact_loss = loss(system.right_wall(), AxisEnd::right)};
   if (problem.noise_factor) {
     terms.mean_square_noise_factor = integrate_function(
-        system, grid, averages, scheme_order,
+        system, grid, cell_averages, scheme_order,
         [&](double x1, double x2) { return problem.noise_factor->squared(x1, x2); });
   }
   if (problem.impulse_factor) {
     terms.mean_square_impulse_factor = integrate_function(
-        system, grid, averages, scheme_order,
-        [&](double x1, double) { return problem::square_impulse_factor(problem, x1); });
+        system, grid, cell_averages, scheme_order,
+        [&](double x1, double) { return problem::squared_impulse_factor(problem, x1); });
   }
-  terms.mean_damping_power = mean_damping_power(system, moments, grid, averages, scheme_order);
+  terms.mean_damping_power = mean_damping_power(system, moments, grid, cell_averages, scheme_order);
   return terms;
 }
 
-double energy_residual(const problem::Problem& problem, problem::ImpactCondition impact,
-                       const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
-  return problem::energy_residual(
-      problem, energy_terms(problem, impact, moments(grid, averages, scheme_order), grid, averages,
-                            scheme_order));
+double power_balance_residual(const problem::Problem& problem, problem::ImpactCondition impact,
+                              const Grid& grid, const Eigen::VectorXd& cell_averages,
+                              int scheme_order) {
+  return problem::power_balance_residual(
+      problem, power_balance_terms(problem, impact, moments(grid, cell_averages, scheme_order),
+                                   grid, cell_averages, scheme_order));
 }
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
-                                              const Eigen::VectorXd& averages, int scheme_order,
-                                              const WallMomentumTransfer& walls) {
-  const auto [y, v] = marginals(grid, averages);
+                                              const Eigen::VectorXd& cell_averages,
+                                              int scheme_order, const WallMomentumTransfer& walls) {
+  const auto [y, v] = marginals(grid, cell_averages);
   const problem::System& system = problem.system;
   problem::VirialBalanceTerms for_virial{
       .mean_displacement =
@@ -356,12 +365,12 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
     for_momentum.mean_force = integrate_marginal(grid.x1, y, scheme_order, force);
     if (system.rayleigh_coefficient() != 0) {
       for_virial.mean_y_cubed_velocity =
-          integrate_joint_density(grid, averages, scheme_order, monomial(1), monomial(3));
+          integrate_joint_density(grid, cell_averages, scheme_order, monomial(1), monomial(3));
       for_momentum.mean_cubed_velocity = integrate_marginal(grid.x2, v, scheme_order, monomial(3));
     }
   } else {
     const auto mean = [&](const auto& f) {
-      return integrate_function(system, grid, averages, scheme_order, f);
+      return integrate_function(system, grid, cell_averages, scheme_order, f);
     };
     for_virial.mean_virial = mean([&](double x1, double x2) { return x1 * system.force(x1, x2); });
     for_momentum.mean_force = mean([&](double x1, double x2) { return system.force(x1, x2); });
@@ -379,38 +388,40 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
 }
 
 WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const Grid& grid,
-                                            const Eigen::VectorXd& averages, int scheme_order) {
+                                            const Eigen::VectorXd& cell_averages,
+                                            int scheme_order) {
   const auto momentum = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
     return sum_over_impacts(
-        grid, averages, scheme_order, [&](double u) { return problem::momentum_change(*wall, u); },
-        end);
+        grid, cell_averages, scheme_order,
+        [&](double u) { return problem::momentum_change_at_impact(*wall, u); }, end);
   };
   return {.left = momentum(system.left_wall(), AxisEnd::left),
           .right = momentum(system.right_wall(), AxisEnd::right)};
 }
 
 BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales, const Grid& grid,
-                                         const Eigen::VectorXd& averages) {
+                                         const Eigen::VectorXd& cell_averages) {
   // The peak of a Gaussian density folded to the half-plane is 2 / (2 pi sigma_1 sigma_2).
   const double gaussian_peak =
       1 / (std::numbers::pi * scales.displacement_deviation * scales.velocity_deviation);
-  return box_edge_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));
+  return box_edge_density(grid, cell_averages,
+                          std::min(gaussian_peak, cell_averages.cwiseAbs().maxCoeff()));
 }
 
-Eigen::VectorXd cell_averages(const problem::Gaussian& gaussian, const Grid& grid) {
+Eigen::VectorXd gaussian_cell_averages(const problem::InitialGaussian& gaussian, const Grid& grid) {
   const Eigen::VectorXd y =
       normal_cell_averages(grid.x1, gaussian.displacement_deviation, gaussian.mean_displacement);
   const Eigen::VectorXd v =
       normal_cell_averages(grid.x2, gaussian.velocity_deviation, gaussian.mean_velocity);
-  Eigen::VectorXd averages(grid.size());
-  Eigen::Map<Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
-  return averages / grid.cell_areas().dot(averages);
+  Eigen::VectorXd cell_averages(grid.size());
+  Eigen::Map<Eigen::MatrixXd>(cell_averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
+  return cell_averages / grid.cell_areas().dot(cell_averages);
 }
 
 Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::MotionScales& scales) {
-  return cell_averages({scales.displacement_deviation, scales.velocity_deviation, scales.centre},
-                       grid);
+  return gaussian_cell_averages(
+      {scales.displacement_deviation, scales.velocity_deviation, scales.centre}, grid);
 }
 
 }  // namespace fpkcheck::fd_fpk

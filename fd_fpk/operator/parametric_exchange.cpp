@@ -10,8 +10,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Values of the factor, in units of their distance: the integers from -kBelow to kAbove, relative
-// to the largest integer below the factor.
+// Interpolation at a factor b uses the values b_m = m d at the distance d, for the integers m from
+// floor(b/d) - kBelow to floor(b/d) + kAbove.
 constexpr int kBelow = 2, kAbove = 3;
 
 // Returns the Lagrange polynomial at t of the integer `node` among the six integers around t.
@@ -32,7 +32,7 @@ Eigen::MatrixXd scaled_jump_matrix(const Axis& axis, const problem::ImpulseLaw& 
   return jump_matrix(Axis(std::move(faces)), b < 0 ? law.with_negated_amplitudes() : law);
 }
 
-// Returns the least and the largest value of the factor on an axis, at points of its cells.
+// Returns the smallest and the largest sampled value of the factor on an axis.
 std::pair<double, double> range_of_factor(const problem::StateFunction& factor, const Axis& x1) {
   constexpr int kPoints = 8;
   double least = factor(x1.faces().front(), 0), largest = least;
@@ -48,13 +48,13 @@ std::pair<double, double> range_of_factor(const problem::StateFunction& factor, 
 
 }  // namespace
 
-std::vector<ExchangeTerm> parametric_exchange(const ParametricImpulses& impulses, const Grid& grid,
-                                              int weight_points) {
-  const problem::ImpulseLaw& law = impulses.train.law();
+std::vector<ExchangeTerm> parametric_exchange_terms(const ParametricImpulses& impulses,
+                                                    const Grid& grid, int weight_stencil_size) {
+  const problem::ImpulseLaw& law = impulses.train.amplitude_law();
   const double distance = grid.x2.cell_widths().maxCoeff() / std::sqrt(law.moment(2));
   const auto [least, largest] = range_of_factor(impulses.factor, grid.x1);
-  // The range has one more value on either side, because range_of_factor() samples the factor and
-  // may miss its extreme values.
+  // The range of interpolation values has one additional value on either side, because
+  // range_of_factor() samples the factor and may miss the extreme values of the factor.
   int first = static_cast<int>(std::floor(least / distance)) - kBelow - 1;
   int last = static_cast<int>(std::floor(largest / distance)) + kAbove + 1;
   // Jumps by b Y and by -b Y have equal matrices if the law is symmetric.
@@ -63,11 +63,11 @@ std::vector<ExchangeTerm> parametric_exchange(const ParametricImpulses& impulses
     last = std::max(last, -first);
     first = 1;
   }
-  const WeightedAverages averages(grid.x1, weight_points);
+  const WeightedAverages averages(grid.x1, weight_stencil_size);
   std::vector<ExchangeTerm> terms;
   for (int node = first; node <= last; ++node) {
     if (node == 0) continue;  // impulses that the factor 0 multiplies change nothing
-    AxisOperator of_x1 = averages.matrix([&](double x1) {
+    AxisOperator of_x1 = averages.weighted_average_matrix([&](double x1) {
       const double t = impulses.factor(x1, 0) / distance;
       return lagrange_polynomial(t, node) + (is_symmetric ? lagrange_polynomial(t, -node) : 0);
     });

@@ -8,8 +8,8 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Returns the terms of the jumps by b(x1) Y of parametric impulses. The matrix E(b) of the jumps by
-/// b Y is interpolated between values b_m, by polynomials of degree 5 on the six values around
+/// Returns the terms of the jumps by b(x1) Y of parametric impulses. The matrix E(b) of the jumps
+/// by b Y is interpolated between values b_m, by polynomials of degree 5 on the six values around
 /// b(x1),
 ///
 ///     sum_m A_m (x) E(b_m),
@@ -17,8 +17,8 @@ namespace fpkcheck::fd_fpk {
 /// where A_m averages the product of the m-th Lagrange polynomial at b(x1) and of the density over
 /// the cells of x1. The distance between the values b_m makes the jumps differ by about one cell of
 /// x2.
-/// @param weight_points number of cells in each stencil of x1
-std::vector<ExchangeTerm> parametric_exchange(const ParametricImpulses& impulses, const Grid& grid,
-                                              int weight_points);
+/// @param weight_stencil_size number of cells in each stencil of x1
+std::vector<ExchangeTerm> parametric_exchange_terms(const ParametricImpulses& impulses,
+                                                    const Grid& grid, int weight_stencil_size);
 
 }  // namespace fpkcheck::fd_fpk

@@ -4,20 +4,21 @@
 
 namespace fpkcheck::fd_fpk {
 TimeDependentOperator::TimeDependentOperator(const problem::Problem& problem,
-                                             const Options& options, const Discretisation& on) {
+                                             const Options& options,
+                                             const Discretisation& discretisation) {
   const auto operator_of = [&](const Excitation& excitation) {
-    return fokker_planck_operator(problem.system, excitation, options.impact, on.grid,
+    return fokker_planck_operator(problem.system, excitation, options.impact, discretisation.grid,
                                   transport_order(options));
   };
   const auto excitation_of = [&](const problem::Problem& part) {
-    return with_excitation_of(part, options, on).excitation;
+    return with_excitation_of(part, options, discretisation).excitation;
   };
-  // Every term is linear in the coefficients of the excitation, so that differences to the operator
-  // without excitation are the terms.
+  // The operator is linear in the coefficients of the excitation. Each term is therefore the
+  // difference between the operators with and without the excitation of the term.
   const problem::TimeDependence& time = problem.time;
   problem::Problem constant = problem;
-  if (time.has_rate()) constant = without_impulses(std::move(constant));
-  if (time.has_intensity()) constant = without_noise(std::move(constant));
+  if (time.has_rate_factor()) constant = without_impulses(std::move(constant));
+  if (time.has_intensity_factor()) constant = without_noise(std::move(constant));
   constant_ = operator_of(excitation_of(constant));
   if (!time.is_present()) return;
   const FokkerPlanckOperator motion = operator_of({});
@@ -26,32 +27,34 @@ TimeDependentOperator::TimeDependentOperator(const problem::Problem& problem,
     part.local = SparseColumnMatrix(part.local - motion.local).pruned();
     terms_.push_back({std::move(factor), std::move(part)});
   };
-  if (time.has_rate()) {
+  if (time.has_rate_factor()) {
     add([time](double t) { return time.rate_factor(t); }, excitation_of(without_noise(problem)));
   }
-  if (time.has_intensity()) {
+  if (time.has_intensity_factor()) {
     add([time](double t) { return time.intensity_factor(t); },
         excitation_of(without_impulses(problem)));
   }
-  if (time.has_force()) {
+  if (time.has_external_force()) {
     add([time](double t) { return time.force(t); }, Excitation{.drift = 1, .exchange = {}});
   }
 }
 
-Eigen::VectorXd TimeDependentOperator::product(double t, const Eigen::VectorXd& averages) const {
-  Eigen::VectorXd change = constant_ * averages;
+Eigen::VectorXd TimeDependentOperator::apply_at_time(double t,
+                                                     const Eigen::VectorXd& cell_averages) const {
+  Eigen::VectorXd change = constant_ * cell_averages;
   for (const Term& term : terms_) {
     const double factor = term.factor(t);
-    if (factor != 0) change += factor * (term.part * averages);
+    if (factor != 0) change += factor * (term.part * cell_averages);
   }
   return change;
 }
 
 Excitation excitation_at_time(const problem::Problem& problem, const Options& options,
-                              const Discretisation& on, double t) {
-  if (!problem.time.is_present()) return on.excitation;
+                              const Discretisation& discretisation, double t) {
+  if (!problem.time.is_present()) return discretisation.excitation;
   Excitation excitation =
-      with_excitation_of(problem::with_excitation_at_time(problem, t), options, on).excitation;
+      with_excitation_of(problem::with_excitation_at_time(problem, t), options, discretisation)
+          .excitation;
   excitation.drift += problem.time.force(t);
   return excitation;
 }

@@ -20,13 +20,13 @@ namespace fpkcheck::fd_fpk {
 class TimeDependentOperator {
  public:
   TimeDependentOperator(const problem::Problem& problem, const Options& options,
-                        const Discretisation& on);
+                        const Discretisation& discretisation);
 
   /// Returns L(t) P for cell averages P.
-  Eigen::VectorXd product(double t, const Eigen::VectorXd& averages) const;
+  Eigen::VectorXd apply_at_time(double t, const Eigen::VectorXd& cell_averages) const;
   /// Returns the integral of a density with the given cell averages.
-  double total_mass(const Eigen::VectorXd& averages) const {
-    return constant_.total_mass(averages);
+  double total_mass(const Eigen::VectorXd& cell_averages) const {
+    return constant_.total_mass(cell_averages);
   }
 
  private:
@@ -41,6 +41,6 @@ class TimeDependentOperator {
 
 /// Returns the excitation at the time t, with the drift of the force F(t).
 Excitation excitation_at_time(const problem::Problem& problem, const Options& options,
-                              const Discretisation& on, double t);
+                              const Discretisation& discretisation, double t);
 
 }  // namespace fpkcheck::fd_fpk

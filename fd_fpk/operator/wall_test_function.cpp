@@ -14,10 +14,10 @@ namespace {
 // Table of the functions phi, phi', theta and chi' of WallTestFunction on equidistant s, with cubic
 // Hermite interpolation. The differential equations give the derivatives for the interpolation. The
 // interpolation error is step^4 / 384 times a fourth derivative, below 1e-10.
-class ProfileTable {
+class SimilarityProfileTable {
  public:
-  static const ProfileTable& table() {
-    static const ProfileTable profiles;
+  static const SimilarityProfileTable& table() {
+    static const SimilarityProfileTable profiles;
     return profiles;
   }
 
@@ -38,7 +38,7 @@ class ProfileTable {
     return interpolate(s, &Node::chi_slope, chi_curvature);
   }
   /// Returns the limit of chi' for s -> -inf.
-  double chi_slope_below() const { return limit_below_.chi_slope; }
+  double chi_slope_limit_below() const { return limit_below_.chi_slope; }
 
  private:
   static constexpr double kEnd = 14, kStep = 0.02;
@@ -108,7 +108,7 @@ class ProfileTable {
            x * x * ((1 + 2 * y) * right.*value - y * kStep * slope(node(k + 1), right));
   }
 
-  ProfileTable() : nodes_(kLast + 1) {
+  SimilarityProfileTable() : nodes_(kLast + 1) {
     nodes_[kLast] = {asymptotics_.phi(kEnd), asymptotics_.phi_slope(kEnd), asymptotics_.theta(kEnd),
                      asymptotics_.chi_slope(kEnd)};
     // The Runge-Kutta steps decrease s, because homogeneous solutions decay towards smaller s.
@@ -142,26 +142,27 @@ class ProfileTable {
 WallTestFunction::WallTestFunction(double diffusion, double force, double restitution)
     : diffusion_(diffusion),
       force_(force),
-      v_coefficient_(-ProfileTable::table().chi_slope_below() / (1 + restitution)) {}
+      v_coefficient_(-SimilarityProfileTable::table().chi_slope_limit_below() / (1 + restitution)) {
+}
 
 double WallTestFunction::velocity_scale(double y) const { return std::cbrt(diffusion_ * y); }
 
 double WallTestFunction::operator()(double y, double v) const {
   assert(y > 0);
-  const auto& table = ProfileTable::table();
+  const auto& table = SimilarityProfileTable::table();
   const double l = velocity_scale(y), s = v / l;
   const double chi = table.theta(s) + s * (table.chi_slope(s) + v_coefficient_);
   return std::log(y) / 3 + table.phi(s) + force_ / diffusion_ * l * chi;
 }
 
 double WallTestFunction::velocity_derivative(double y, double v) const {
-  const auto& table = ProfileTable::table();
+  const auto& table = SimilarityProfileTable::table();
   const double l = velocity_scale(y), s = v / l;
   return table.phi_slope(s) / l + force_ / diffusion_ * (table.chi_slope(s) + v_coefficient_);
 }
 
 double WallTestFunction::backward_remainder(double y, double v, double force) const {
-  const auto& table = ProfileTable::table();
+  const auto& table = SimilarityProfileTable::table();
   const double l = velocity_scale(y), s = v / l;
   return (force - force_) * table.phi_slope(s) / l +
          force * force_ / diffusion_ * (table.chi_slope(s) + v_coefficient_);

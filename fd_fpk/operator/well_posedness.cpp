@@ -10,7 +10,7 @@ namespace {
 
 // Returns the length rounded up to three digits: a printed regularisation length must be long
 // enough for stability.
-double round_up(double length) {
+double round_up_to_three_digits(double length) {
   const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
   return std::ceil(length / digit) * digit;
 }
@@ -18,14 +18,15 @@ double round_up(double length) {
 // Returns the fastest growing wave over all cell widths of the axis. The excitation may be unstable
 // on wide cells and stable on narrow cells.
 FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,
-                                        const Discretisation& on) {
-  const Axis& x2 = on.grid.x2;
+                                        const Discretisation& discretisation) {
+  const Axis& x2 = discretisation.grid.x2;
   Options as_used = options;
   std::vector<double> widths;
   // Only the excitation of km4 may be unstable; the Pade approximant is always stable.
   if (options.equation == DensityEquation::km4) {
-    as_used.regularisation_length = on.regularisation_length;
-    widths = possibly_unstable_cell_widths(x2, problem.impulses.law(), on.regularisation_length);
+    as_used.regularisation_length = discretisation.regularisation_length;
+    widths = possibly_unstable_cell_widths(x2, problem.impulses.amplitude_law(),
+                                           discretisation.regularisation_length);
   }
   FastestGrowingWave largest = fastest_growing_wave(problem, as_used, x2.smallest_cell_width());
   for (const double width : widths) {
@@ -38,10 +39,10 @@ FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const O
 std::string regularisation_advice(const problem::ImpulseTrain& impulses, const Axis& axis,
                                   int points) {
   constexpr double kNearly = 0.99;
-  const auto& law = impulses.law();
+  const auto& law = impulses.amplitude_law();
   const double by_default = default_regularisation_length(impulses, axis, points);
-  const double of_law = shortest_regularisation_length(law);
-  const double shortest = shortest_regularisation_length(
+  const double of_law = shortest_stable_regularisation_length(law);
+  const double shortest = shortest_stable_regularisation_length(
       impulses, possibly_unstable_cell_widths(axis, law, of_law), points, of_law);
   if (shortest > kNearly * by_default) {
     return fmt::format(
@@ -51,7 +52,7 @@ std::string regularisation_advice(const problem::ImpulseTrain& impulses, const A
   }
   return fmt::format(
       "use a regularisation length of at least {:.3g} on these cells; the default is {:.3g}",
-      round_up(shortest), by_default);
+      round_up_to_three_digits(shortest), by_default);
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Mot
             .failure = std::move(failure)};
   }
   const Grid& grid = discretisation.grid;
-  // The operator and the factors of the preconditioner do not depend on each other. null_vector()
-  // reports a failed factorisation.
+  // The operator and the factors of the preconditioner do not depend on each other.
+  // find_null_vector() reports a failed factorisation.
   FokkerPlanckOperator op;
   std::optional<Preconditioner> preconditioner;
   base::parallel_for(2, base::kOneThreadPerProcessor, [&](std::size_t part) {
@@ -43,13 +43,13 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Mot
   });
   const Eigen::VectorXd start = initial_gaussian(grid, scales);
   auto [averages, iterations, failure, krylov_seconds] =
-      null_vector(op, *preconditioner, start, deadline);
+      find_null_vector(op, *preconditioner, start, deadline);
   const bool converged = averages && op.stationarity_residual(*averages) <
                                          kLeastReduction * op.stationarity_residual(start);
   return {.discretisation = std::move(discretisation),
           .scales = scales,
           .refinement = options.refinement,
-          .origin_refinement = origin_refinement(problem, options),
+          .origin_refinement = effective_origin_refinement(problem, options),
           .op = std::move(op),
           .preconditioner = std::move(preconditioner),
           .averages = std::move(averages),
@@ -62,10 +62,10 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Mot
 enum class LengthScalesOfBox { given, of_density };
 
 // Solves in `box`, whose free ends move outwards until the density at the free ends is negligible.
-// After the deadline, an acceptable density at the ends suffices. With LengthScalesOfBox::of_density
-// the function first sets the length scales of the box to those of the density, since standard
-// deviations overestimate the length scales of a density with several wells or a ring, and too wide
-// cells smooth the tails.
+// After the deadline, an acceptable density at the ends suffices. With
+// LengthScalesOfBox::of_density the function first sets the length scales of the box to those of
+// the density, since standard deviations overestimate the length scales of a density with several
+// wells or a ring, and too wide cells smooth the tails.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
                                         const problem::MotionScales& scales, const Options& options,
                                         const base::Deadline& deadline, Box& box,
@@ -112,7 +112,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
       if (widen_x1_low) box.x1_min -= by;
     }
     if (widen_x2) box.x2_max *= kWidening;
-    // For each end, `last` contains the density before the last move of this end.
+    // For each end, `last` contains the density at the end before the last move of the end.
     if (widen_x1) last.x1 = wall.x1;
     if (widen_x2) last.x2 = wall.x2;
     if (widen_x1_low) last.x1_low = wall.x1_low;
@@ -122,8 +122,8 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
 bool is_resolved(const problem::Problem& problem, const Options& options,
                  const DirectSolution& direct) {
   const Eigen::VectorXd& averages = *direct.averages;
-  const double energy = energy_residual(problem, options.impact, direct.discretisation.grid,
-                                        averages, transport_order(options));
+  const double energy = power_balance_residual(problem, options.impact, direct.discretisation.grid,
+                                               averages, transport_order(options));
   return kAutomaticGridLimits.is_density_accepted(averages.minCoeff() / averages.maxCoeff()) &&
          kAutomaticGridLimits.is_power_residual_accepted(energy);
 }
@@ -148,8 +148,9 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
   return box;
 }
 
-DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
-                              const Options& options, const base::Deadline& deadline) {
+DirectSolution compute_direct_solution(const problem::Problem& problem,
+                                       const ScalesAndBox& scales_and_box, const Options& options,
+                                       const base::Deadline& deadline) {
   constexpr int kRefinements = 2;
   // Largest number of cells of a grid that is refined; refining a larger grid takes minutes
   constexpr int kMostCellsRefined = 8000;

@@ -31,7 +31,7 @@ struct DirectSolution {
 /// Properties of a problem that do not depend on the grid.
 struct ScalesAndBox {
   problem::MotionScales scales;
-  /// Result of stationary_box(); if the box is absent, solve_directly() computes the box
+  /// Result of stationary_box(); if the box is absent, compute_direct_solution() computes the box
   std::optional<Box> box = {};
 };
 
@@ -48,7 +48,8 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
 /// only if the density at the end exceeds kMaxBoxEdgeDensity, because the solution would otherwise
 /// be rejected. An automatic grid is refined, first at a spike at the origin, while the density
 /// violates kAutomaticGridLimits and the deadline has not passed.
-DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
-                              const Options& options, const base::Deadline& deadline);
+DirectSolution compute_direct_solution(const problem::Problem& problem,
+                                       const ScalesAndBox& scales_and_box, const Options& options,
+                                       const base::Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

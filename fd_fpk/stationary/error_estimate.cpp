@@ -51,7 +51,7 @@ transform::GridLevelDifference grid_level_difference(const Result& coarser, cons
   const auto y = merge_narrow_bins(y_edges, kNarrowest * extent);
   const auto v = merge_narrow_bins(v_edges, kNarrowest * std::sqrt(moments.v2));
   const auto of = [&](const Result& result) {
-    transform::GridLevel level = transform::grid_level(result.solution, y, v);
+    transform::GridLevel level = transform::make_grid_level(result.solution, y, v);
     level.impact_rate = result.summary.impact_rate;
     return level;
   };
@@ -101,7 +101,7 @@ double largest_error(const ErrorEstimate& error, const Moments& moments) {
 
 double largest_l1_error(const ErrorEstimate& error) { return std::max(error.y_l1, error.ydot_l1); }
 
-void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& error) {
+void add_error_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& error) {
   fine.summary.error = error;
   for (std::size_t k = 0; k < error.rest_probabilities.size(); ++k) {
     fine.solution.atoms[k].error_estimate = error.rest_probabilities[k];
@@ -188,22 +188,23 @@ bool have_same_cells(const Summary& first, const Summary& second) {
 }
 
 // Returns a computing time that does not depend on the machine, for a reproducible choice of grids.
-double expected_seconds(const Summary& on) {
+double expected_seconds(const Summary& summary) {
   constexpr double kOfCell = 4e-5, kAlongCharacteristics = 1e-5;
-  return on.nx * on.nv *
-         (on.transport == TransportScheme::characteristics ? kAlongCharacteristics : kOfCell);
+  return summary.nx * summary.nv *
+         (summary.transport == TransportScheme::characteristics ? kAlongCharacteristics : kOfCell);
 }
 
-// Returns whether all further grids up to the requested accuracy are expected to take at most an
+// Returns whether all further grids up to kTargetAccuracy are expected to take at most an
 // eighth of the time limit. The number of further grids is extrapolated from the error estimate of
 // the last three grids.
-bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, const Options& options,
-                            double accuracy, const base::Deadline& deadline) {
+bool is_target_accuracy_attainable(const ErrorEstimate& error, const Summary& last,
+                                   const Options& options, const base::Deadline& deadline) {
   constexpr double kTimeFraction = 8, kLeastOrder = 0.5;
   const double order =
       std::clamp(error.observed_order, kLeastOrder, 1.0 * order_of_convergence(options));
-  const double missing = std::max(1.0, std::ceil(std::log(largest_l1_error(error) / accuracy) /
-                                                 (order * std::log(kRefinementRatio))));
+  const double missing =
+      std::max(1.0, std::ceil(std::log(largest_l1_error(error) / kTargetAccuracy) /
+                              (order * std::log(kRefinementRatio))));
   // The time of all further grids, in units of the time of the last grid, is a geometric series.
   const double levels = kTimeRatio * (std::pow(kTimeRatio, missing) - 1) / (kTimeRatio - 1);
   return kTimeFraction * levels * expected_seconds(last) <= deadline.limit_seconds();
@@ -212,7 +213,7 @@ bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, con
 // The first three grids of an error estimate.
 struct ThreeGrids {
   Result fine;                   // with an error estimate, if all three grids have densities
-  std::optional<Result> middle;  // if the fine grid has a density
+  std::optional<Result> middle;  // absent if the fine grid has no density
   double fine_seconds = 0;
 };
 
@@ -282,8 +283,8 @@ ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& opti
   const bool same = have_same_cells(coarse.summary, middle.summary) ||
                     have_same_cells(middle.summary, fine.summary);
   if (middle.solution.density && coarse.solution.density && !same) {
-    add_estimate(fine, middle.solution,
-                 estimate_with_box_truncation(options, coarse, middle, fine, box_truncation));
+    add_error_estimate(fine, middle.solution,
+                       estimate_with_box_truncation(options, coarse, middle, fine, box_truncation));
   }
   check_error_estimate(options, fine);
   grids.middle = std::move(middle);
@@ -332,7 +333,7 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
 }
 
 Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
-                             const base::Deadline& deadline, const RefinementGoal& goal,
+                             const base::Deadline& deadline, RefinementGoal goal,
                              const std::optional<Box>& known_box) {
   double slower = kTimeRatio;
   ThreeGrids grids = solve_on_three_grids(solve, options, known_box);
@@ -344,11 +345,12 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
   Result middle = best, coarse = std::move(*grids.middle);
   // Finer cells do not correct a box that is too small, the cause of the status `failed`.
   while (best.solution.status != Status::failed &&
-         (largest_l1_error(*best.summary.error) > goal.accuracy ||
-          (goal.until_ok && !best.solution.is_ok()))) {
-    // If the accuracy is not attainable in time, the grid is refined only until the status is `ok`.
-    if (best.solution.is_ok() && !is_accuracy_attainable(*best.summary.error, middle.summary,
-                                                         options, goal.accuracy, deadline)) {
+         (largest_l1_error(*best.summary.error) > kTargetAccuracy ||
+          (goal == RefinementGoal::accurate_and_ok && !best.solution.is_ok()))) {
+    // If kTargetAccuracy is not attainable in time, the grid is refined only until the status is
+    // `ok`.
+    if (best.solution.is_ok() &&
+        !is_target_accuracy_attainable(*best.summary.error, middle.summary, options, deadline)) {
       break;
     }
     if (!deadline.has_time_for(slower * seconds)) break;
@@ -358,9 +360,9 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
     slower = std::max(kTimeRatio, of_level.seconds() / seconds);
     seconds = of_level.seconds();
     if (!fine.solution.density) break;
-    add_estimate(fine, middle.solution,
-                 estimate_with_box_truncation(options, coarse, middle, fine,
-                                              best.summary.error->box_truncation));
+    add_error_estimate(fine, middle.solution,
+                       estimate_with_box_truncation(options, coarse, middle, fine,
+                                                    best.summary.error->box_truncation));
     check_error_estimate(options, fine);
     coarse = std::exchange(middle, fine);
     if (is_preferable_result(fine, best)) best = std::move(fine);
@@ -374,7 +376,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
   // Deficit of the observed order that indicates a dominant error of the density at the origin
   constexpr double kOrdersMissing = 1.5;
   // Fraction of the tolerance that the truncation error of the box may take; only a larger box
-  // reduces this error
+  // reduces the truncation error
   constexpr double kWalls = 0.25, kLeastOnWall = 1e-12;
   Options level = with_refined_cells(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
@@ -420,7 +422,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
     if (last[0] && !have_same_cells(last[0]->summary, last[1]->summary)) {
       const auto error =
           estimate_with_box_truncation(options, *last[0], *last[1], *last[2], box_truncation);
-      add_estimate(*last[2], last[1]->solution, error);
+      add_error_estimate(*last[2], last[1]->solution, error);
       if (largest_error(error, last[2]->solution.moments) <= *options.tolerance) {
         if (options.stepper == StationarySolver::direct) {
           check_error_estimate(options, *last[2]);
@@ -429,7 +431,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
         level.stepper = options.stepper;
         Result stepped = solve(level);
         if (!stepped.solution.density && deadline.has_passed()) stepped = *last[2];
-        if (stepped.solution.density) add_estimate(stepped, last[1]->solution, error);
+        if (stepped.solution.density) add_error_estimate(stepped, last[1]->solution, error);
         check_error_estimate(options, stepped);
         return stepped;
       }

@@ -24,30 +24,29 @@ ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const R
 Options with_refined_cells(Options options, double factor);
 
 /// Function that solves one problem with the given options on a single grid. Several threads may
-/// call it at the same time.
+/// call the function at the same time.
 using SolveOnOneGrid = std::function<Result(const Options&)>;
 
 /// Returns the solution on the grid of the options, with an error estimate from direct solutions on
 /// two coarser grids. The cells of the two coarser grids are wider by the factors q and q^2, with q
 /// = transform::kRefinementRatio. The solution includes extrapolated moments if
 /// transform::has_richardson_limit accepts the observed order of convergence.
-/// @param known_box box that `solve` uses unless it must move the ends; the coarser grids need not
-/// wait for the finest grid
+/// @param known_box box that `solve` uses unless `solve` must move the ends. With a known box the
+/// three grids are solved in parallel.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
                                  const std::optional<Box>& known_box = {});
 
-/// Accuracy and status at which refine_until_deadline() stops refining the grid.
-struct RefinementGoal {
-  double accuracy = kTargetAccuracy;
-  /// Whether the grid is also refined if the error is small but the status is not `ok`
-  bool until_ok = false;
+/// Condition under which refine_until_deadline() stops refining the grid.
+enum class RefinementGoal {
+  accurate,        ///< the L1 error estimate is at most kTargetAccuracy
+  accurate_and_ok  ///< the L1 error estimate is at most kTargetAccuracy, and the status is `ok`
 };
 
-/// Returns the solution with an error estimate, on a grid that is refined while the error estimate
-/// exceeds the accuracy of the goal. A finer grid is tried only if the expected time is at most a
-/// fraction of the time limit, or if the status is not yet `ok`.
+/// Returns the solution with an error estimate, on a grid that is refined until the goal is
+/// reached. A finer grid is tried only if the expected time is at most a fraction of the time
+/// limit, or if the status is not yet `ok`.
 Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
-                             const base::Deadline& deadline, const RefinementGoal& goal,
+                             const base::Deadline& deadline, RefinementGoal goal,
                              const std::optional<Box>& known_box = {});
 
 /// Returns whether the first result is preferable to the second result. The first differing

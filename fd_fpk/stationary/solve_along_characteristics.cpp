@@ -40,9 +40,9 @@ GridSolution solve_in_box(const problem::Problem& problem, const problem::Motion
 struct MarginalMasses {
   Eigen::VectorXd of_y, of_speed;
 };
-MarginalMasses marginal_masses(const GridSolution& on) {
-  const int nx = on.grid.nx(), nv = on.grid.nv();
-  const Eigen::Map<const Eigen::MatrixXd> masses(on.found.masses->data(), nv, nx);
+MarginalMasses marginal_masses(const GridSolution& grid_solution) {
+  const int nx = grid_solution.grid.nx(), nv = grid_solution.grid.nv();
+  const Eigen::Map<const Eigen::MatrixXd> masses(grid_solution.found.masses->data(), nv, nx);
   const Eigen::VectorXd of_v = masses.rowwise().sum();
   return {.of_y = masses.colwise().sum(),
           .of_speed = of_v.tail(nv / 2) + of_v.head(nv / 2).reverse()};
@@ -50,11 +50,12 @@ MarginalMasses marginal_masses(const GridSolution& on) {
 
 // Largest accepted mass in the end cells of a box, where mass that would leave the box accumulates.
 constexpr double kMaxMassAtEnd = 1e-6;
-double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses) {
+double mass_at_end(const GridSolution& grid_solution, const MarginalMasses& marginal_masses) {
   const Eigen::VectorXd& of_y = marginal_masses.of_y;
   const auto is_open = [](AxisEndCondition end) { return end == AxisEndCondition::vacuum; };
-  const double on_left = is_open(on.grid.x1.left_end_condition()) ? of_y(0) : 0;
-  const double on_right = is_open(on.grid.x1.right_end_condition()) ? of_y(of_y.size() - 1) : 0;
+  const double on_left = is_open(grid_solution.grid.x1.left_end_condition()) ? of_y(0) : 0;
+  const double on_right =
+      is_open(grid_solution.grid.x1.right_end_condition()) ? of_y(of_y.size() - 1) : 0;
   return std::max(
       {on_left, on_right, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1)});
 }
@@ -88,13 +89,13 @@ double end_of_support_in_y(const Axis& axis, const Eigen::VectorXd& masses, doub
 }
 
 // Returns a box, determined on wide cells, that contains all but a negligible part of the mass.
-// After the deadline the box is widened no further if the mass in the cells at its ends is at most
-// kMaxMassAtEnd. With more mass there the solution would be rejected.
+// After the deadline the box is widened no further if the mass in the cells at the ends of the box
+// is at most kMaxMassAtEnd. A solution with more mass in the end cells would be rejected.
 Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
                         const Options& options, const base::Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
-  // Around a limit cycle the errors of GMRES, 1e-10 (characteristics/embedded_chain.cpp), spread over
-  // the whole box, since the motion far from the cycle is slow.
+  // Around a limit cycle the errors of GMRES, 1e-10 (characteristics/embedded_chain.cpp), spread
+  // over the whole box, since the motion far from the cycle is slow.
   constexpr double kNegligibleAroundCycle = 1e-9;
   // Mass at the ends of the box above which the box is widened by the larger factor kFastWidening.
   constexpr double kLargeMass = 1e-3, kFastWidening = 3;
@@ -110,15 +111,16 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
   coarse.refinement = kCoarse;
   for (int time = 0; time < kMostTimes; ++time) {
     const base::Stopwatch stopwatch;
-    const GridSolution on = solve_in_box(problem, scales, coarse, box, deadline);
-    if (!on.found.masses) return box;
-    const MarginalMasses masses = marginal_masses(on);
-    const double negligible = on.found.rest.empty() ? kNegligibleAroundCycle : kNegligible;
-    const double y = end_of_support_in_y(on.grid.x1, masses.of_y, negligible);
-    const double v = end_of_support(on.grid.speed_axis(), masses.of_speed, negligible);
+    const GridSolution grid_solution = solve_in_box(problem, scales, coarse, box, deadline);
+    if (!grid_solution.found.masses) return box;
+    const MarginalMasses masses = marginal_masses(grid_solution);
+    const double negligible =
+        grid_solution.found.rest.empty() ? kNegligibleAroundCycle : kNegligible;
+    const double y = end_of_support_in_y(grid_solution.grid.x1, masses.of_y, negligible);
+    const double v = end_of_support(grid_solution.grid.speed_axis(), masses.of_speed, negligible);
     const bool wider_y = !given_y && y >= box.x1_max;
     const bool wider_v = !given_v && v >= box.x2_max;
-    const double beyond = mass_at_end(on, masses);
+    const double beyond = mass_at_end(grid_solution, masses);
     const bool is_acceptable = beyond <= kMaxMassAtEnd;
     if (is_acceptable && (wider_y || wider_v) &&
         !deadline.has_time_for(kTimeRatio * stopwatch.seconds()))
@@ -133,13 +135,13 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
 }
 
 // Adds the atoms in contact, and their contributions to the moments, to the solution.
-void add_atoms(const problem::Problem& problem, const GridSolution& on,
+void add_atoms(const problem::Problem& problem, const GridSolution& grid_solution,
                transform::Solution& solution) {
   auto& moments = solution.moments;
-  for (std::size_t k = 0; k < on.found.rest.size(); ++k) {
-    const RestPoint& point = on.found.rest[k];
+  for (std::size_t k = 0; k < grid_solution.found.rest.size(); ++k) {
+    const RestPoint& point = grid_solution.found.rest[k];
     if (!point.contact) continue;
-    const double probability = on.found.at_rest[k];
+    const double probability = grid_solution.found.at_rest[k];
     solution.atoms.push_back(
         {.y = point.y, .probability = probability, .standard_error = {}, .error_estimate = {}});
     const double y = problem.frame.physical_y(point.y);
@@ -151,21 +153,23 @@ void add_atoms(const problem::Problem& problem, const GridSolution& on,
 }
 
 void set_results(const problem::Problem& problem, const problem::MotionScales& scales,
-                 const GridSolution& on, const Eigen::VectorXd& averages, Result& result) {
+                 const GridSolution& grid_solution, const Eigen::VectorXd& averages,
+                 Result& result) {
   auto& [solution, summary] = result;
   const double rate = problem.impulses.arrival_rate();
-  const auto& [left, right] = on.found.impacts;
-  solution.density = grid_density(on.grid, averages);
-  solution.moments = physical_moments(problem.frame, on.grid, averages, kOrderOfObservables);
-  solution.mass = on.grid.cell_areas().dot(averages);
+  const auto& [left, right] = grid_solution.found.impacts;
+  solution.density = grid_density_from_averages(grid_solution.grid, averages);
+  solution.moments =
+      physical_moments(problem.frame, grid_solution.grid, averages, kOrderOfObservables);
+  solution.mass = grid_solution.grid.cell_areas().dot(averages);
   solution.min_density = averages.minCoeff() / averages.maxCoeff();
-  add_atoms(problem, on, solution);
-  summary.wall = relative_box_edge_density(scales, on.grid, averages);
+  add_atoms(problem, grid_solution, solution);
+  summary.wall = relative_box_edge_density(scales, grid_solution.grid, averages);
   summary.impact_rate = rate * (left.number + right.number);
   double displacement_at_rest = 0;
-  for (std::size_t k = 0; k < on.found.rest.size(); ++k) {
-    const RestPoint& point = on.found.rest[k];
-    const double mass = on.found.at_rest[k];
+  for (std::size_t k = 0; k < grid_solution.found.rest.size(); ++k) {
+    const RestPoint& point = grid_solution.found.rest[k];
+    const double mass = grid_solution.found.at_rest[k];
     if (point.contact) {
       displacement_at_rest += mass * point.y;
       summary.impact_rate = std::numeric_limits<double>::infinity();
@@ -175,26 +179,27 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
       summary.impact_rate += mass * point.impact_rate;
     }
   }
-  const auto in_frame = moments(on.grid, averages, kOrderOfObservables);
+  const auto in_frame = moments(grid_solution.grid, averages, kOrderOfObservables);
   const problem::PowerBalanceTerms terms{
       .mean_velocity = in_frame.v1,
       .mean_square_velocity = in_frame.v2,
-      .left_impact_loss = problem::impact_loss(problem.system.left_wall(),
-                                               problem::ImpactCondition::map, rate * left.energy),
-      .right_impact_loss = problem::impact_loss(problem.system.right_wall(),
-                                                problem::ImpactCondition::map, rate * right.energy),
-      .mean_damping_power =
-          mean_damping_power(problem.system, in_frame, on.grid, averages, kOrderOfObservables)};
-  solution.energy_residual = problem::energy_residual(problem, terms);
-  if (on.found.rest.empty()) {
-    summary.exchanged_power = std::max(
-        1.0, mean_absolute_damping_power(problem.system, on.grid, averages, kOrderOfObservables) /
-                 problem::power_balance(problem, terms).input);
+      .left_impact_loss = problem::impact_energy_loss_rate(
+          problem.system.left_wall(), problem::ImpactCondition::map, rate * left.energy),
+      .right_impact_loss = problem::impact_energy_loss_rate(
+          problem.system.right_wall(), problem::ImpactCondition::map, rate * right.energy),
+      .mean_damping_power = mean_damping_power(problem.system, in_frame, grid_solution.grid,
+                                               averages, kOrderOfObservables)};
+  solution.energy_residual = problem::power_balance_residual(problem, terms);
+  if (grid_solution.found.rest.empty()) {
+    summary.exchanged_power =
+        std::max(1.0, mean_absolute_damping_power(problem.system, grid_solution.grid, averages,
+                                                  kOrderOfObservables) /
+                          problem::power_balance(problem, terms).input);
   }
   summary.balances = balance_residuals(
-      problem, on.grid, averages, kOrderOfObservables,
-      {.left = problem::impact_momentum_change(problem.system.left_wall(), rate * left.momentum),
-       .right = problem::impact_momentum_change(problem.system.right_wall(), rate * right.momentum),
+      problem, grid_solution.grid, averages, kOrderOfObservables,
+      {.left = problem::impact_momentum_rate(problem.system.left_wall(), rate * left.momentum),
+       .right = problem::impact_momentum_rate(problem.system.right_wall(), rate * right.momentum),
        .displacement_at_rest = displacement_at_rest});
 }
 
@@ -207,31 +212,34 @@ Result solve_along_characteristics(const problem::Problem& problem,
   auto& [solution, summary] = result;
   const Box box = characteristics_box(problem, scales, options, deadline);
   const base::Stopwatch stopwatch;
-  const GridSolution on = solve_in_box(problem, scales, options, box, deadline);
-  summary.nx = on.grid.nx();
-  summary.nv = on.grid.nv();
-  summary.x1_max = on.grid.x1_max();
-  summary.x2_max = on.grid.x2_max();
+  const GridSolution grid_solution = solve_in_box(problem, scales, options, box, deadline);
+  summary.nx = grid_solution.grid.nx();
+  summary.nv = grid_solution.grid.nv();
+  summary.x1_max = grid_solution.grid.x1_max();
+  summary.x2_max = grid_solution.grid.x2_max();
   summary.refinement = options.refinement;
   summary.transport = TransportScheme::characteristics;
   summary.balances_limit_errors = true;
-  summary.visits = on.found.visits;
-  summary.krylov_iterations = on.found.iterations;
+  summary.visits = grid_solution.found.visits;
+  summary.krylov_iterations = grid_solution.found.iterations;
   summary.krylov_seconds = stopwatch.seconds();
-  if (!on.found.masses) {
+  if (!grid_solution.found.masses) {
     solution.status = Status::failed;
-    solution.reason = on.found.failure;
+    solution.reason = grid_solution.found.failure;
     return result;
   }
-  summary.residual = on.found.residual * problem.impulses.arrival_rate() / scales.frequency;
-  set_results(problem, scales, on, on.found.masses->cwiseQuotient(on.grid.cell_areas()), result);
+  summary.residual =
+      grid_solution.found.residual * problem.impulses.arrival_rate() / scales.frequency;
+  set_results(problem, scales, grid_solution,
+              grid_solution.found.masses->cwiseQuotient(grid_solution.grid.cell_areas()), result);
   solution.status = Status::ok;
-  if (const double beyond = mass_at_end(on, marginal_masses(on)); beyond > kMaxMassAtEnd) {
+  if (const double beyond = mass_at_end(grid_solution, marginal_masses(grid_solution));
+      beyond > kMaxMassAtEnd) {
     solution.status = Status::failed;
     solution.reason = fmt::format(
         "the box y <= {:.3g}, |y'| <= {:.3g} is too small: {:.1e} of the probability is in the "
         "cells at its end; increase y-max and v-max",
-        on.grid.x1_max(), on.grid.x2_max(), beyond);
+        grid_solution.grid.x1_max(), grid_solution.grid.x2_max(), beyond);
     return result;
   }
   check_resolution(options, result);

@@ -19,15 +19,16 @@ namespace fpkcheck::fd_fpk {
 
 PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
                                                 Preconditioner& preconditioner,
-                                                const Eigen::VectorXd& start, double tolerance,
-                                                double decay_time, const base::Deadline& deadline) {
+                                                const Eigen::VectorXd& initial_averages,
+                                                double tolerance, double decay_time,
+                                                const base::Deadline& deadline) {
   constexpr long kMaxSteps = 200;
   // Time step, in decay times. Longer steps are not used because rounding errors in
   // (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
   constexpr double kStep = 500;
   // With tolerances above the size of the density, local errors do not limit the steps of CVODE.
   constexpr double kRelativeTolerance = 1, kPeakMultiple = 1000;
-  const double absolute_tolerance = kPeakMultiple * start.maxCoeff();
+  const double absolute_tolerance = kPeakMultiple * initial_averages.maxCoeff();
   // The tolerances refer to the mass of a cell. Tolerances of densities would shorten the steps,
   // because the density varies strongly in the narrow cells at a singularity. Under white noise at
   // r = 0.6 GMRES took 860 iterations with tolerances of densities, instead of 372.
@@ -45,46 +46,47 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
   };
   const base::Stopwatch stopwatch;
   const double factored_before = preconditioner.factor_seconds();
-  PseudoTransientResult march;
-  march.residual = op.stationarity_residual(start);
-  LinearOdeSystem system =
-      linear_ode_system([&op](double, const Eigen::VectorXd& p) { return op * p; }, preconditioner);
-  LinearCvodeIntegrator cvode(with_deadline_check(deadline, std::move(system)), start,
+  PseudoTransientResult pseudo_transient;
+  pseudo_transient.residual = op.stationarity_residual(initial_averages);
+  LinearOdeSystem system = make_linear_ode_system(
+      [&op](double, const Eigen::VectorXd& p) { return op * p; }, preconditioner);
+  LinearCvodeIntegrator cvode(with_deadline_check(deadline, std::move(system)), initial_averages,
                               {.max_order = 1,
                                .relative_tolerance = kRelativeTolerance,
                                .absolute_tolerance = absolute_tolerance,
-                               .linear_tolerance = linear_tolerance(march.residual),
+                               .linear_tolerance = linear_tolerance(pseudo_transient.residual),
                                .absolute_tolerances = absolute_tolerances,
                                .first_step = kStep * decay_time,
                                .max_step = kStep * decay_time});
-  while (march.residual > tolerance && march.steps < kMaxSteps) {
+  while (pseudo_transient.residual > tolerance && pseudo_transient.steps < kMaxSteps) {
     const base::Stopwatch of_step;
-    cvode.set_linear_tolerance(linear_tolerance(march.residual));
+    cvode.set_linear_tolerance(linear_tolerance(pseudo_transient.residual));
     int flag = 0;
     try {
       flag = cvode.take_step().flag;
     } catch (const DeadlineExceeded&) {
-      march.out_of_time = true;
+      pseudo_transient.out_of_time = true;
       break;
     }
-    march.steps = cvode.step_count();
+    pseudo_transient.steps = cvode.step_count();
     if (flag < 0) {
-      march.reason = fmt::format("CVODE failed at step {} (flag {}): {}", march.steps, flag,
-                                 cvode.error_message());
+      pseudo_transient.reason = fmt::format("CVODE failed at step {} (flag {}): {}",
+                                            pseudo_transient.steps, flag, cvode.error_message());
       break;
     }
-    march.residual = op.stationarity_residual(cvode.averages());
-    if (march.residual > tolerance && !deadline.has_time_for(of_step.seconds())) {
-      march.out_of_time = true;
+    pseudo_transient.residual = op.stationarity_residual(cvode.cell_averages());
+    if (pseudo_transient.residual > tolerance && !deadline.has_time_for(of_step.seconds())) {
+      pseudo_transient.out_of_time = true;
       break;
     }
   }
-  march.rhs_evaluations = cvode.rhs_evaluation_count();
-  march.krylov_iterations = cvode.krylov_iteration_count();
-  march.krylov_seconds = stopwatch.seconds() - (preconditioner.factor_seconds() - factored_before);
+  pseudo_transient.rhs_evaluations = cvode.rhs_evaluation_count();
+  pseudo_transient.krylov_iterations = cvode.krylov_iteration_count();
+  pseudo_transient.krylov_seconds =
+      stopwatch.seconds() - (preconditioner.factor_seconds() - factored_before);
   // The density is normalised to mass 1 again, because the residual of GMRES changes the mass.
-  march.averages = cvode.averages() / op.total_mass(cvode.averages());
-  return march;
+  pseudo_transient.averages = cvode.cell_averages() / op.total_mass(cvode.cell_averages());
+  return pseudo_transient;
 }
 
 namespace {
@@ -104,30 +106,31 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct, const 
   const double frequency = direct.scales.frequency;
   // Number of CVODE steps, each as long as the direct solution, for which time must remain
   constexpr double kStepsInFull = 20;
-  std::optional<PseudoTransientResult> march;
+  std::optional<PseudoTransientResult> pseudo_transient;
   if (options.stepper == StationarySolver::cvode && direct.converged &&
       deadline.has_time_for(kStepsInFull * direct.krylov_seconds)) {
-    march = integrate_to_stationarity(direct.op, *direct.preconditioner,
-                                      initial_gaussian(direct.discretisation.grid, direct.scales),
-                                      options.residual_tolerance * frequency,
-                                      1 / direct.scales.slowest_decay_rate, deadline);
+    pseudo_transient = integrate_to_stationarity(
+        direct.op, *direct.preconditioner,
+        initial_gaussian(direct.discretisation.grid, direct.scales),
+        options.residual_tolerance * frequency, 1 / direct.scales.slowest_decay_rate, deadline);
   }
   std::optional<Eigen::VectorXd> averages;
-  if (!march || march->out_of_time) {
+  if (!pseudo_transient || pseudo_transient->out_of_time) {
     summary.krylov_iterations = direct.krylov_iterations;
     summary.krylov_seconds = direct.krylov_seconds;
     summary.residual = direct.op.stationarity_residual(*direct.averages) / frequency;
     averages = direct.averages;
   } else {
-    summary.steps = march->steps;
-    summary.rhs_evaluations = march->rhs_evaluations;
-    summary.krylov_iterations = march->krylov_iterations;
-    summary.krylov_seconds = march->krylov_seconds;
-    summary.residual = march->residual / frequency;
+    summary.steps = pseudo_transient->steps;
+    summary.rhs_evaluations = pseudo_transient->rhs_evaluations;
+    summary.krylov_iterations = pseudo_transient->krylov_iterations;
+    summary.krylov_seconds = pseudo_transient->krylov_seconds;
+    summary.residual = pseudo_transient->residual / frequency;
     summary.stepped_against_direct =
-        (march->averages - *direct.averages).cwiseAbs().maxCoeff() / direct.averages->maxCoeff();
-    solution.reason = march->reason;
-    if (march->averages.allFinite()) averages = std::move(march->averages);
+        (pseudo_transient->averages - *direct.averages).cwiseAbs().maxCoeff() /
+        direct.averages->maxCoeff();
+    solution.reason = pseudo_transient->reason;
+    if (pseudo_transient->averages.allFinite()) averages = std::move(pseudo_transient->averages);
   }
   summary.factorisations = direct.preconditioner->factorisation_count();
   summary.factor_seconds = direct.preconditioner->factor_seconds();
@@ -149,23 +152,23 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
   auto& [solution, summary] = result;
   const auto& [grid, excitation, length, failure, cells] = direct.discretisation;
   const int order = transport_order(options);
-  solution.density = grid_density(grid, averages);
+  solution.density = grid_density_from_averages(grid, averages);
   solution.moments = physical_moments(problem.frame, grid, averages, order);
   solution.mass = grid.cell_areas().dot(averages);
   solution.min_density = averages.minCoeff() / averages.maxCoeff();
   summary.wall = relative_box_edge_density(scales, grid, averages);
   summary.impact_rate = impact_rate(problem.system, excitation, options.impact, grid, averages,
                                     direct.op * averages, order);
-  solution.energy_residual = energy_residual(problem, options.impact, grid, averages, order);
+  solution.energy_residual = power_balance_residual(problem, options.impact, grid, averages, order);
   summary.balances =
       balance_residuals(problem, grid, averages, order,
                         wall_momentum_transfer(problem.system, grid, averages, order));
 }
 
 // Returns the box enlarged by half in each direction in which the density at the end is
-// significant. The result is empty if the densities at all ends are negligible. Example for rare
-// impulses: at an end 8 standard deviations away the density is 1e-6 of the peak. The mass beyond
-// this end contributes 4e-4 of E[y^4].
+// significant. The result is empty if the densities at all ends are negligible. Under rare
+// impulses, for example, the density at a distance of 8 standard deviations is 1e-6 of the peak,
+// and the mass beyond this distance contributes 4e-4 of E[y^4].
 std::optional<EnlargedBox> make_enlarged_box(const problem::Problem& problem,
                                              const Options& options, const Grid& grid,
                                              const BoxEdgeDensity& wall) {
@@ -209,7 +212,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
     return result;
   }
 
-  DirectSolution direct = solve_directly(problem, scales_and_box, options, deadline);
+  DirectSolution direct = compute_direct_solution(problem, scales_and_box, options, deadline);
   set_grid_data(direct.discretisation, summary);
   summary.order = transport_order(options);
   summary.balances_limit_errors = !problem.system.has_polynomial_force();

@@ -27,20 +27,21 @@ struct PseudoTransientResult {
   double krylov_seconds = 0;
 };
 
-/// Integrates dP/dt = L P from `start` by SUNDIALS CVODE until ||L P||_1 <= tolerance ||P||_1. The
-/// method is BDF of order 1, which is L-stable. BDF of higher order damps slowly near the imaginary
-/// axis, where the eigenvalues of the rotating oscillator lie. Each time step, of 500 decay times, is
-/// a step of inverse iteration, which multiplies the residual by 1/(1 + step/decay time). GMRES
-/// solves the linear systems with L itself; KLU factors precondition GMRES. A time step does not
-/// start if the duration of the preceding step exceeds the time to the deadline.
+/// Integrates dP/dt = L P from `initial_averages` by SUNDIALS CVODE until ||L P||_1 <= tolerance
+/// ||P||_1. The method is BDF of order 1, which is L-stable. BDF of higher order damps slowly near
+/// the imaginary axis, where the eigenvalues of the rotating oscillator lie. Each time step, of 500
+/// decay times, is a step of inverse iteration, which multiplies the residual by 1/(1 + step/decay
+/// time). GMRES solves the linear systems with L itself; KLU factors precondition GMRES. A time
+/// step does not start if the duration of the preceding step exceeds the time to the deadline.
 ///
 /// @param tolerance tolerance of the residual, per unit time
 /// @param decay_time longest decay time of the problem
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)
 PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
                                                 Preconditioner& preconditioner,
-                                                const Eigen::VectorXd& start, double tolerance,
-                                                double decay_time, const base::Deadline& deadline);
+                                                const Eigen::VectorXd& initial_averages,
+                                                double tolerance, double decay_time,
+                                                const base::Deadline& deadline);
 
 /// Computes the stationary density on the grid and in the box of the options, with the status as in
 /// solve(). The function ignores Options::error_estimate and tolerance, which concern solutions on

@@ -19,11 +19,11 @@ inline constexpr ResolutionLimits kStationaryLimits{.min_density = -1e-4, .power
 /// for the discontinuity and still detect grids that are too coarse.
 inline constexpr ResolutionLimits kTransientLimits{.min_density = -1e-3, .power = 1e-2};
 
-/// Largest accepted density on an edge of the box, relative to the peak. A box with a density above
-/// this limit is rejected, because probability that has left the box is missing.
+/// Largest accepted density on an edge of the box, relative to the peak. A box with a larger
+/// density on an edge is rejected, because probability that has left the box is missing.
 inline constexpr double kMaxBoxEdgeDensity = 1e-3;
 
-/// Returns the reason why a box with the given densities on its edges is too small; empty for a box
+/// Returns the reason why a box with the given densities on the edges is too small; empty for a box
 /// that is large enough.
 /// @param frame map from the wall coordinates of the grid to the physical coordinates of the
 /// message
@@ -41,8 +41,8 @@ void check_box_size(const problem::WallFrame& frame, const Grid& grid, Result& r
 void check_resolution(const Options& options, Result& result);
 
 /// Changes the status `ok` to `inaccurate` if the balance of power, virial or momentum has a
-/// residual above kMaxBalanceResidual times Summary::exchanged_power. The check is for problems that
-/// must_satisfy_balances().
+/// residual above kMaxBalanceResidual times Summary::exchanged_power. The check is for problems
+/// that must_satisfy_balances().
 void check_balances(Result& result);
 inline constexpr double kMaxBalanceResidual = 1e-4;
 

@@ -15,11 +15,11 @@ constexpr int kDegree = DepositGrid::kDegree;
 constexpr int kEight = SplinePolynomials::kWidth;
 constexpr double kMostCells = 1e5;
 
-void require(bool holds, const std::string& message) {
+void require_deposit_condition(bool holds, const std::string& message) {
   if (!holds) throw InputError("mcs.deposit: " + message);
 }
 
-std::vector<double> distinct_knots(const std::vector<double>& knots) {
+std::vector<double> distinct_knot_values(const std::vector<double>& knots) {
   std::vector<double> breaks(knots);
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
@@ -35,26 +35,29 @@ double shortest_span(const std::vector<double>& breaks) {
 
 void require_knots(const std::string& name, const std::vector<double>& knots) {
   const auto repeated = [&](double x) { return std::ranges::count(knots, x); };
-  require(knots.size() > 2 * kDegree + 2 && std::ranges::is_sorted(knots) &&
-              std::isfinite(knots.front()) && std::isfinite(knots.back()) &&
-              knots.front() < knots.back() && repeated(knots.front()) == kDegree + 1 &&
-              repeated(knots.back()) == kDegree + 1,
-          fmt::format("{1} knots of {0}: must be sorted, with ends of multiplicity six", name,
-                      knots.size()));
-  const std::vector<double> breaks = distinct_knots(knots);
+  require_deposit_condition(
+      knots.size() > 2 * kDegree + 2 && std::ranges::is_sorted(knots) &&
+          std::isfinite(knots.front()) && std::isfinite(knots.back()) &&
+          knots.front() < knots.back() && repeated(knots.front()) == kDegree + 1 &&
+          repeated(knots.back()) == kDegree + 1,
+      fmt::format("{1} knots of {0}: must be sorted, with ends of multiplicity six", name,
+                  knots.size()));
+  const std::vector<double> breaks = distinct_knot_values(knots);
   for (std::size_t k = 1; k + 1 < breaks.size(); ++k) {
-    require(repeated(breaks[k]) <= kDegree,
-            fmt::format("knots of {}: an inner knot has a multiplicity above five", name));
+    require_deposit_condition(
+        repeated(breaks[k]) <= kDegree,
+        fmt::format("knots of {}: an inner knot has a multiplicity above five", name));
   }
-  require(shortest_span(breaks) * kMostCells > breaks.back() - breaks.front(),
-          fmt::format("knots of {}: too close together", name));
+  require_deposit_condition(shortest_span(breaks) * kMostCells > breaks.back() - breaks.front(),
+                            fmt::format("knots of {}: too close together", name));
 }
 
 void require_bins(const std::string& name, const SmoothBins& bins) {
-  require(bins.count >= 1 && bins.spacing > 0 && std::isfinite(bins.first) &&
-              std::isfinite(bins.spacing),
-          fmt::format("{} smooth bins of {} with spacing {}: both must be positive", bins.count,
-                      name, bins.spacing));
+  require_deposit_condition(
+      bins.count >= 1 && bins.spacing > 0 && std::isfinite(bins.first) &&
+          std::isfinite(bins.spacing),
+      fmt::format("{} smooth bins of {} with spacing {}: both must be positive", bins.count, name,
+                  bins.spacing));
 }
 
 using Coefficients = std::vector<double>;  // polynomial coefficients of 1, t, t^2, ..
@@ -95,7 +98,8 @@ std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::si
 
 /// Appends coefficients to a table, from the highest power to the constant term. For each power the
 /// table has the coefficients of all polynomials.
-void append(std::vector<double>& table, const std::vector<Coefficients>& functions, int highest) {
+void append_coefficient_rows(std::vector<double>& table, const std::vector<Coefficients>& functions,
+                             int highest) {
   for (int n = highest; n >= 0; --n) {
     for (int l = 0; l < kEight; ++l) {
       const bool there = l < static_cast<int>(functions.size());
@@ -119,19 +123,19 @@ std::vector<double> lagrange_polynomials() {
     polynomials.push_back(std::move(polynomial));
   }
   std::vector<double> table;
-  append(table, polynomials, DepositGrid::kStencil - 1);
+  append_coefficient_rows(table, polynomials, DepositGrid::kStencil - 1);
   return table;
 }
 
 std::vector<double> cubic_pieces() {
   // Coefficients of the cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
   std::vector<double> table;
-  append(table,
-         {{1. / 6, -1. / 2, 1. / 2, -1. / 6},
-          {4. / 6, 0, -1, 1. / 2},
-          {1. / 6, 1. / 2, 1. / 2, -1. / 2},
-          {0, 0, 0, 1. / 6}},
-         3);
+  append_coefficient_rows(table,
+                          {{1. / 6, -1. / 2, 1. / 2, -1. / 6},
+                           {4. / 6, 0, -1, 1. / 2},
+                           {1. / 6, 1. / 2, 1. / 2, -1. / 2},
+                           {0, 0, 0, 1. / 6}},
+                          3);
   return table;
 }
 
@@ -140,11 +144,12 @@ std::vector<double> cubic_pieces() {
 void require_valid_deposit_grid(const DepositGrid& grid) {
   require_knots("y", grid.y_knots);
   require_knots("v", grid.v_knots);
-  require(grid.y_knots.front() == 0, "the knots of y must begin at 0");
-  require(grid.lattice_points >= DepositGrid::kStencil && grid.lattice_spacing > 0 &&
-              std::isfinite(grid.lattice_begin),
-          fmt::format("{} lattice points: use at least {}, a finite begin and a positive spacing",
-                      grid.lattice_points, DepositGrid::kStencil));
+  require_deposit_condition(grid.y_knots.front() == 0, "the knots of y must begin at 0");
+  require_deposit_condition(
+      grid.lattice_points >= DepositGrid::kStencil && grid.lattice_spacing > 0 &&
+          std::isfinite(grid.lattice_begin),
+      fmt::format("{} lattice points: use at least {}, a finite begin and a positive spacing",
+                  grid.lattice_points, DepositGrid::kStencil));
   require_bins("y", grid.y_bins);
   require_bins("v", grid.v_bins);
 }
@@ -163,8 +168,8 @@ SplinePolynomials::SplinePolynomials(const std::vector<double>& knots)
       slopes.push_back(slope);
     }
     std::vector<double> table;
-    append(table, functions, kDegree);
-    append(table, slopes, kDegree - 1);
+    append_coefficient_rows(table, functions, kDegree);
+    append_coefficient_rows(table, slopes, kDegree - 1);
     // Spans whose coefficients agree up to rounding share one table.
     int place = 0;
     const auto has_same_coefficients = [&](int from) {
@@ -184,7 +189,7 @@ SplinePolynomials::SplinePolynomials(const std::vector<double>& knots)
   cells_per_length_ = cells / (end_ - begin_);
   for (int cell = 0, span = 0; cell < cells; ++cell) {
     const double from = begin_ + cell / cells_per_length_;
-    while (span + 1 < spans() && breaks_[static_cast<std::size_t>(span) + 1] <= from) ++span;
+    while (span + 1 < span_count() && breaks_[static_cast<std::size_t>(span) + 1] <= from) ++span;
     span_of_cell_.push_back(span);
   }
 }

@@ -9,9 +9,10 @@ namespace fpkcheck::mcs {
 
 using transform::SmoothBins;
 
-/// Atom of the amplitude law: change of velocity and probability.
-struct VelocityShift {
-  double by, probability;
+/// Atom of the amplitude law: an impulse changes the velocity by `velocity_change` with this
+/// probability.
+struct VelocityJump {
+  double velocity_change, probability;
 };
 
 /// Grid for the deposition of samples (Options::deposit): tensor products B_i(y) B_j(v) of
@@ -32,14 +33,14 @@ struct DepositGrid {
   /// the mean K B_j of a spline B_j after an impulse is a sum of shifted splines, which is added to
   /// DepositedSums::flow exactly. For other laws, interpolation on the velocity lattice
   /// approximates K B_j.
-  std::vector<VelocityShift> shifts{};
+  std::vector<VelocityJump> velocity_jumps{};
   SmoothBins y_bins{}, v_bins{};
 
   int y_spline_count() const { return static_cast<int>(y_knots.size()) - kDegree - 1; }
   int v_spline_count() const { return static_cast<int>(v_knots.size()) - kDegree - 1; }
 };
 
-/// @throws InputError if the grid violates the conditions of DepositGrid
+/// @throws InputError if the grid violates the conditions in the comments of DepositGrid
 void require_valid_deposit_grid(const DepositGrid& grid);
 
 /// B-splines of degree 5 as polynomials on each knot span. Each row of eight coefficients contains
@@ -52,15 +53,15 @@ class SplinePolynomials {
 
   double begin() const { return begin_; }
   double end() const { return end_; }
-  int spans() const { return static_cast<int>(first_.size()); }
+  int span_count() const { return static_cast<int>(first_.size()); }
   /// Number of evenly spaced cells per unit length. Each cell is at most as long as the shortest
-  /// span, so that span_of_cell(), the span at the beginning of each cell, accelerates the search
-  /// of the span of a point.
+  /// span, so that the table span_at_cell_begin() accelerates the search for the span of a point.
   double cells_per_length() const { return cells_per_length_; }
-  int cells() const { return static_cast<int>(span_of_cell_.size()); }
-  const int* span_of_cell() const { return span_of_cell_.data(); }
-  const double* breaks() const { return breaks_.data(); }
-  const double* reciprocal_lengths() const { return per_length_.data(); }
+  int cell_count() const { return static_cast<int>(span_of_cell_.size()); }
+  /// Index of the span at the beginning of each cell
+  const int* span_at_cell_begin() const { return span_of_cell_.data(); }
+  const double* knot_values() const { return breaks_.data(); }
+  const double* reciprocal_span_lengths() const { return per_length_.data(); }
   const int* first_spline_indices() const { return first_.data(); }
   /// Offset in coefficients() at which the polynomials of each knot span begin
   const int* coefficient_offsets() const { return place_.data(); }
@@ -76,10 +77,11 @@ class SplinePolynomials {
   std::vector<double> breaks_, per_length_, coefficients_;
 };
 
+/// Grid, tables and rates for the deposition of samples.
 struct DepositPlan {
   DepositGrid grid;
   SplinePolynomials y, v;
-  double rate;  ///< impulse rate lambda
+  double rate;  ///< mean number lambda of impulses per unit time
   double sampling_interval;
   /// Coefficients of t^7, .., 1 of the Lagrange polynomials with the nodes -3 .. 4, shape (8, 8)
   std::vector<double> lagrange;
@@ -97,9 +99,9 @@ struct DepositPlan {
 ///         = mean of [ y' h_y + y'' h_v + lambda (K h - h) ]
 ///           + (1/T) sum over impacts of [ h(0, v+) - h(y-, v-) ].
 ///
-/// With DepositGrid::shifts the lattice is not used, and `flow` includes the terms of the lattice.
-/// In this formula y'' is the second derivative of the flight polynomial, (y-, v-) is the state of
-/// the flight polynomial at the impact, and v+ is the velocity after the impact.
+/// With DepositGrid::velocity_jumps the lattice is not used, and `flow` includes the terms of the
+/// lattice. In this formula y'' is the second derivative of the flight polynomial, (y-, v-) is the
+/// state of the flight polynomial at the impact, and v+ is the velocity after the impact.
 struct DepositedSums {
   int flow_pitch = 0, lattice_pitch = 0;
   std::vector<double> flow;     ///< shape (number of splines in y, flow_pitch); rows are padded
@@ -127,12 +129,13 @@ struct DepositedSums {
         v_bins(static_cast<std::size_t>(grid.v_bins.count + 2 * kBinOffset + kPadding)) {}
 
  private:
-  // length of the padding, since eight sums are updated at a time
+  // number of extra sums at the end of a row, since eight sums are updated at a time
   static constexpr int kPadding = SplinePolynomials::kWidth;
 };
 
+/// Calls `visit` with each array of sums, in the order of checkpoint files.
 template <class Sums, class Visit>
-void for_each_deposit_sum(Sums& deposit, Visit visit) {
+void for_each_deposited_sum(Sums& deposit, Visit visit) {
   visit(deposit.flow);
   visit(deposit.lattice);
   visit(deposit.y_bins);

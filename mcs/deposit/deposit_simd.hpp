@@ -5,9 +5,8 @@
 #include "mcs/deposit/deposit.hpp"
 #include "numerics/simd/simd.hpp"
 
-// The file deposit_simd.hpp is compiled for several instruction sets. Each SIMD lane holds one of
-// the splines that are nonzero at one sample, whereas in the rest of mcs/ each lane holds one
-// stream.
+// This file is compiled for several instruction sets. Each SIMD lane holds one of the splines that
+// are nonzero at a sample; in all other files of mcs/ each lane holds one stream.
 
 namespace fpkcheck::mcs {
 namespace {
@@ -26,29 +25,31 @@ FPKCHECK_INLINE void add_in_place(double* to, const Real8& terms) {
   simd::store(simd::load<Real8>(to) + terms, to);
 }
 
-/// Values and slopes of the splines that are nonzero at a point.
+/// Values and slopes of the splines that are nonzero at a point; `first` is the index of the first
+/// spline.
 struct SplineValues {
   Real8 value, slope;
   int first;
 };
 
 FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePolynomials& pieces, double x) {
-  // A coordinate NaN is replaced by the first point of the knots.
+  // A NaN is replaced by the first knot.
   const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
   const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
-  const int last = pieces.cells() - 1;
+  const int last = pieces.cell_count() - 1;
   // A cell of the span search contains at most one knot. At a knot the polynomials of both
   // neighbouring spans agree up to rounding.
-  int span = pieces.span_of_cell()[place > last ? last : place];
-  span += span + 1 < pieces.spans() && inside >= pieces.breaks()[span + 1] ? 1 : 0;
+  int span = pieces.span_at_cell_begin()[place > last ? last : place];
+  span += span + 1 < pieces.span_count() && inside >= pieces.knot_values()[span + 1] ? 1 : 0;
   const double* const c = pieces.coefficients() + pieces.coefficient_offsets()[span];
-  const double t = (inside - pieces.breaks()[span]) * pieces.reciprocal_lengths()[span];
+  const double t = (inside - pieces.knot_values()[span]) * pieces.reciprocal_span_lengths()[span];
   SplineValues f{evaluate_polynomials<5>(c, t), Real8{}, pieces.first_spline_indices()[span]};
   // Beyond the end knots the splines are constant, with slope 0.
   if (inside == x) f.slope = evaluate_polynomials<4>(c + 6 * 8, t);
   return f;
 }
 
+/// Adds a weighted sample x to the sums of the smooth bins whose cubic B-splines are nonzero at x.
 FPKCHECK_INLINE void add_to_smooth_bins(const SmoothBins& bins, const double* cubics, double* sums,
                                         double x, double weight) {
   const double cells = (x - bins.first) / bins.spacing;
@@ -78,13 +79,13 @@ FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, DepositedSums& 
 }
 
 /// Adds the terms of one sample (y, v) to the sums of a deposit.
-/// @param a second derivative of the flight polynomial
+/// @param acceleration second derivative y'' of the flight polynomial
 FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, DepositedSums& deposit, double y,
-                                    double v, double a, double weight) {
+                                    double v, double acceleration, double weight) {
   const SplineValues in_y = evaluate_splines(plan.y, y), in_v = evaluate_splines(plan.v, v);
   // Terms y' B_i' B_j - lambda B_i B_j + y'' B_i B_j' of one sample
   const Real8 of_value = (weight * v) * in_y.slope - (weight * plan.rate) * in_y.value;
-  const Real8 of_slope = (weight * a) * in_y.value;
+  const Real8 of_slope = (weight * acceleration) * in_y.value;
   double* row = deposit.flow.data() + in_y.first * deposit.flow_pitch + in_v.first;
 #pragma GCC unroll 6
   for (int i = 0; i < 6; ++i) {
@@ -94,25 +95,25 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, DepositedSums& depo
   }
   const DepositGrid& grid = plan.grid;
   const Real8 rates = (weight * plan.rate) * in_y.value;
-  if (grid.shifts.empty()) {
+  if (grid.velocity_jumps.empty()) {
     deposit_on_lattice(plan, deposit, in_y.first, rates, v);
   } else {
-    for (const VelocityShift& shift : grid.shifts) {
-      const SplineValues after = evaluate_splines(plan.v, v + shift.by);
+    for (const VelocityJump& atom : grid.velocity_jumps) {
+      const SplineValues after = evaluate_splines(plan.v, v + atom.velocity_change);
       double* line = deposit.flow.data() + in_y.first * deposit.flow_pitch + after.first;
 #pragma GCC unroll 6
       for (int i = 0; i < 6; ++i) {
-        add_in_place(line, (simd::lane_value(rates, i) * shift.probability) * after.value);
+        add_in_place(line, (simd::lane_value(rates, i) * atom.probability) * after.value);
         line += deposit.flow_pitch;
       }
     }
   }
   add_to_smooth_bins(grid.y_bins, plan.cubics.data(), deposit.y_bins.data(), y, weight);
   add_to_smooth_bins(grid.v_bins, plan.cubics.data(), deposit.v_bins.data(), v, weight);
-  const double acceleration = weight * a;
-  deposit.acceleration[0] += acceleration;
-  deposit.acceleration[1] += acceleration * y;
-  deposit.acceleration[2] += acceleration * v;
+  const double weighted = weight * acceleration;
+  deposit.acceleration[0] += weighted;
+  deposit.acceleration[1] += weighted * y;
+  deposit.acceleration[2] += weighted * v;
 }
 
 /// Deposits the jump h(0, v+) - h(y-, v-) at one impact to first order in y-, since y- differs from

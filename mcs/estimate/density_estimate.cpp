@@ -14,8 +14,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-std::vector<std::vector<double>> bin_sums(const Simulation& simulation,
-                                          transform::StateVariable variable) {
+std::vector<std::vector<double>> bin_sums_per_stream(const Simulation& simulation,
+                                                     transform::StateVariable variable) {
   std::vector<std::vector<double>> sums;  // shape (streams, n + 2) including the two outer bins
   for (const Stream& stream : simulation.streams()) {
     const Histogram& histogram = stream.record.histogram;
@@ -25,7 +25,7 @@ std::vector<std::vector<double>> bin_sums(const Simulation& simulation,
   return sums;
 }
 
-struct Interval {
+struct DensityInterval {
   double lower, upper;
 };
 
@@ -34,7 +34,7 @@ struct Interval {
 /// proportional to the density, since the visits to a bin are nearly a Poisson process. After few
 /// visits the interval mean +- t error often misses the true density, which is then more often
 /// above the mean than below.
-Interval score_interval(double mean, double error, double t) {
+DensityInterval score_interval(double mean, double error, double t) {
   const double shift = t * t * error * error / (2 * mean);
   const double half_width = std::sqrt(shift * (2 * mean + shift));
   return {std::max(mean + shift - half_width, 0.0), mean + shift + half_width};
@@ -44,7 +44,7 @@ Interval score_interval(double mean, double error, double t) {
 /// shape (streams, edges).
 std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simulation,
                                                           transform::StateVariable variable) {
-  auto sums = bin_sums(simulation, variable);
+  auto sums = bin_sums_per_stream(simulation, variable);
   for (auto& stream : sums) {
     double below = 0;
     for (double& sum : stream) sum = below += sum / simulation.expected_samples_per_stream();
@@ -68,7 +68,7 @@ class DistributionFunction {
 
   /// Returns the quantile of the probability p, by inverting the cubic through the values at four
   /// edges.
-  double inverse(double p) const {
+  double quantile_of_probability(double p) const {
     const auto above = std::ranges::upper_bound(below_, p) - below_.begin();
     const auto count = static_cast<std::ptrdiff_t>(edges_.size());
     const auto k = std::clamp<std::ptrdiff_t>(above, 1, count - 1);
@@ -76,13 +76,13 @@ class DistributionFunction {
     const auto first = std::clamp<std::ptrdiff_t>(k - 2, 0, std::max<std::ptrdiff_t>(count - 4, 0));
     for (int bisection = 0; bisection < 60; ++bisection) {
       const double middle = (low + high) / 2;
-      (cubic(first, middle) < p ? low : high) = middle;
+      (interpolating_cubic(first, middle) < p ? low : high) = middle;
     }
     return (low + high) / 2;
   }
 
  private:
-  double cubic(std::ptrdiff_t first, double x) const {
+  double interpolating_cubic(std::ptrdiff_t first, double x) const {
     const auto end =
         std::min<std::ptrdiff_t>(first + 4, static_cast<std::ptrdiff_t>(edges_.size()));
     double sum = 0;
@@ -101,14 +101,14 @@ class DistributionFunction {
 };
 
 /// A mirrored axis exchanges lower and upper tail.
-std::vector<Quantile> to_physical_coordinates(const problem::WallFrame& frame,
-                                              transform::StateVariable variable,
-                                              std::vector<Quantile> quantiles) {
+std::vector<QuantileEstimate> to_physical_coordinates(const problem::WallFrame& frame,
+                                                      transform::StateVariable variable,
+                                                      std::vector<QuantileEstimate> quantiles) {
   const auto to_physical = [&](double x) {
     return variable == transform::StateVariable::y ? frame.physical_y(x)
                                                    : frame.physical_velocity(x);
   };
-  for (Quantile& q : quantiles) {
+  for (QuantileEstimate& q : quantiles) {
     q = {q.probability, to_physical(q.value), to_physical(q.lower), to_physical(q.upper)};
     if (!frame.mirrored) continue;
     q.probability = 1 - q.probability;
@@ -157,7 +157,7 @@ L1SamplingError l1_sampling_error(const BinErrors& errors) {
 MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
                                    transform::StateVariable variable, double effective_samples) {
   const auto& edges = simulation.plan().bin_finder(variable).edges();
-  const auto sums = bin_sums(simulation, variable);
+  const auto sums = bin_sums_per_stream(simulation, variable);
   MarginalEstimate result;
   auto& [marginal, errors] = result;
   marginal.edges = edges;
@@ -167,14 +167,14 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
     const double unit = 1 / (simulation.expected_samples_per_stream() * width);
     std::ranges::transform(sums, densities.begin(),
                            [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
-    const auto [mean, error] = weights.estimate(densities);
+    const auto [mean, error] = weights.estimate_mean(densities);
     // a mean may be negative, as explained in estimate_joint_density()
     const double density = std::max(mean, 0.0);
     // If no sample of n independent samples is in the bin, the probability of the bin is below 3/n
     // at 95 % confidence ("rule of three").
-    const Interval interval =
+    const DensityInterval interval =
         density > 0 ? score_interval(density, error, weights.confidence_interval_factor())
-                    : Interval{0, 3 / (effective_samples * width)};
+                    : DensityInterval{0, 3 / (effective_samples * width)};
     marginal.density.push_back(density);
     marginal.lower.push_back(interval.lower);
     marginal.upper.push_back(interval.upper);
@@ -197,7 +197,7 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
       std::ranges::transform(simulation.streams(), values.begin(), [&](const Stream& stream) {
         return stream.record.histogram(i + 1, j + 1) * unit;
       });
-      const auto [mean, error] = weights.estimate(values);
+      const auto [mean, error] = weights.estimate_mean(values);
       // In short runs the mean of a cell in the far tails is negative if only a stream of negative
       // weight visits the cell.
       density.averages.push_back(std::max(mean, 0.0));
@@ -207,22 +207,23 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
   return joint;
 }
 
-std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
-                                         transform::StateVariable variable) {
+std::vector<QuantileEstimate> estimate_quantiles(const Simulation& simulation,
+                                                 const StreamWeights& weights,
+                                                 transform::StateVariable variable) {
   const auto& edges = simulation.plan().bin_finder(variable).edges();
   const auto streams = cumulative_probabilities(simulation, variable);
   std::vector<double> mean, error, values(streams.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {
     std::ranges::transform(streams, values.begin(), [&](const auto& below) { return below[k]; });
-    const Estimate estimate = weights.estimate(values);
+    const MeanEstimate estimate = weights.estimate_mean(values);
     mean.push_back(estimate.mean);
     error.push_back(estimate.standard_error);
   }
   const DistributionFunction distribution(edges, mean);
-  std::vector<Quantile> quantiles;
+  std::vector<QuantileEstimate> quantiles;
   for (const double p : kProbabilities) {
     if (!distribution.is_in_range(p)) continue;
-    const double value = distribution.inverse(p);
+    const double value = distribution.quantile_of_probability(p);
     const auto k =
         std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges, value) - edges.begin(), 1,
                                    static_cast<std::ptrdiff_t>(edges.size()) - 1);
@@ -230,7 +231,8 @@ std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const Str
     const double half =
         weights.confidence_interval_factor() * ((1 - share) * error[k - 1] + share * error[k]);
     if (!distribution.is_in_range(p - half) || !distribution.is_in_range(p + half)) continue;
-    quantiles.push_back({p, value, distribution.inverse(p - half), distribution.inverse(p + half)});
+    quantiles.push_back({p, value, distribution.quantile_of_probability(p - half),
+                         distribution.quantile_of_probability(p + half)});
   }
   const problem::WallFrame& frame = simulation.plan().frame;
   return frame.is_identity() ? quantiles

@@ -46,7 +46,8 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
 /// the bin edges. The 95 % interval contains the values x for which F(x) agrees with the
 /// probability within the sampling error (Woodruff, JASA 47, 1952). Quantiles outside the bins are
 /// omitted.
-std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
-                                         transform::StateVariable variable);
+std::vector<QuantileEstimate> estimate_quantiles(const Simulation& simulation,
+                                                 const StreamWeights& weights,
+                                                 transform::StateVariable variable);
 
 }  // namespace fpkcheck::mcs

@@ -11,21 +11,23 @@ namespace {
 
 constexpr std::size_t kEdgesPerLevel = 10;
 
-double sum_above(const std::vector<double>& sums, std::size_t edge) {
+double sum_above_edge(const std::vector<double>& sums, std::size_t edge) {
   return std::accumulate(sums.begin() + static_cast<std::ptrdiff_t>(edge) + 1, sums.end(), 0.0);
 }
 
-template <class Of>
-std::vector<LevelEventRate> level_rates(const Simulation& simulation, const StreamWeights& weights,
-                                        std::size_t first, Of of) {
+template <class CountEvents>
+std::vector<LevelEventRate> estimate_level_event_rates(const Simulation& simulation,
+                                                       const StreamWeights& weights,
+                                                       std::size_t first_edge,
+                                                       CountEvents count_events) {
   const auto& edges = simulation.plan().y_bins.edges();
   std::vector<LevelEventRate> found;
-  for (std::size_t k = first; k < edges.size(); k += kEdgesPerLevel) {
+  for (std::size_t k = first_edge; k < edges.size(); k += kEdgesPerLevel) {
     const auto values =
         statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
-          return of(record, k) / simulation.simulated_time_per_stream();
+          return count_events(record, k) / simulation.simulated_time_per_stream();
         });
-    found.push_back({simulation.plan().frame.physical_y(edges[k]), weights.estimate(values)});
+    found.push_back({simulation.plan().frame.physical_y(edges[k]), weights.estimate_mean(values)});
   }
   return found;
 }
@@ -68,13 +70,13 @@ double mean_of_polynomial_in_y(const Simulation& simulation, const StreamStatist
   return mean;
 }
 
-std::vector<double> stream_moments(const Simulation& simulation, int p, int q) {
+std::vector<double> moment_per_stream(const Simulation& simulation, int p, int q) {
   return statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
     return moment_in_physical_coordinates(simulation, record, p, q);
   });
 }
 
-std::vector<double> excess_impulse_powers(const Simulation& simulation) {
+std::vector<double> excess_impulse_power_per_stream(const Simulation& simulation) {
   // Impulses are independent of the motion before them. The work of the impulses (Excitation::work)
   // therefore has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v] = 0, since int v dt is
   // the change of y and impacts do not change y.
@@ -85,24 +87,25 @@ std::vector<double> excess_impulse_powers(const Simulation& simulation) {
 }
 
 double effective_sample_count(const Simulation& simulation, int p, int q) {
-  const auto [mean, error] = unweighted_estimate(stream_moments(simulation, p, q));
-  const double second = unweighted_estimate(stream_moments(simulation, 2 * p, 2 * q)).mean;
+  const auto [mean, error] = estimate_unweighted_mean(moment_per_stream(simulation, p, q));
+  const double second = estimate_unweighted_mean(moment_per_stream(simulation, 2 * p, 2 * q)).mean;
   return (second - mean * mean) / (error * error);
 }
 
 std::vector<LevelEventRate> estimate_upcrossing_rates(const Simulation& simulation,
                                                       const StreamWeights& weights) {
-  return level_rates(simulation, weights, kEdgesPerLevel,
-                     [](const StreamStatistics& record, std::size_t k) {
-                       return sum_above(record.peaks, k) - sum_above(record.troughs, k);
-                     });
+  return estimate_level_event_rates(
+      simulation, weights, kEdgesPerLevel, [](const StreamStatistics& record, std::size_t k) {
+        return sum_above_edge(record.peaks, k) - sum_above_edge(record.troughs, k);
+      });
 }
 
 std::vector<LevelEventRate> estimate_peak_rates(const Simulation& simulation,
                                                 const StreamWeights& weights) {
-  return level_rates(simulation, weights, 0, [](const StreamStatistics& record, std::size_t k) {
-    return sum_above(record.peaks, k);
-  });
+  return estimate_level_event_rates(simulation, weights, 0,
+                                    [](const StreamStatistics& record, std::size_t k) {
+                                      return sum_above_edge(record.peaks, k);
+                                    });
 }
 
 }  // namespace fpkcheck::mcs

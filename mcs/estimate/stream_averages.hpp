@@ -8,26 +8,31 @@
 
 namespace fpkcheck::mcs {
 
-/// Returns the mean of y^p y'^q in one stream, in wall coordinates, for (p, q) among kPowers.
+/// Returns the mean of y^p y'^q in one stream, in wall coordinates, for (p, q) = (y_power, v_power)
+/// among kPowers.
 double moment_in_wall_coordinates(const Simulation& simulation, const StreamStatistics& record,
-                                  int p, int q);
+                                  int y_power, int v_power);
 
+/// Returns the mean of g(y) in one stream, in wall coordinates.
 /// @pre the degree of the polynomial is at most 6
 double mean_of_polynomial_in_y(const Simulation& simulation, const StreamStatistics& record,
                                const numerics::Polynomial& g);
 
+/// Returns the mean of y^p y'^q in one stream, in physical coordinates, for (p, q) = (y_power,
+/// v_power) among kPowers.
 double moment_in_physical_coordinates(const Simulation& simulation, const StreamStatistics& record,
-                                      int p, int q);
+                                      int y_power, int v_power);
 
-/// Returns the mean of y^p y'^q in every stream, in physical coordinates, for (p, q) among kPowers.
-std::vector<double> stream_moments(const Simulation& simulation, int p, int q);
+/// Returns the mean of y^p y'^q in every stream, in physical coordinates, for (p, q) = (y_power,
+/// v_power) among kPowers.
+std::vector<double> moment_per_stream(const Simulation& simulation, int y_power, int v_power);
 
 /// Returns the excess power of every stream: power of the drawn impulses minus the expected power.
-std::vector<double> excess_impulse_powers(const Simulation& simulation);
+std::vector<double> excess_impulse_power_per_stream(const Simulation& simulation);
 
-/// Returns the effective number of samples Var(x) / SE^2 of x = y^p y'^q: the number of independent
-/// draws whose mean has the same standard error.
-double effective_sample_count(const Simulation& simulation, int p, int q);
+/// Returns the effective number of samples Var(x) / SE^2 of x = y^p y'^q, p = y_power, q = v_power:
+/// the number of independent draws whose mean has the same standard error.
+double effective_sample_count(const Simulation& simulation, int y_power, int v_power);
 
 /// Returns the rates of upward crossings of levels of y: the number of maxima minus the number of
 /// minima of y above the level, per unit time. Between an upward and a downward crossing of a

@@ -8,7 +8,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-double mean(std::span<const double> values) {
+double mean_of_values(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
@@ -26,35 +26,34 @@ bool is_negligible(double square_about_mean, std::span<const double> values) {
 
 }  // namespace
 
-StreamWeights::StreamWeights(std::span<const double> excess_impulse_powers)
-    : weights_(excess_impulse_powers.size(),
-               1 / static_cast<double>(excess_impulse_powers.size())) {
-  const auto n = static_cast<double>(excess_impulse_powers.size());
-  const auto first = excess_impulse_powers.first(excess_impulse_powers.size() / 2);
-  const auto second = excess_impulse_powers.subspan(first.size());
+StreamWeights::StreamWeights(std::span<const double> excess_powers)
+    : weights_(excess_powers.size(), 1 / static_cast<double>(excess_powers.size())) {
+  const auto n = static_cast<double>(excess_powers.size());
+  const auto first = excess_powers.first(excess_powers.size() / 2);
+  const auto second = excess_powers.subspan(first.size());
   const auto correct = [&](std::span<const double> half, std::span<const double> other,
                            std::span<double> weights) {
-    const double half_mean = mean(half), square = sum_of_squares_about(half_mean, half);
+    const double half_mean = mean_of_values(half), square = sum_of_squares_about(half_mean, half);
     if (is_negligible(square, half)) return;
-    const double scale = static_cast<double>(other.size()) / n * mean(other) / square;
+    const double scale = static_cast<double>(other.size()) / n * mean_of_values(other) / square;
     for (std::size_t s = 0; s < half.size(); ++s) weights[s] -= scale * (half[s] - half_mean);
   };
   const std::span<double> weights = weights_;
   correct(first, second, weights.first(first.size()));
   correct(second, first, weights.subspan(first.size()));
 
-  const double b_bar = mean(excess_impulse_powers);
-  for (const double b : excess_impulse_powers) controls_.push_back(b - b_bar);
-  control_square_ = sum_of_squares_about(b_bar, excess_impulse_powers);
-  if (is_negligible(control_square_, excess_impulse_powers)) control_square_ = 0;
+  const double b_bar = mean_of_values(excess_powers);
+  for (const double b : excess_powers) controls_.push_back(b - b_bar);
+  control_square_ = sum_of_squares_about(b_bar, excess_powers);
+  if (is_negligible(control_square_, excess_powers)) control_square_ = 0;
 }
 
 int StreamWeights::degrees_of_freedom() const {
   return static_cast<int>(size()) - 3;  // 3 estimated parameters: one mean and two slopes
 }
 
-Estimate StreamWeights::estimate(std::span<const double> values) const {
-  const double x_bar = mean(values);
+MeanEstimate StreamWeights::estimate_mean(std::span<const double> values) const {
+  const double x_bar = mean_of_values(values);
   double weighted = 0;
   for (std::size_t s = 0; s < size(); ++s) {
     // Weighting the deviations from the plain mean avoids cancellation if all values are nearly
@@ -67,7 +66,7 @@ Estimate StreamWeights::estimate(std::span<const double> values) const {
 }
 
 std::vector<double> StreamWeights::error_contributions(std::span<const double> values) const {
-  const double x_bar = mean(values);
+  const double x_bar = mean_of_values(values);
   double product = 0, weight_square = 0;
   for (std::size_t s = 0; s < size(); ++s) {
     product += controls_[s] * values[s];
@@ -86,8 +85,8 @@ double StreamWeights::confidence_interval_factor() const {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom()), 0.975);
 }
 
-Estimate unweighted_estimate(std::span<const double> values) {
-  const double x_bar = mean(values);
+MeanEstimate estimate_unweighted_mean(std::span<const double> values) {
+  const double x_bar = mean_of_values(values);
   const auto n = static_cast<double>(values.size());
   return {x_bar, std::sqrt(sum_of_squares_about(x_bar, values) / (n - 1) / n)};
 }

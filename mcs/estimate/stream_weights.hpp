@@ -5,13 +5,13 @@
 
 namespace fpkcheck::mcs {
 
-struct Estimate {
+struct MeanEstimate {
   double mean = 0;
   double standard_error = 0;
 };
 
-/// Quantile of a variable: `probability` is the probability of values below `value`.
-struct Quantile {
+/// Estimated quantile of a variable: `probability` is the probability of values below `value`.
+struct QuantileEstimate {
   double probability;
   double value;
   double lower, upper;  ///< ends of the 95 % confidence interval of the quantile
@@ -20,7 +20,7 @@ struct Quantile {
 /// Rate of upward crossings of a level of y, or of peaks above a level of y, per unit time.
 struct LevelEventRate {
   double level;
-  Estimate rate;
+  MeanEstimate rate;
 };
 
 /// Weights of the stream averages, which express the control-variate estimate (Lavenberg & Welch,
@@ -42,18 +42,18 @@ struct LevelEventRate {
 /// consistent. The weights are near 1/n; a weight is negative only in short runs with few streams.
 class StreamWeights {
  public:
-  /// @param excess_impulse_powers excess power of each stream, for at least eight streams
-  explicit StreamWeights(std::span<const double> excess_impulse_powers);
+  /// @param excess_powers excess power of each stream, for at least eight streams
+  explicit StreamWeights(std::span<const double> excess_powers);
 
   double operator[](std::size_t stream) const { return weights_[stream]; }
   std::size_t size() const { return weights_.size(); }
 
   /// Returns the weighted mean of a quantity with one value per stream. The standard error is
   /// computed from the residuals of the regression.
-  Estimate estimate(std::span<const double> values) const;
+  MeanEstimate estimate_mean(std::span<const double> values) const;
 
-  /// Returns the contribution of each stream to the sampling error of estimate(values). The sum of
-  /// the squared contributions is the squared standard error. The sum of products of the
+  /// Returns the contribution of each stream to the sampling error of estimate_mean(values). The
+  /// sum of the squared contributions is the squared standard error. The sum of products of the
   /// contributions to two means is the covariance of the two means.
   std::vector<double> error_contributions(std::span<const double> values) const;
 
@@ -69,6 +69,6 @@ class StreamWeights {
 };
 
 /// Returns the unweighted mean of one value per stream, and the standard error of the mean.
-Estimate unweighted_estimate(std::span<const double> values);
+MeanEstimate estimate_unweighted_mean(std::span<const double> values);
 
 }  // namespace fpkcheck::mcs

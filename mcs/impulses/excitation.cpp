@@ -20,7 +20,7 @@ int law_index(const problem::ImpulseLaw::LawVariant& law) { return static_cast<i
 
 // Returns the atoms of a law and the intervals on which the density of the law is linear.
 template <class Law>
-std::vector<AmplitudeInterval> amplitude_ranges(const Law& law) {
+std::vector<AmplitudeInterval> amplitude_intervals(const Law& law) {
   std::vector<AmplitudeInterval> ranges;
   for (const auto& [amplitude, probability] : law.atoms()) {
     ranges.push_back({.from = amplitude, .to = amplitude, .probability = probability});
@@ -38,7 +38,7 @@ std::vector<AmplitudeInterval> amplitude_ranges(const Law& law) {
 }
 
 // Returns the quantile function of a law with DrawnFromQuantileFunction; null for other laws.
-std::shared_ptr<const PiecewiseQuantileFunction> make_pieces(
+std::shared_ptr<const PiecewiseQuantileFunction> make_quantile_function(
     const problem::ImpulseLaw::LawVariant& law) {
   return std::visit(
       []<class Law>(const Law& kind) -> std::shared_ptr<const PiecewiseQuantileFunction> {
@@ -48,7 +48,7 @@ std::shared_ptr<const PiecewiseQuantileFunction> make_pieces(
                 [&](double p, double q) { return kind.standardised_quantile(p, q); }));
           } else {
             return std::make_shared<const PiecewiseQuantileFunction>(
-                quantile_function_of_intervals(amplitude_ranges(kind.standardised())));
+                quantile_function_of_intervals(amplitude_intervals(kind.standardised())));
           }
         } else {
           return {};
@@ -72,16 +72,16 @@ Excitation periodic_gaussian_excitation(double interval, double mean, double var
 }  // namespace
 
 Excitation poisson_excitation(const problem::ImpulseTrain& impulses) {
-  const auto& law = impulses.law().kind();
+  const auto& law = impulses.amplitude_law().law_variant();
   return {.arrivals = Excitation::Arrivals::poisson,
           .interval = 1 / impulses.arrival_rate(),
           .law = law_index(law),
-          .mean = impulses.law().mean(),
+          .mean = impulses.amplitude_law().mean(),
           .width = std::visit([](const auto& kind) { return kind.width(); }, law),
           .power = impulses.intensity() / 2,
           .shift = 0,
           .work = impulses.intensity() / 2,
-          .pieces = make_pieces(law)};
+          .pieces = make_quantile_function(law)};
 }
 
 Excitation white_noise_excitation(const problem::ImpulseTrain& impulses, double interval) {

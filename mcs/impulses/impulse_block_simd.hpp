@@ -35,8 +35,8 @@ FPKCHECK_INLINE void draw_amplitudes_of_law(LawList<Laws...>, const Excitation& 
   ((index++ == excitation.law ? draw_amplitudes<Laws>(excitation, u, block) : void()), ...);
 }
 
-FPKCHECK_INLINE ImpulseBlock make_impulse_block_in_lanes(const Excitation& excitation,
-                                                         const UniformNumbers& u) {
+FPKCHECK_INLINE ImpulseBlock draw_impulse_block(const Excitation& excitation,
+                                                const UniformNumbers& u) {
   ImpulseBlock block;
   const bool poisson = excitation.arrivals == Excitation::Arrivals::poisson;
   for (int k = 0; k < kBlockSize; k += kLaneCount) {

@@ -5,7 +5,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-ImpulseBlock make_block_of_impulses(const Excitation& excitation, const UniformNumbers& uniforms) {
+ImpulseBlock draw_block_with_widest_simd(const Excitation& excitation,
+                                         const UniformNumbers& uniforms) {
   static const auto make = simd::select_variant(
       simd::available_simd_variants().back().instructions, baseline::make_impulse_block,
       avx2::make_impulse_block, avx512::make_impulse_block);
@@ -14,21 +15,21 @@ ImpulseBlock make_block_of_impulses(const Excitation& excitation, const UniformN
 
 }  // namespace
 
-void ImpulseSource::make_impulse_block() {
+void ImpulseSource::draw_next_block() {
   const UniformNumbers u = uniform_numbers(seed_, stream_, purpose_, number_);
-  block_ = make_block_of_impulses(excitation_, u);
+  block_ = draw_block_with_widest_simd(excitation_, u);
   if (number_ == 0 && excitation_.arrivals == Excitation::Arrivals::even) {
     block_.waiting[0] = u.first[0] * excitation_.interval;
   }
 }
 
-void ImpulseSource::seek_to(std::uint64_t number) {
+void ImpulseSource::seek_to_impulse(std::uint64_t number) {
   number_ = number - number % kBlockSize;
-  if (number_ < number) make_impulse_block();
+  if (number_ < number) draw_next_block();
   number_ = number;
 }
 
-std::array<double, 2> ImpulseSource::standard_normals() const {
+std::array<double, 2> ImpulseSource::initial_standard_normals() const {
   static const Excitation normal = standard_normal_impulses();
   const ImpulseBlock block = baseline::make_impulse_block(
       normal, uniform_numbers(seed_, stream_, RandomNumberPurpose::start, 0));

@@ -40,22 +40,22 @@ class ImpulseSource {
 
   Impulse next_impulse() {
     const auto index = static_cast<std::size_t>(number_ % kBlockSize);
-    if (index == 0) make_impulse_block();
+    if (index == 0) draw_next_block();
     ++number_;
     return {block_.waiting[index], block_.amplitude[index]};
   }
 
   /// Returns the number of impulses drawn so far.
-  std::uint64_t number() const { return number_; }
-  /// Sets the generator to the state after `number` impulses.
-  void seek_to(std::uint64_t number);
+  std::uint64_t drawn_impulse_count() const { return number_; }
+  /// Sets the generator to the state after `number` drawn impulses.
+  void seek_to_impulse(std::uint64_t number);
 
   /// Returns two independent standard normal numbers for the initial state of the stream; all calls
   /// return the same numbers.
-  std::array<double, 2> standard_normals() const;
+  std::array<double, 2> initial_standard_normals() const;
 
  private:
-  void make_impulse_block();
+  void draw_next_block();
 
   Excitation excitation_;
   std::uint64_t seed_;
@@ -73,8 +73,8 @@ class NoiseSource {
 
   double next_normal() { return impulses_.next_impulse().amplitude; }
 
-  std::uint64_t number() const { return impulses_.number(); }
-  void seek_to(std::uint64_t number) { impulses_.seek_to(number); }
+  std::uint64_t drawn_number_count() const { return impulses_.drawn_impulse_count(); }
+  void seek_to_number(std::uint64_t number) { impulses_.seek_to_impulse(number); }
 
  private:
   ImpulseSource impulses_;

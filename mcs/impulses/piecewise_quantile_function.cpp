@@ -16,7 +16,7 @@ constexpr int kParts = 4;     // pieces of the quantile function per octave of u
 
 // Returns the coefficients of the polynomial that interpolates `of_t` at the Chebyshev points of
 // [0, 1], by Newton's divided differences.
-std::array<double, 8> polynomial(const std::function<double(double)>& of_t) {
+std::array<double, 8> chebyshev_interpolant(const std::function<double(double)>& of_t) {
   constexpr std::size_t kPoints = std::tuple_size_v<decltype(Piece::powers)>;
   std::array<double, kPoints> t{}, difference{}, powers{};
   for (std::size_t k = 0; k < kPoints; ++k) {
@@ -64,10 +64,10 @@ std::uint64_t PiecewiseQuantileFunction::checksum() const {
 }
 
 PiecewiseQuantileFunction quantile_function_of_intervals(
-    const std::vector<AmplitudeInterval>& ranges) {
+    const std::vector<AmplitudeInterval>& intervals) {
   std::vector<Piece> pieces;
   double below = 0;
-  for (const AmplitudeInterval& range : ranges) {
+  for (const AmplitudeInterval& range : intervals) {
     below += range.probability;
     if (below <= (pieces.empty() ? 0 : pieces.back().upper_end))
       continue;  // no piece for an empty interval of u
@@ -89,19 +89,18 @@ PiecewiseQuantileFunction interpolate_quantile_function(
     }
   }
   ends.push_back(0.5);
-  // A constant is sufficient below the first end and above the last end of the pieces, since no
-  // random number u lies outside the pieces.
+  // The first piece is constant, since no random number u is below the end of the first piece.
   std::vector<Piece> pieces{{ends.front(), {quantile(ends.front(), 1 - ends.front())}}};
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double from = ends[k], length = ends[k + 1] - from;
-    pieces.push_back({ends[k + 1], polynomial([&](double t) {
+    pieces.push_back({ends[k + 1], chebyshev_interpolant([&](double t) {
                         const double p = from + t * length;
                         return quantile(p, 1 - p);
                       })});
   }
   for (std::size_t k = ends.size() - 1; k > 0; --k) {
     const double from = ends[k], length = from - ends[k - 1];
-    pieces.push_back({1 - ends[k - 1], polynomial([&](double t) {
+    pieces.push_back({1 - ends[k - 1], chebyshev_interpolant([&](double t) {
                         const double q = from - t * length;
                         return quantile(1 - q, q);
                       })});

@@ -41,7 +41,7 @@ struct AmplitudeInterval {
 /// Returns the quantile function of a law from its amplitude intervals in increasing order, whose
 /// probabilities sum to 1.
 PiecewiseQuantileFunction quantile_function_of_intervals(
-    const std::vector<AmplitudeInterval>& ranges);
+    const std::vector<AmplitudeInterval>& intervals);
 
 /// Interpolates a quantile function that is smooth inside (0, 1). Each piece extends over a quarter
 /// of an octave of u or 1 - u. The polynomial of a piece interpolates at the Chebyshev points. The

@@ -22,9 +22,9 @@ struct UniformNumbers {
   std::array<double, kBlockSize> first, second, third;
 };
 
-/// Returns the uniform random numbers of the impulses `from` .. `from + kBlockSize - 1` of a
-/// stream.
+/// Returns the uniform random numbers of the impulses `first_impulse` .. `first_impulse +
+/// kBlockSize - 1` of a stream.
 UniformNumbers uniform_numbers(std::uint64_t seed, std::uint32_t stream,
-                               RandomNumberPurpose purpose, std::uint64_t from);
+                               RandomNumberPurpose purpose, std::uint64_t first_impulse);
 
 }  // namespace fpkcheck::mcs

@@ -11,35 +11,36 @@
 
 namespace fpkcheck::mcs {
 
-void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
-             const simd::SimdVariant& lanes) {
+void advance_all_streams(const MotionParameters& motion, std::span<Stream* const> streams,
+                         double duration, const simd::SimdVariant& simd_variant) {
   assert(motion.records || (!motion.splitting && !motion.deposit));
   assert(!motion.keeps_series || !motion.splitting);
   assert(!motion.kicks.is_present() || !motion.oscillator.is_duffing_at_wall());
   assert(!motion.deposit || motion.oscillator.is_duffing_at_wall());
   for (Stream* stream : streams) {
-    stream->branch.remaining = time;
+    stream->branch.remaining = duration;
     if (motion.splitting) motion.splitting->split_initial_state(*stream);
   }
-  const auto advance_streams = simd::select_variant(lanes.instructions, baseline::advance_streams,
-                                                    avx2::advance_streams, avx512::advance_streams);
-  const auto width = static_cast<std::size_t>(lanes.width);
+  const auto advance_streams =
+      simd::select_variant(simd_variant.instructions, baseline::advance_streams,
+                           avx2::advance_streams, avx512::advance_streams);
+  const auto width = static_cast<std::size_t>(simd_variant.width);
   std::size_t next = 0;
   for (; next + width <= streams.size(); next += width) {
-    advance_streams(motion, streams.data() + next, lanes.width);
+    advance_streams(motion, streams.data() + next, simd_variant.width);
   }
   for (; next < streams.size(); ++next) {
     baseline::advance_streams(motion, streams.data() + next, 1);
   }
 }
 
-double noise_intensity_factor(const MotionParameters& motion, const Branch& branch) {
+double noise_intensity_factor(const MotionParameters& motion, const TrajectoryBranch& branch) {
   if (motion.time_dependence == nullptr) return 1;
   return motion.time_dependence->intensity_factor(motion.end_time - branch.remaining);
 }
 
-bool does_impulse_arrive(const MotionParameters& motion, Stream& stream) {
-  if (motion.time_dependence == nullptr || !motion.time_dependence->has_rate()) return true;
+bool accept_impulse_by_thinning(const MotionParameters& motion, Stream& stream) {
+  if (motion.time_dependence == nullptr || !motion.time_dependence->has_rate_factor()) return true;
   const double uniform = numerics::normal_probability(stream.noise.next_normal());
   return uniform < motion.time_dependence->rate_factor(motion.end_time - stream.branch.remaining);
 }

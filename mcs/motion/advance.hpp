@@ -26,16 +26,17 @@ struct MotionParameters {
   const DepositPlan* deposit = nullptr;
   /// Changes of the excitation in time; null for a constant excitation
   const problem::TimeDependence* time_dependence = nullptr;
-  double end_time = 0;  ///< time at the end of advance(), used with `time_dependence`
+  double end_time = 0;  ///< time at the end of advance_all_streams(), used with `time_dependence`
 };
 
 /// Returns the factor of the noise intensity at the present time of a branch.
-double noise_intensity_factor(const MotionParameters& motion, const Branch& branch);
-/// Draws whether an impulse of the largest rate arrives at the present time of a stream, with the
-/// probability a(t) (thinning of a Poisson process).
-bool does_impulse_arrive(const MotionParameters& motion, Stream& stream);
+double noise_intensity_factor(const MotionParameters& motion, const TrajectoryBranch& branch);
+/// Returns true with the probability a(t), the ratio of the present impulse rate to the largest
+/// rate: the stream then receives the impulse that it has drawn at the largest rate (thinning of a
+/// Poisson process).
+bool accept_impulse_by_thinning(const MotionParameters& motion, Stream& stream);
 
-/// Advances streams by the duration `time`, event by event, paper (1)-(2). Flights end exactly at
+/// Advances streams by `duration`, event by event, paper (1)-(2). Flights end exactly at
 /// impacts, at impulses, at noise kicks and at the end of the duration. If the contact force
 /// presses the mass on a wall, infinitely many bounces end in finite time. Below the impact speed
 /// Wall::rest_speed the geometric series of the bounces is summed, and the mass then rests until
@@ -43,10 +44,10 @@ bool does_impulse_arrive(const MotionParameters& motion, Stream& stream);
 ///
 /// The result of a stream does not depend on other streams, on the number of streams or on the
 /// instruction set.
-/// @param streams any number of streams; each SIMD lane advances one stream at a time
-/// @pre without `records` there is neither `splitting` nor `deposit`, and no series with `splitting`
-void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
-             const simd::SimdVariant& lanes);
+/// @param streams any number of streams; each SIMD lane advances one stream
+/// @pre `splitting` and `deposit` require `records`; `splitting` excludes `keeps_series`
+void advance_all_streams(const MotionParameters& motion, std::span<Stream* const> streams,
+                         double duration, const simd::SimdVariant& simd_variant);
 
 /// Returns the time from a noise kick at (y, v) to the next noise kick. Next to a wall with impact
 /// losses the time is a fraction of v^2/D or (distance^2/D)^(1/3), the times in which noise alone
@@ -55,16 +56,16 @@ void advance(const MotionParameters& motion, std::span<Stream* const> streams, d
 /// @param diffusion present diffusion coefficient D, without the factor of multiplicative noise
 double time_to_next_kick(const MotionParameters& motion, double diffusion, double y, double v);
 
-// The three functions advance_streams() advance `width` streams, each by its remaining time. One
-// source is compiled for three instruction sets.
+// The three functions advance_streams() advance `stream_count` streams, each by its remaining time.
+// The same source is compiled for three instruction sets.
 namespace baseline {
-void advance_streams(const MotionParameters& motion, Stream* const* streams, int width);
+void advance_streams(const MotionParameters& motion, Stream* const* streams, int stream_count);
 }
 namespace avx2 {
-void advance_streams(const MotionParameters& motion, Stream* const* streams, int width);
+void advance_streams(const MotionParameters& motion, Stream* const* streams, int stream_count);
 }
 namespace avx512 {
-void advance_streams(const MotionParameters& motion, Stream* const* streams, int width);
+void advance_streams(const MotionParameters& motion, Stream* const* streams, int stream_count);
 }
 
 }  // namespace fpkcheck::mcs

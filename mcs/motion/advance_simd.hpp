@@ -83,17 +83,17 @@ struct LaneState {
 
   template <class Self, class Visit>
   FPKCHECK_INLINE static void for_each_branch_member(Self& self, const Visit& visit) {
-    visit(self.y, &Branch::y);
-    visit(self.v, &Branch::v);
-    visit(self.time_to_impulse, &Branch::time_to_impulse);
-    visit(self.time_to_sample, &Branch::time_to_sample);
-    visit(self.remaining, &Branch::remaining);
-    if constexpr (Motion::kHasKicks) visit(self.time_to_kick, &Branch::time_to_kick);
-    if constexpr (Motion::kHasRest) visit(self.time_to_rest, &Branch::time_to_rest);
+    visit(self.y, &TrajectoryBranch::y);
+    visit(self.v, &TrajectoryBranch::v);
+    visit(self.time_to_impulse, &TrajectoryBranch::time_to_impulse);
+    visit(self.time_to_sample, &TrajectoryBranch::time_to_sample);
+    visit(self.remaining, &TrajectoryBranch::remaining);
+    if constexpr (Motion::kHasKicks) visit(self.time_to_kick, &TrajectoryBranch::time_to_kick);
+    if constexpr (Motion::kHasRest) visit(self.time_to_rest, &TrajectoryBranch::time_to_rest);
   }
   FPKCHECK_INLINE void load_states() {
     for_each_branch_member(
-        *this, [&](Real & lanes, double Branch::*member) __attribute__((always_inline)) {
+        *this, [&](Real & lanes, double TrajectoryBranch::*member) __attribute__((always_inline)) {
           Array<double> numbers;
           for (int i = 0; i < W; ++i) numbers.at[i] = streams[i]->branch.*member;
           lanes = simd::load<Real>(numbers.at);
@@ -104,9 +104,11 @@ struct LaneState {
   }
   FPKCHECK_INLINE void store_states() const {
     for_each_branch_member(
-        *this, [&](const Real& lanes, double Branch::*member) __attribute__((always_inline)) {
-          for (int i = 0; i < W; ++i) streams[i]->branch.*member = simd::lane_value(lanes, i);
-        });
+        *this, [&](const Real& lanes, double TrajectoryBranch::*member)
+                   __attribute__((always_inline)) {
+                     for (int i = 0; i < W; ++i)
+                       streams[i]->branch.*member = simd::lane_value(lanes, i);
+                   });
   }
 
   FPKCHECK_INLINE void store_sums() const {
@@ -152,7 +154,7 @@ struct LaneState {
 
   /// Applies a function of the lane number to the lanes of a mask; other lanes return 0.
   template <class Function>
-  FPKCHECK_INLINE static Real in_lanes(const Mask& wanted, const Function& function) {
+  FPKCHECK_INLINE static Real evaluate_in_lanes(const Mask& wanted, const Function& function) {
     Array<double> values{};
     for (int i = 0; i < W; ++i) {
       if (simd::lane_value(wanted, i) != 0) values.at[i] = function(i);
@@ -200,23 +202,23 @@ struct LaneState {
 
   /// Returns the velocity after impacts at a wall with a formula r(u), and adds the changes of the
   /// momentum and the lost energies. After an impact slower than Wall::rest_speed the bounces end
-  /// after time_of_bounces() with the mass at rest: the bounces lose the remaining energy, and
+  /// after total_bounce_time() with the mass at rest: the bounces lose the remaining energy, and
   /// contact force and wall change the momentum by equal amounts.
   FPKCHECK_INLINE Real velocity_after_impact(const Wall& wall, const Real& speed,
                                              const Mask& impact, const Real& event_weight,
                                              Real& momentum_sum, Real& energy_sum) {
-    const Real r = in_lanes(
+    const Real r = evaluate_in_lanes(
         impact, [&](int i) __attribute__((always_inline)) {
-          return restitution_at(wall, simd::lane_value(speed, i));
+          return restitution_at_speed(wall, simd::lane_value(speed, i));
         });
     Real after = -r * v, momentum = (1.0 + r) * speed,
          energy = (1.0 - r * r) * (speed * speed) * 0.5;
     if constexpr (Motion::kHasRest) {
       const Mask stays = impact & (speed < wall.rest_speed);
       if (wall.contact_force > 0 && simd::any_lane_set(stays)) {
-        const Real time = in_lanes(
+        const Real time = evaluate_in_lanes(
             stays, [&](int i) __attribute__((always_inline)) {
-              return time_of_bounces(wall, simd::lane_value(speed, i));
+              return total_bounce_time(wall, simd::lane_value(speed, i));
             });
         time_to_rest = simd::select(stays, time, time_to_rest);
         after = simd::select(stays, Real{}, after);
@@ -285,9 +287,9 @@ struct LaneState {
     time_to_sample = time_to_sample - span;
   }
 
-  FPKCHECK_INLINE void append_to_series(const Real& x, const Mask& due) const {
+  FPKCHECK_INLINE void append_to_series(const Real& y_value, const Mask& due) const {
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(due, i) != 0) streams[i]->series.push_back(simd::lane_value(x, i));
+      if (simd::lane_value(due, i) != 0) streams[i]->series.push_back(simd::lane_value(y_value, i));
     }
   }
 
@@ -314,9 +316,9 @@ struct LaneState {
     add_weighted_monomials(at, sample_weight, powers);
     samples = samples + sample_weight;
     if constexpr (Motion::kHasFormula) {
-      add_forces(at, sample_weight, due);
+      add_force_sums(at, sample_weight, due);
     }
-    if (oscillator.impulse_factor != nullptr) add_impulse_factors(at, sample_weight);
+    if (oscillator.impulse_factor != nullptr) add_impulse_factor_sums(at, sample_weight);
     Real into_bins = sample_weight;
     if constexpr (Motion::kHasRest) {
       const Real x = at.y, xx = x * x;
@@ -327,12 +329,12 @@ struct LaneState {
         add_resting_samples(x, simd::select_or_zero(at_rest, weight));
       }
     }
-    add_to_histogram(*motion.y_bins, *motion.v_bins, clamp_between_walls(at.y), at.v, into_bins,
-                     streams, cells);
+    add_samples_to_histograms(*motion.y_bins, *motion.v_bins, clamp_between_walls(at.y), at.v,
+                              into_bins, streams, cells);
   }
 
-  FPKCHECK_INLINE void add_forces(const PhaseState<Real>& at, const Real& sample_weight,
-                                  const Mask& due) {
+  FPKCHECK_INLINE void add_force_sums(const PhaseState<Real>& at, const Real& sample_weight,
+                                      const Mask& due) {
     const PackedStates<Real> states(at, due);
     typename PackedStates<Real>::Numbers values;
     evaluate_ito_forces(oscillator, states.count, states.y.at, states.v.at, values.at);
@@ -346,7 +348,8 @@ struct LaneState {
     noise_factor = noise_factor + sample_weight * (g * g);
   }
 
-  FPKCHECK_INLINE void add_impulse_factors(const PhaseState<Real>& at, const Real& sample_weight) {
+  FPKCHECK_INLINE void add_impulse_factor_sums(const PhaseState<Real>& at,
+                                               const Real& sample_weight) {
     Array<double> factors;
     for (int i = 0; i < W; ++i) {
       factors.at[i] = mcs::impulse_factor(oscillator, simd::lane_value(at.y, i));
@@ -377,13 +380,13 @@ struct LaneState {
     return between;
   }
 
-  /// Adds the weight of each lane in `there` to the bin that contains the value `at` of y.
-  FPKCHECK_INLINE void add_weights_to_y_bins(std::vector<double> StreamStatistics::*of,
-                                             const Real& at, const Mask& there) {
-    if (!simd::any_lane_set(there)) return;
+  /// Adds the weight of each lane in `lanes` to the bin that contains y_value.
+  FPKCHECK_INLINE void add_weights_to_y_bins(std::vector<double> StreamStatistics::*bin_weights,
+                                             const Real& y_value, const Mask& lanes) {
+    if (!simd::any_lane_set(lanes)) return;
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(there, i) == 0) continue;
-      (streams[i]->record.*of)[(*motion.y_bins)(simd::lane_value(at, i))] +=
+      if (simd::lane_value(lanes, i) == 0) continue;
+      (streams[i]->record.*bin_weights)[(*motion.y_bins)(simd::lane_value(y_value, i))] +=
           simd::lane_value(weight, i);
     }
   }
@@ -467,7 +470,7 @@ struct LaneState {
     }
   }
 
-  FPKCHECK_INLINE void apply_lane_events(const Mask& active) {
+  FPKCHECK_INLINE void apply_impulses_and_kicks(const Mask& active) {
     const Mask impulse_now = active & (time_to_impulse <= 0.0);
     if (motion.splitting) {  // kicks and splitting exclude each other
       if (!simd::any_lane_set(impulse_now) && !simd::any_lane_set(active & (remaining <= 0.0)))
@@ -477,7 +480,7 @@ struct LaneState {
         Stream& stream = *streams[i];
         if (simd::lane_value(impulse_now, i) != 0) apply_impulse(motion, stream);
         while (stream.branch.remaining <= 0 && !stream.is_on_main_branch())
-          resume_next_branch(stream);
+          resume_pending_branch(stream);
       }
       load_states();
       return;
@@ -496,7 +499,7 @@ struct LaneState {
     for (int i = 0; i < W; ++i) {
       if (simd::lane_value(now, i) == 0) continue;
       Stream& stream = *streams[i];
-      Branch& b = stream.branch;
+      TrajectoryBranch& b = stream.branch;
       b.y = ys.at[i];
       b.v = vs.at[i];
       b.remaining = remaining_times.at[i];
@@ -510,7 +513,7 @@ struct LaneState {
             kicked[kicked_count] = &stream;
             kicked_lane[kicked_count++] = i;
           } else {
-            apply_kick(motion, stream);
+            apply_noise_kick(motion, stream);
             kicks.at[i] = b.time_to_kick;
           }
         }
@@ -553,8 +556,8 @@ struct LaneState {
       const Mask active = remaining > 0.0;
       if (!simd::any_lane_set(active)) break;
       // Every iteration advances the time of a lane, ends at a wall, or rejects the step of a
-      // FormulaFlight. At a wall the velocity points inwards or the mass rests, so the next iteration
-      // advances the time. After a rejected step the next step is shorter.
+      // FormulaFlight. At a wall the velocity points inwards or the mass rests, so the next
+      // iteration advances the time. After a rejected step the next step is shorter.
       apply_impacts(active);
       Real span = simd::lanewise_min(time_to_impulse, remaining);
       if constexpr (Motion::kHasKicks) span = simd::lanewise_min(span, time_to_kick);
@@ -592,7 +595,7 @@ struct LaneState {
       if (Motion::kHasAnyWalls && oscillator.right.exists)
         y = simd::lanewise_min(y, simd::broadcast<Real>(oscillator.right.position));
       v = end.v;
-      apply_lane_events(active);
+      apply_impulses_and_kicks(active);
     }
     store_states();
     if (motion.records) store_sums();
@@ -604,7 +607,7 @@ struct LaneState {
 inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
 
 template <int W>
-void advance_in_lanes(const MotionParameters& motion, Stream* const* streams) {
+void advance_one_stream_per_lane(const MotionParameters& motion, Stream* const* streams) {
   if (motion.oscillator.is_duffing_at_wall()) {
     LaneState<W, DuffingMotion>(motion, streams).advance_streams();
   } else if (motion.oscillator.kind == Oscillator::Kind::formula) {
@@ -617,8 +620,8 @@ void advance_in_lanes(const MotionParameters& motion, Stream* const* streams) {
 }
 
 template <int... Widths>
-void advance_with_width(const MotionParameters& motion, Stream* const* streams, int width) {
-  ((width == Widths ? advance_in_lanes<Widths>(motion, streams) : void()), ...);
+void advance_lane_group(const MotionParameters& motion, Stream* const* streams, int stream_count) {
+  ((stream_count == Widths ? advance_one_stream_per_lane<Widths>(motion, streams) : void()), ...);
 }
 
 }  // namespace

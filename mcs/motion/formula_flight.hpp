@@ -38,9 +38,9 @@ struct PackedStates {
   }
 };
 
-/// Computes the force of the flights in the lanes of `wanted`; other lanes return 0.
+/// Returns the force of the flights (evaluate_forces()) in the lanes of `wanted`, 0 in other lanes.
 template <class Real, class Mask>
-FPKCHECK_INLINE Real formula_force(const Oscillator& oscillator, const PhaseState<Real>& at,
+FPKCHECK_INLINE Real flight_forces(const Oscillator& oscillator, const PhaseState<Real>& at,
                                    const Mask& wanted) {
   typename PackedStates<Real>::Numbers y, v, force;
   simd::store(at.y, y.at);
@@ -58,7 +58,7 @@ FPKCHECK_INLINE Real external_force(const Oscillator& oscillator, const Real& t)
   return simd::load<Real>(force.at);
 }
 
-/// End of the previous flight and the next trial step, one trajectory per lane.
+/// State and acceleration at the end of the previous flight, and next trial step, for each lane.
 template <class Real>
 struct IntegratorState {
   PhaseState<Real> end{};
@@ -67,10 +67,10 @@ struct IntegratorState {
 };
 
 /// Flights of an oscillator whose force is a formula: a step of the method of Dormand and Prince of
-/// order 5(4) (J. Comput. Appl. Math. 6, 1980), whose embedded solution of order 4 limits the step. A
-/// step that is not accurate is replaced by a flight of duration 0, so that no lane waits for another.
-/// The flight is the Hermite polynomial of degree 5 with the position, velocity and acceleration at
-/// both ends.
+/// order 5(4) (J. Comput. Appl. Math. 6, 1980), whose embedded solution of order 4 limits the step.
+/// A flight of duration 0 replaces a step that is not accurate, so that no lane waits for other
+/// lanes. The flight is the Hermite polynomial of degree 5 with the position, velocity and
+/// acceleration at both ends.
 template <class Real>
 class FormulaFlight : public FreeFlight<Real, 6> {
   using Base = FreeFlight<Real, 6>;
@@ -107,23 +107,23 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     // A trial state outside the domain of the formula has the error NaN.
     const Real known_error = simd::select(error == error, error, simd::broadcast<Real>(1e100));
     const Real next = step_ * step_factor(known_error);
-    // Without a finite force at the start no step is better.
+    // If the force at the start is not finite, a shorter step does not help.
     const Mask rejected = moving & (known_error > 1.0) & (step_ > shortest) & (first == first);
     const Mask accepted = moving & (rejected == none);
-    // The trial step does not decrease after a step that an event shortened, and after a state
-    // without a finite force, from which no step leads back.
+    // The trial step does not decrease after a step that an event has shortened, and after a start
+    // at which the force is not finite.
     const Mask keeps = (step_ == until_event) | (first != first);
     const Real after = simd::select(keeps, simd::lanewise_max(next, trial), next);
     integrator.step = simd::select(
         accepted, simd::lanewise_max(after, simd::broadcast<Real>(shortest)), integrator.step);
-    if (simd::any_lane_set(rejected)) stay_at_start(start, first, next, rejected, integrator);
+    if (simd::any_lane_set(rejected)) undo_rejected_steps(start, first, next, rejected, integrator);
     integrator.end.y = simd::select(moving, end_.y, integrator.end.y);
     integrator.end.v = simd::select(moving, end_.v, integrator.end.v);
     integrator.acceleration = simd::select(moving, end_acceleration_, integrator.acceleration);
   }
   FormulaFlight(Oscillator&&, const PhaseState<Real>&) = delete;
 
-  /// Returns the time of the step. The step is chosen by the constructor.
+  /// Returns the duration of the step that the constructor has chosen.
   FPKCHECK_INLINE Real max_step(double /*phase*/) const { return step_; }
 
   /// Returns the state at the time s. At the end of the step the result has no rounding errors of
@@ -134,11 +134,11 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   }
 
  private:
-  // Default of Options::step, for which the following constants hold.
+  // Default of Options::step, to which the constants below refer
   static constexpr double kReferencePhase = 0.9;
-  // Tolerances of the relative error of a step. A kink of the force lowers the order of the step. If
-  // the step is halved, E[y^2] changes by less than 1e-5 of its value for smooth and stiff forces and
-  // for kinks (test Formula.MomentsDoNotDependOnTheStep).
+  // Tolerances of the relative error of a step. A kink of the force lowers the order of the step.
+  // If the step is halved, E[y^2] changes by less than 1e-5 of its value for smooth and stiff
+  // forces and for kinks (test Formula.MomentsDoNotDependOnTheStep).
   static constexpr double kTolerance = 1e-6, kToleranceAtKinks = 3e-8;
   static constexpr double kLongestStep = 0.6;
   // Shortest steps relative to the longest. At a jump of the force the error estimate would demand
@@ -147,8 +147,8 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   static constexpr double kSafety = 0.9, kLeastFactor = 0.2, kLargestFactor = 5;
 
   /// Returns the factor by which the step changes after an error, given as a multiple of the
-  /// tolerance: 0.9 error^(-3/16), within limits. Square roots give this power; the usual power -1/5
-  /// needs a logarithm and an exponential.
+  /// tolerance: 0.9 error^(-3/16), within limits. Square roots give this power; the usual power
+  /// -1/5 needs a logarithm and an exponential.
   FPKCHECK_INLINE static Real step_factor(const Real& error) {
     const Real root = simd::square_root(simd::square_root(simd::square_root(error + 1e-100)));
     const Real factor = kSafety / (root * simd::square_root(root));
@@ -156,11 +156,11 @@ class FormulaFlight : public FreeFlight<Real, 6> {
                               simd::broadcast<Real>(kLargestFactor));
   }
 
-  /// Replaces a step that is not accurate by a step of duration 0. The next flight is shorter.
+  /// Replaces the rejected steps by steps of duration 0, and shortens the next trial steps.
   template <class Mask>
-  FPKCHECK_INLINE void stay_at_start(const PhaseState<Real>& start, const Real& first,
-                                     const Real& next, const Mask& rejected,
-                                     IntegratorState<Real>& integrator) {
+  FPKCHECK_INLINE void undo_rejected_steps(const PhaseState<Real>& start, const Real& first,
+                                           const Real& next, const Mask& rejected,
+                                           IntegratorState<Real>& integrator) {
     step_ = simd::select(rejected, Real{}, step_);
     end_.y = simd::select(rejected, start.y, end_.y);
     end_.v = simd::select(rejected, start.v, end_.v);
@@ -171,18 +171,20 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   template <class Mask>
   FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& at, const Real& after_start,
                                     const Mask& wanted) const {
-    const Real restoring = -(formula_force(oscillator_, at, wanted) + oscillator_.force[0]);
+    const Real restoring = -(flight_forces(oscillator_, at, wanted) + oscillator_.force[0]);
     if (oscillator_.external_force == nullptr) return restoring;
     return restoring + external_force(oscillator_, start_time_ + after_start);
   }
 
-  /// Takes one step in the lanes of `moving`, from the acceleration at the start.
-  /// @return the error estimate relative to the extent of the motion
+  /// Takes one step in the lanes of `moving`.
+  /// @param first acceleration at the start
+  /// @return the error estimate of the step relative to the extent of the motion
   template <class Mask>
   FPKCHECK_INLINE Real take_step(const Real& first, const Mask& moving) {
     using namespace dormand_prince;
     const Real h = step_, y = a_[0], v = a_[1];
-    // Velocities are v + h u; the sums of u have no rounding errors of v.
+    // The velocity at a stage is v + h u. Sums of u, instead of v + h u, avoid rounding errors of
+    // v.
     Real k[kStages] = {first}, u[kStages]{};
     Real moved{};
     PhaseState<Real> end{};
@@ -219,7 +221,8 @@ class FormulaFlight : public FreeFlight<Real, 6> {
       return simd::lanewise_max(x, -x);
     };
     const Real extent = w * (oscillator_.length + size(y)) + size(v);
-    // The local frequency exceeds the mean frequency where the force is strong, as in a stiff contact.
+    // The local frequency exceeds the mean frequency where the force is strong, as in a stiff
+    // contact.
     const Real local = w + size(end_acceleration_) / extent;
     return h * (size(v_error) + local * size(h * y_error)) / extent;
   }

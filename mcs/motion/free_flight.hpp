@@ -15,6 +15,7 @@ class FreeFlight : public TaylorFlight<Real, kOrder> {
   using Base::polynomial_acceleration;
   using Base::state_at_time;
 
+  /// Makes the flight constant in the lanes of `in_contact`.
   template <class Mask>
   FPKCHECK_INLINE void hold_mass_at_initial_position(const Mask& in_contact) {
 #pragma GCC unroll 16

@@ -14,17 +14,18 @@ constexpr int kMostPoints = static_cast<int>(problem::Expression::kBatch);
 // Tolerance of the error of a step, relative to the velocity. The errors of the kicks have random
 // signs, and their sum over a decay time of 1000 kicks remains below 1e-5 of the velocity.
 constexpr double kKickTolerance = 1e-7;
-// Shortest step relative to the duration, reached only at jumps of g or of its slope, and where g
-// is not finite.
+// Shortest step relative to the duration of the flow. Steps become this short only at jumps of g or
+// of the slope of g, and where g is not finite.
 constexpr double kShortestPart = 1.0 / 1024;
 
 }  // namespace
 
-void follow_noise_flow(const problem::NoiseFactor& factor, int count, const double* y, double* v,
-                       const double* s, double velocity_scale, double* g_at_start) {
+void advance_along_noise_flow(const problem::NoiseFactor& factor, int count, const double* y,
+                              double* v, const double* s, double velocity_scale,
+                              double* g_at_start) {
   using namespace dormand_prince;
   const auto points = static_cast<std::size_t>(count);
-  factor.evaluate(points, y, v, g_at_start);
+  factor.evaluate_batch(points, y, v, g_at_start);
   if (!factor.depends_on_v()) {
     for (int i = 0; i < count; ++i) v[i] += s[i] * g_at_start[i];
     return;
@@ -39,7 +40,7 @@ void follow_noise_flow(const problem::NoiseFactor& factor, int count, const doub
         for (int j = 0; j < stage; ++j) slope += kStage[stage][j] * k[j][i];
         at[i] = v[i] + step[i] * slope;
       }
-      factor.evaluate(points, y, at, k[stage]);
+      factor.evaluate_batch(points, y, at, k[stage]);
     }
     open = false;
     for (int i = 0; i < count; ++i) {
@@ -62,7 +63,7 @@ void follow_noise_flow(const problem::NoiseFactor& factor, int count, const doub
 
 void evaluate_noise_factor(const NoiseKicks& kicks, int count, const double* y, const double* v,
                            double* g) {
-  kicks.factor->evaluate(static_cast<std::size_t>(count), y, v, g);
+  kicks.factor->evaluate_batch(static_cast<std::size_t>(count), y, v, g);
 }
 
 void apply_multiplicative_kicks(const MotionParameters& motion, Stream* const* streams, int count) {
@@ -70,7 +71,7 @@ void apply_multiplicative_kicks(const MotionParameters& motion, Stream* const* s
   double y[kMostPoints]{}, v[kMostPoints]{}, s[kMostPoints]{}, g[kMostPoints]{},
       next[kMostPoints]{}, variance[kMostPoints]{};
   for (int i = 0; i < count; ++i) {
-    const Branch& b = streams[i]->branch;
+    const TrajectoryBranch& b = streams[i]->branch;
     const double diffusion = kicks.diffusion * noise_intensity_factor(motion, b);
     next[i] = time_to_next_kick(motion, diffusion, b.y, b.v);
     variance[i] = 2 * diffusion * (b.kick_interval + next[i]) / 2;
@@ -78,10 +79,10 @@ void apply_multiplicative_kicks(const MotionParameters& motion, Stream* const* s
     y[i] = b.y;
     v[i] = b.v;
   }
-  follow_noise_flow(*kicks.factor, count, y, v, s, kicks.velocity_scale, g);
+  advance_along_noise_flow(*kicks.factor, count, y, v, s, kicks.velocity_scale, g);
   for (int i = 0; i < count; ++i) {
     Stream& stream = *streams[i];
-    Branch& b = stream.branch;
+    TrajectoryBranch& b = stream.branch;
     const double before = b.v;
     b.v = v[i];
     b.time_to_rest = -1;

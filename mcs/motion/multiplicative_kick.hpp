@@ -7,13 +7,14 @@ namespace fpkcheck::mcs {
 /// Advances velocities at fixed displacements along the flow dv/ds = g(y, v), by the method of
 /// Dormand and Prince with steps of a relative error below 1e-7.
 /// @param count number of points, at most 8
-/// @param s duration of the flow, of either sign
+/// @param durations durations s of the flow, positive or negative
 /// @param velocity_scale scale of the velocities, for relative errors
 /// @param g_at_start receives g at the initial velocities
-void follow_noise_flow(const problem::NoiseFactor& factor, int count, const double* y, double* v,
-                       const double* s, double velocity_scale, double* g_at_start);
+void advance_along_noise_flow(const problem::NoiseFactor& factor, int count, const double* y,
+                              double* v, const double* durations, double velocity_scale,
+                              double* g_at_start);
 
-/// Computes g at `count` <= 8 points. @pre kicks.factor is not null
+/// Computes the noise factor g(y, v) at `count` <= 8 points. @pre kicks.factor is not null
 void evaluate_noise_factor(const NoiseKicks& kicks, int count, const double* y, const double* v,
                            double* g);
 

@@ -41,35 +41,36 @@ double largest_square_slope(const problem::NoiseFactor& factor,
     for (const double v : {-1.0, -0.3, 0.3, 1.0}) {
       const double at_y = scales.centre + y * scales.displacement_deviation,
                    at_v = v * scales.velocity_deviation;
-      const double slope = factor.slope_of_square(at_y, at_v);
+      const double slope = factor.square_slope_in_v(at_y, at_v);
       largest = std::max(largest, slope * slope / (4 * factor.squared(at_y, at_v)));
     }
   }
   return largest;
 }
 
-void set_formulas(const problem::Problem& problem, Oscillator& o) {
+void set_formula_terms(const problem::Problem& problem, Oscillator& o) {
   const problem::System& system = problem.system;
   o.system = &system;
   if (!system.has_polynomial_force()) {
     o.has_jumps = system.has_force_jumps();
-    o.has_kinks = system.formula().has_kinks();
+    o.has_kinks = system.force_formula().has_kinks();
   }
   if (!problem.noise_factor || !problem.noise_factor->depends_on_v()) return;
   o.noise_factor = &*problem.noise_factor;
   o.diffusion = problem.noise.diffusion();
   o.is_ito = problem.noise.interpretation == problem::NoiseInterpretation::ito;
-  // The force of the flights then contains the slope of g, which jumps at a kink of g.
+  // In Ito's sense the force of the flights contains the slope of g, which jumps at a kink of g.
   if (o.is_ito && problem.noise_factor->has_kinks()) o.has_jumps = o.has_kinks = true;
 }
 
-double position_between_walls(const Oscillator& o, double y) {
+double clamp_to_walls(const Oscillator& o, double y) {
   if (o.left.exists) y = std::max(y, o.left.position);
   if (o.right.exists) y = std::min(y, o.right.position);
   return y;
 }
 
-void set_polynomials(const problem::System& system, bool damping_in_kicks, Oscillator& o) {
+void set_polynomial_coefficients(const problem::System& system, bool damping_in_kicks,
+                                 Oscillator& o) {
   for (std::size_t n = 0; n < o.force.size(); ++n)
     o.force[n] = system.restoring_force().coefficient(n);
   // Constant damping c y' is part of the noise kicks.
@@ -83,10 +84,11 @@ void set_polynomials(const problem::System& system, bool damping_in_kicks, Oscil
 
 // Returns whether the flights are FormulaFlights, which contain all of the damping.
 bool has_formula_flights(const problem::Problem& problem) {
-  return !problem.system.has_polynomial_force() || problem.noise_factor || problem.time.has_force();
+  return !problem.system.has_polynomial_force() || problem.noise_factor ||
+         problem.time.has_external_force();
 }
 
-Oscillator::Kind kind_of(const problem::Problem& problem, const Oscillator& o) {
+Oscillator::Kind oscillator_kind(const problem::Problem& problem, const Oscillator& o) {
   using Kind = Oscillator::Kind;
   if (o.system != nullptr) return Kind::formula;
   const auto degree = problem.system.restoring_force().degree();
@@ -111,22 +113,22 @@ bool is_duffing_at_wall(const problem::Problem& problem) {
                           k >= 0 && mu >= 0 && k + mu > 0;
   return is_duffing && system.has_constant_damping() && system.damping() > 0 &&
          system.left_wall() && system.left_wall()->position == 0 && !system.right_wall() &&
-         !problem.noise.is_present() && !problem.time.has_force();
+         !problem.noise.is_present() && !problem.time.has_external_force();
 }
 
 Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
                            double mean_force, bool has_noise_kicks) {
   const problem::System& system = problem.system;
   Oscillator o;
-  if (problem.time.has_force()) o.external_force = &problem.time;
+  if (problem.time.has_external_force()) o.external_force = &problem.time;
   if (has_formula_flights(problem)) {
-    set_formulas(problem, o);
+    set_formula_terms(problem, o);
   } else {
-    set_polynomials(system, has_noise_kicks && system.has_constant_damping(), o);
+    set_polynomial_coefficients(system, has_noise_kicks && system.has_constant_damping(), o);
   }
   if (problem.impulse_factor) o.impulse_factor = &*problem.impulse_factor;
   o.force[0] -= mean_force;
-  o.kind = kind_of(problem, o);
+  o.kind = oscillator_kind(problem, o);
   o.length = scales.displacement_deviation;
   o.velocity = scales.velocity_deviation;
   o.frequency = scales.frequency;
@@ -183,11 +185,11 @@ NoiseKicks make_noise_kicks(const problem::Problem& problem, const problem::Moti
   return kicks;
 }
 
-double restitution_at(const Wall& wall, double speed) {
-  return wall.formula->restitution_at(speed);
+double restitution_at_speed(const Wall& wall, double speed) {
+  return wall.formula->restitution_at_speed(speed);
 }
 
-double time_of_bounces(const Wall& wall, double speed) {
+double total_bounce_time(const Wall& wall, double speed) {
   // The geometric series of a constant r replaces the remaining bounces as soon as r(u) is close to
   // r(0), or the remaining bounces are short. If r(u) = 1 - O(u^a) with a < 1, some hundred bounces
   // suffice. If a >= 1, the bounces never end.
@@ -195,7 +197,7 @@ double time_of_bounces(const Wall& wall, double speed) {
   constexpr double kTolerance = 1e-3;
   double sum = 0, u = speed;
   for (int n = 0;; ++n) {
-    const double r = restitution_at(wall, u);
+    const double r = restitution_at_speed(wall, u);
     const bool is_constant = std::abs(wall.restitution - r) <= kTolerance * (1 - r);
     const double others = u * (2 * r / ((1 - r) * wall.contact_force));
     if (is_constant || others < kTolerance * sum) return sum + others;
@@ -207,9 +209,10 @@ double time_of_bounces(const Wall& wall, double speed) {
 
 namespace {
 
-// Computes the force as written; beyond a wall, a value that is not finite is that at the wall.
-void evaluate_written_forces(const Oscillator& oscillator, int count, const double* y,
-                             const double* v, double* force) {
+// Computes the force of the formula as written in the case file. Beyond a wall, the value at the
+// wall replaces a value that is not finite.
+void evaluate_forces_as_written(const Oscillator& oscillator, int count, const double* y,
+                                const double* v, double* force) {
   const problem::System& system = *oscillator.system;
   system.evaluate_forces(static_cast<std::size_t>(count), y, v, force);
   if (!oscillator.left.exists && !oscillator.right.exists) return;
@@ -218,18 +221,19 @@ void evaluate_written_forces(const Oscillator& oscillator, int count, const doub
   if (finite == count) return;
   for (int k = 0; k < count; ++k) {
     if (std::isfinite(force[k])) continue;
-    const double inside = position_between_walls(oscillator, y[k]);
+    const double inside = clamp_to_walls(oscillator, y[k]);
     if (inside != y[k]) system.evaluate_forces(1, &inside, &v[k], &force[k]);
   }
 }
 
-// Adds a multiple of the slope G_v.
-void add_slopes_of_square(const Oscillator& oscillator, int count, const double* y, const double* v,
-                          double multiple, double* force) {
+// Adds a multiple of the slope G_v of G = g^2, the difference between the drifts of Ito's and
+// Stratonovich's senses.
+void add_noise_induced_drift(const Oscillator& oscillator, int count, const double* y,
+                             const double* v, double multiple, double* force) {
   std::array<double, problem::Expression::kBatch> inside{}, slopes{};
-  for (int k = 0; k < count; ++k) inside[k] = position_between_walls(oscillator, y[k]);
-  oscillator.noise_factor->evaluate_slopes_of_square(static_cast<std::size_t>(count), inside.data(),
-                                                     v, slopes.data());
+  for (int k = 0; k < count; ++k) inside[k] = clamp_to_walls(oscillator, y[k]);
+  oscillator.noise_factor->evaluate_square_slopes_in_v(static_cast<std::size_t>(count),
+                                                       inside.data(), v, slopes.data());
   for (int k = 0; k < count; ++k) force[k] += multiple * slopes[k];
 }
 
@@ -237,21 +241,21 @@ void add_slopes_of_square(const Oscillator& oscillator, int count, const double*
 
 double impulse_factor(const Oscillator& oscillator, double y) {
   if (oscillator.impulse_factor == nullptr) return 1;
-  return (*oscillator.impulse_factor)(position_between_walls(oscillator, y), 0);
+  return (*oscillator.impulse_factor)(clamp_to_walls(oscillator, y), 0);
 }
 
 void evaluate_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
                      double* force) {
-  evaluate_written_forces(oscillator, count, y, v, force);
+  evaluate_forces_as_written(oscillator, count, y, v, force);
   if (oscillator.noise_factor != nullptr && oscillator.is_ito)
-    add_slopes_of_square(oscillator, count, y, v, oscillator.diffusion / 2, force);
+    add_noise_induced_drift(oscillator, count, y, v, oscillator.diffusion / 2, force);
 }
 
 void evaluate_ito_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
                          double* force) {
-  evaluate_written_forces(oscillator, count, y, v, force);
+  evaluate_forces_as_written(oscillator, count, y, v, force);
   if (oscillator.noise_factor != nullptr && !oscillator.is_ito)
-    add_slopes_of_square(oscillator, count, y, v, -oscillator.diffusion / 2, force);
+    add_noise_induced_drift(oscillator, count, y, v, -oscillator.diffusion / 2, force);
 }
 
 }  // namespace fpkcheck::mcs

@@ -30,12 +30,12 @@ struct Wall {
 };
 
 /// Returns the restitution coefficient r(u). @pre wall.formula is not null
-double restitution_at(const Wall& wall, double speed);
-/// Returns the total time of the bounces that follow an impact at the speed u < Wall::rest_speed,
+double restitution_at_speed(const Wall& wall, double speed);
+/// Returns the total time of the bounces that follow an impact at the speed u < Wall::rest_speed:
 /// the sum of 2 u_n / contact_force with u_n = r(u_(n-1)) u_(n-1), u_0 = u. The result is infinite
 /// if the sum does not converge within 1000 bounces.
 /// @pre wall.formula is not null and the contact force is positive
-double time_of_bounces(const Wall& wall, double speed);
+double total_bounce_time(const Wall& wall, double speed);
 
 /// Oscillator of a problem in wall coordinates, with precomputed coefficients,
 ///
@@ -59,7 +59,8 @@ struct Oscillator {
     formula
   };
 
-  /// Coefficients of the force g(y); for the kind `formula`, a constant that is added to the formula
+  /// Coefficients of the force g(y); for the kind `formula`, a constant that is added to the
+  /// formula
   std::array<double, kHighestDegree + 1> force{};
   /// Coefficients of the damping c(y); 0 if the noise kicks contain the damping
   std::array<double, 3> damping{};
@@ -79,8 +80,8 @@ struct Oscillator {
   /// System of the kind `formula`, which must outlive the oscillator; otherwise null
   const problem::System* system = nullptr;
   /// Factor g of multiplicative noise that depends on v, which must outlive the oscillator;
-  /// otherwise null. With G = g^2 and the diffusion coefficient D, the forces f of the senses of Ito
-  /// and Stratonovich differ by f_Ito = f_Stratonovich - D G_v / 2.
+  /// otherwise null. With G = g^2 and the diffusion coefficient D, the forces f of the senses of
+  /// Ito and Stratonovich differ by f_Ito = f_Stratonovich - D G_v / 2.
   const problem::NoiseFactor* noise_factor = nullptr;
   double diffusion = 0;    ///< D, used with `noise_factor`
   bool is_ito = false;     ///< whether the force of `system` as written is that of Ito's sense
@@ -112,7 +113,8 @@ void evaluate_ito_forces(const Oscillator& oscillator, int count, const double* 
 /// noise nor damping c y'. Kicks and flights both preserve the density exp(-c (v^2/2 + U)/D).
 /// Without impact losses and impulses a finite h therefore causes no error; otherwise the error is
 /// of second order in h. Damping other than c y' is part of the flights, and all damping if the
-/// noise is multiplicative; apply_multiplicative_kicks() describes the kicks of multiplicative noise.
+/// noise is multiplicative; apply_multiplicative_kicks() describes the kicks of multiplicative
+/// noise.
 struct NoiseKicks {
   double diffusion = 0;         ///< diffusion coefficient D of the noise; 0 without kicks
   double damping = 0;           ///< coefficient c of the damping force c y'
@@ -141,10 +143,10 @@ bool is_duffing_at_wall(const problem::Problem& problem);
 Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
                            double mean_force = 0, bool has_noise_kicks = false);
 
-/// Sets the force that presses the mass at rest on a wall, and Wall::rest_speed.
+/// Sets Wall::contact_force to `force`, and Wall::rest_speed to the value for this contact force.
 void set_contact_force(const Oscillator& oscillator, double force, Wall& wall);
 
-/// Computes F at `count` times. @pre oscillator.external_force is not null
+/// Computes the external force F(t) at `count` times. @pre oscillator.external_force is not null
 void evaluate_external_forces(const Oscillator& oscillator, int count, const double* t,
                               double* force);
 

@@ -5,10 +5,11 @@
 #include "mcs/motion/free_flight.hpp"
 #include "numerics/simd/elementary_functions.hpp"
 
-// The file polynomial_flight.hpp is compiled for several instruction sets.
+// This file is compiled for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
+/// Returns the slope g'(y) of the restoring force.
 template <class Real>
 FPKCHECK_INLINE Real tangent_stiffness(const Oscillator& o, const Real& y) {
   Real sum = simd::broadcast<Real>(5 * o.force[5]);
@@ -85,7 +86,7 @@ FPKCHECK_INLINE void compute_taylor_coefficients(const Oscillator& o,
   }
 }
 
-/// Flights of an oscillator of any Oscillator::Kind but `formula`.
+/// Flights of an oscillator of any Oscillator::Kind except `formula`, as Taylor polynomials.
 template <class Real, int kOrder>
 class PolynomialFlight : public FreeFlight<Real, kOrder> {
   using Base = FreeFlight<Real, kOrder>;

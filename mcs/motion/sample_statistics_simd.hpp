@@ -42,9 +42,10 @@ FPKCHECK_INLINE void add_weighted_monomials(const PhaseState<Real>& at, const Re
 /// @param y positions between the walls
 /// @param cells cells of the histogram of each stream
 template <int W, class Real>
-FPKCHECK_INLINE void add_to_histogram(const BinFinder& y_bins, const BinFinder& v_bins,
-                                      const Real& y, const Real& v, const Real& sample_weight,
-                                      Stream* const* streams, double* const (&cells)[W]) {
+FPKCHECK_INLINE void add_samples_to_histograms(const BinFinder& y_bins, const BinFinder& v_bins,
+                                               const Real& y, const Real& v,
+                                               const Real& sample_weight, Stream* const* streams,
+                                               double* const (&cells)[W]) {
   if (y_bins.is_evenly_spaced() && v_bins.is_evenly_spaced()) {
     const auto row = simd::truncate_to_index(bin_position(y_bins, y));
     // The sign of v selects the bin next to the edge at 0, even within rounding of this edge. Near

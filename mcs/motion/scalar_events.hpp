@@ -3,32 +3,33 @@
 #include "mcs/motion/advance.hpp"
 #include "numerics/simd/elementary_functions.hpp"
 
-// This file has the scalar events of a stream, impulses and noise kicks, and is compiled for
-// several instruction sets.
+// This file applies impulses and noise kicks to single streams, and is compiled for several
+// instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
+/// Returns the weight of the current branch; 1 without splitting.
 inline double branch_weight(const MotionParameters& motion, const Stream& stream) {
   return motion.splitting ? motion.splitting->branch_weight(stream.branch) : 1.0;
 }
 
-/// Counts a maximum or minimum of y if the velocity changes sign in a jump from `before` to
-/// `after`.
-inline void count_turning_point(const MotionParameters& motion, Stream& stream, double before,
-                                double after) {
+/// Counts a maximum or minimum of y if the velocity changes sign in a jump from `v_before` to
+/// `v_after`.
+inline void count_turning_point(const MotionParameters& motion, Stream& stream, double v_before,
+                                double v_after) {
   if (!motion.records) return;
   const double y = stream.branch.y, event_weight = branch_weight(motion, stream);
-  if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += event_weight;
+  if (v_before > 0 && v_after < 0) stream.record.peaks[(*motion.y_bins)(y)] += event_weight;
   const bool at_wall = motion.oscillator.left.exists && !(y > 0);
-  if (before < 0 && after > 0 && !at_wall)
+  if (v_before < 0 && v_after > 0 && !at_wall)
     stream.record.troughs[(*motion.y_bins)(y)] += event_weight;
 }
 
 /// Applies one impulse, paper (3), and draws the next impulse.
 inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
-  Branch& b = stream.branch;
+  TrajectoryBranch& b = stream.branch;
   const double before = b.v;
-  if (!does_impulse_arrive(motion, stream)) b.amplitude = 0;
+  if (!accept_impulse_by_thinning(motion, stream)) b.amplitude = 0;
   const double factor = impulse_factor(motion.oscillator, b.y);
   b.v += factor * b.amplitude;
   b.time_to_rest = -1;
@@ -53,8 +54,8 @@ inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
 
 /// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before
 /// the kick plus half of the interval after the kick.
-inline void apply_kick(const MotionParameters& motion, Stream& stream) {
-  Branch& b = stream.branch;
+inline void apply_noise_kick(const MotionParameters& motion, Stream& stream) {
+  TrajectoryBranch& b = stream.branch;
   const NoiseKicks& kicks = motion.kicks;
   const double diffusion = kicks.diffusion * noise_intensity_factor(motion, b);
   const double next = time_to_next_kick(motion, diffusion, b.y, b.v);

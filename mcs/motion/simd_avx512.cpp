@@ -4,11 +4,11 @@
 namespace fpkcheck::mcs::avx512 {
 
 ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms) {
-  return make_impulse_block_in_lanes(excitation, uniforms);
+  return draw_impulse_block(excitation, uniforms);
 }
 
-void advance_streams(const MotionParameters& motion, Stream* const* streams, int width) {
-  advance_with_width<8>(motion, streams, width);
+void advance_streams(const MotionParameters& motion, Stream* const* streams, int stream_count) {
+  advance_lane_group<8>(motion, streams, stream_count);
 }
 
 }  // namespace fpkcheck::mcs::avx512

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::string_view kFormatPrefix = "fpkcheck mcs checkpoint ";
 
-std::uint64_t checksum(std::string_view text) {
+std::uint64_t checksum_of_text(std::string_view text) {
   std::uint64_t sum = 14695981039346656037u;
   for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
   return sum;
@@ -43,9 +43,9 @@ std::string write_checkpoint(const std::string& path, const std::string& fingerp
                              const Simulation& simulation) {
   std::ostringstream contents;
   contents << kCheckpointFormatLine << fingerprint << '\n';
-  simulation.save(contents);
+  simulation.save_state(contents);
   std::string text = std::move(contents).str();
-  const std::uint64_t sum = checksum(text);
+  const std::uint64_t sum = checksum_of_text(text);
   text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
   try {
     const base::ExitBlocker in_hand;
@@ -74,7 +74,7 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
     force += fmt::format("; damping {:a}",
                          fmt::join(problem.system.damping_polynomial().coefficients(), " "));
   } else {
-    force += fmt::format(" + {}", problem.system.formula().text());
+    force += fmt::format(" + {}", problem.system.force_formula().text());
   }
   for (const auto& [name, value] : problem.system.named_constants())
     force += fmt::format("; {} {:a}", name, value);
@@ -86,7 +86,7 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
       plan.step, plan.burn_in, plan.sampling_interval, plan.samples_per_round,
       fmt::join(plan.y_bins.edges(), " "), fmt::join(plan.v_bins.edges(), " "));
   if (problem.noise_factor) {
-    text += fmt::format("; factor {}", problem.noise_factor->text());
+    text += fmt::format("; factor {}", problem.noise_factor->formula_text());
     if (problem.noise.interpretation) {
       text += fmt::format(" {}", base::name_of(*problem.noise.interpretation));
     }
@@ -105,8 +105,8 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
                         fmt::join(g.y_knots, " "), fmt::join(g.v_knots, " "), g.lattice_begin,
                         g.lattice_spacing, g.lattice_points, g.y_bins.first, g.y_bins.spacing,
                         g.y_bins.count, g.v_bins.first, g.v_bins.spacing, g.v_bins.count);
-    for (const auto& [by, probability] : g.shifts)
-      text += fmt::format(" {:a} {:a}", by, probability);
+    for (const auto& [velocity_change, probability] : g.velocity_jumps)
+      text += fmt::format(" {:a} {:a}", velocity_change, probability);
   }
   if (splitting) text += fmt::format("; thresholds {:a}", fmt::join(splitting->thresholds(), " "));
   return text;
@@ -188,7 +188,7 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
   if (text.size() > kCheckpointFormatLine.size() + sizeof sum)
     std::memcpy(&sum, &text[size], sizeof sum);
   const std::string_view contents(text.data(), size);
-  if (sum != checksum(contents)) {
+  if (sum != checksum_of_text(contents)) {
     throw InputError(
         fmt::format("the checkpoint {} is damaged: wrong checksum; start without --resume", name));
   }
@@ -202,7 +202,7 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
   }
   std::istringstream in{std::string(rest.substr(end + 1))};
   try {
-    simulation.load(in);
+    simulation.load_state(in);
   } catch (const InputError& error) {
     throw InputError(fmt::format("the checkpoint {} is damaged: {}; start without --resume", name,
                                  error.what()));

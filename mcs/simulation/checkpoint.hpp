@@ -26,9 +26,11 @@ class CheckpointWriter {
   /// @throws InputError if the path cannot be written
   CheckpointWriter(std::string path, std::function<void(const std::string&)> warn);
 
+  /// Writes a checkpoint; no effect without a path.
   void write(const std::string& fingerprint, const Simulation& simulation);
   /// Writes a checkpoint if the last checkpoint is more than 30 s old.
   void write_when_due(const std::string& fingerprint, const Simulation& simulation);
+  /// Writes the checkpoint at the end of a simulation, and always reports an error.
   void write_final(const std::string& fingerprint, const Simulation& simulation);
 
  private:

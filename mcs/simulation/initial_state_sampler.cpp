@@ -10,7 +10,7 @@ namespace fpkcheck::mcs {
 
 State folded_initial_state(const ImpulseSource& source, double displacement_deviation,
                            double velocity_deviation) {
-  const auto normals = source.standard_normals();
+  const auto normals = source.initial_standard_normals();
   const double z = displacement_deviation * normals[0];
   const double z_dot = velocity_deviation * normals[1];
   return {std::abs(z), std::copysign(1.0, z) * z_dot};
@@ -28,7 +28,7 @@ State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) 
   const auto& band = bands[std::min(static_cast<std::size_t>(index), bands.size() - 1)];
   const auto [left, right, at_left, at_right] = band.orbit.half_cycle;
   const double middle = (left + right) / 2, half = (right - left) / 2;
-  const problem::EffectivePotential& potential = averaging_.orbits().potential();
+  const problem::EffectivePotential& potential = averaging_.undamped_orbits().potential();
   const auto speed = [&](double y) {
     return std::sqrt(std::max(2 * (band.energy - potential(y)), 0.0));
   };

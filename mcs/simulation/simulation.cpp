@@ -85,13 +85,13 @@ void Simulation::set_splitting(const ImportanceSplitting& splitting) {
   for (Stream& stream : streams_) stream.record.energies.clear();
 }
 
-void Simulation::keep_series() {
+void Simulation::enable_series() {
   assert(motion_.splitting == nullptr);
   motion_.keeps_series = true;
 }
 
-void Simulation::restart(std::size_t stream, double y, double v) {
-  Branch& branch = streams_[stream].branch;
+void Simulation::restart_stream(std::size_t stream, double y, double v) {
+  TrajectoryBranch& branch = streams_[stream].branch;
   branch.y = y;
   branch.v = v;
   branch.time_to_rest = -1;
@@ -101,7 +101,8 @@ void Simulation::restart(std::size_t stream, double y, double v) {
     branch.time_to_impulse = next.waiting;
     branch.amplitude = next.amplitude;
     if (plan_->excitation.arrivals == Excitation::Arrivals::even) {
-      // The phase of evenly spaced kicks is random. Their amplitudes are Gaussian.
+      // The phase of evenly spaced kicks is uniform: the distribution function of a Gaussian
+      // amplitude is a uniform random number.
       const Impulse other = streams_[stream].source.next_impulse();
       const double deviations =
           (other.amplitude - plan_->excitation.mean) / plan_->excitation.width;
@@ -117,8 +118,8 @@ std::array<double, 2> Simulation::contact_forces(double t) const {
           plan_->oscillator.right.contact_force + force};
 }
 
-// Sets the contact forces of the time t, and ends the rest of all masses: a mass that is still
-// pressed on its wall comes to rest again at once.
+// Sets the contact forces to the values at the time t, and ends the rest of all masses. A mass that
+// the new contact force presses on the wall comes to rest again immediately.
 void Simulation::set_contact_forces(double t) {
   const auto [left, right] = contact_forces(t);
   set_contact_force(plan_->oscillator, left, motion_.oscillator.left);
@@ -126,7 +127,7 @@ void Simulation::set_contact_forces(double t) {
   for (Stream& stream : streams_) stream.branch.time_to_rest = -1;
 }
 
-void Simulation::advance_in_time(double from, double to) {
+void Simulation::advance_between_times(double from, double to) {
   motion_.time_dependence = plan_->time.is_present() ? &plan_->time : nullptr;
   const auto advance_to = [&](double end) {
     motion_.end_time = end;
@@ -135,10 +136,11 @@ void Simulation::advance_in_time(double from, double to) {
   };
   const Oscillator& oscillator = plan_->oscillator;
   const std::array has_wall{oscillator.left.exists, oscillator.right.exists};
-  if (!plan_->time.has_force() || !(has_wall[0] || has_wall[1])) return advance_to(to);
-  // While the mass is pressed on a wall, the contact force is constant on intervals of half a
-  // radian: it only determines the end of the bounces below Wall::rest_speed. Intervals end at its
-  // zeros, which are sought in steps of 1/10 radian.
+  if (!plan_->time.has_external_force() || !(has_wall[0] || has_wall[1])) return advance_to(to);
+  // While a force presses the mass on a wall, the contact force is taken as constant on intervals
+  // of half a radian, since the force only determines the end of the bounces below
+  // Wall::rest_speed. Intervals also end at zeros of the contact force, which are searched in steps
+  // of 1/10 radian.
   constexpr double kSearchStep = 0.1, kPressedInterval = 0.5, kShortest = 1e-6;
   while (from < to) {
     double end = to;
@@ -161,7 +163,7 @@ void Simulation::advance_in_time(double from, double to) {
   }
 }
 
-void Simulation::burn_in() { advance_streams(false, plan_->burn_in); }
+void Simulation::run_burn_in() { advance_streams(false, plan_->burn_in); }
 
 void Simulation::run_round() {
   advance_streams(true, plan_->round_time());
@@ -178,21 +180,21 @@ void Simulation::advance_streams(bool recorded, double time) {
   }
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
   base::parallel_for(groups, plan_->threads, [&](std::size_t g) {
-    if (!is_stream_in_subset(part_, g * kGroup)) return;
+    if (!is_stream_of_part(part_, g * kGroup)) return;
     std::vector<Stream*> group;
     for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {
       group.push_back(&streams_[s]);
     }
-    advance(motion, group, time, lanes);
+    advance_all_streams(motion, group, time, lanes);
   });
 }
 
-void Simulation::restrict_to_stream_subset(int part, int part_count) {
+void Simulation::restrict_to_streams_of_part(int part, int part_count) {
   part_ = part;
   parts_ = part_count;
 }
 
-bool Simulation::is_stream_in_subset(int part, std::size_t stream) const {
+bool Simulation::is_stream_of_part(int part, std::size_t stream) const {
   return stream / kGroup % static_cast<std::size_t>(parts_) == static_cast<std::size_t>(part);
 }
 

@@ -23,28 +23,30 @@ class Simulation {
              const ImportanceSplitting* splitting = nullptr);
 
   /// Restricts this simulation to every `part_count`-th group of streams, beginning with group
-  /// `part`. load_stream_subset() reads the streams of the other parts.
-  void restrict_to_stream_subset(int part, int part_count);
+  /// `part`. load_streams_of_part() reads the streams of the other parts.
+  void restrict_to_streams_of_part(int part, int part_count);
 
   /// Replaces the splitting and clears the histogram of the energies after impulses.
   /// @param splitting must outlive the simulation
   void set_splitting(const ImportanceSplitting& splitting);
 
-  /// Makes the rounds append the samples of y to Stream::series.
+  /// From now on, run_round() appends the samples of y to Stream::series.
   /// @pre no splitting
-  void keep_series();
+  void enable_series();
 
-  void burn_in();
+  /// Advances all streams by the burn-in time, without statistics.
+  void run_burn_in();
+  /// Advances all streams by one round, and adds to their statistics.
   void run_round();
-  /// Advances all streams from one time to another without statistics and series, under the
-  /// excitation of these times.
-  void advance_in_time(double from, double to);
-  /// Puts a stream at (y, v). The next sample is half a sampling interval later, and the next
-  /// impulse comes after a new waiting time.
-  void restart(std::size_t stream, double y, double v);
+  /// Advances all streams from the time `from` to the time `to` with the excitation at these times,
+  /// without statistics and series.
+  void advance_between_times(double from, double to);
+  /// Sets the state of a stream to (y, v). The next sample is half a sampling interval later, and
+  /// the next impulse comes after a new waiting time.
+  void restart_stream(std::size_t stream, double y, double v);
 
   const SimulationPlan& plan() const { return *plan_; }
-  std::uint64_t rounds() const { return rounds_; }
+  std::uint64_t round_count() const { return rounds_; }
   /// Returns the simulated time of one stream, without the burn-in.
   double simulated_time_per_stream() const {
     return static_cast<double>(rounds_) * plan_->round_time();
@@ -55,23 +57,26 @@ class Simulation {
     return static_cast<double>(rounds_) * static_cast<double>(plan_->samples_per_round);
   }
   const std::vector<Stream>& streams() const { return streams_; }
-  /// Returns the series of a stream, from which the caller removes the samples that it has used.
-  std::vector<double>& series(std::size_t stream) { return streams_[stream].series; }
+  /// Returns the samples of y of a stream; the caller removes samples after use.
+  std::vector<double>& y_series(std::size_t stream) { return streams_[stream].series; }
 
   /// Writes the complete state of the simulation between two rounds.
-  void save(std::ostream& out) const;
-  /// Reads a state that save() wrote.
+  void save_state(std::ostream& out) const;
+  /// Reads a state that save_state() wrote.
   /// @throws InputError if the input is not a state with the same numbers of streams and bins
-  void load(std::istream& in);
+  void load_state(std::istream& in);
 
-  void save_stream_subset(std::ostream& out) const;
-  void load_stream_subset(std::istream& in, int part);
+  /// Writes the streams of the part of this process.
+  void save_own_streams(std::ostream& out) const;
+  /// Reads the streams of a part that save_own_streams() wrote.
+  /// @throws InputError as load_state()
+  void load_streams_of_part(std::istream& in, int part);
 
  private:
   void advance_streams(bool recorded, double time);
   std::array<double, 2> contact_forces(double t) const;
   void set_contact_forces(double t);
-  bool is_stream_in_subset(int part, std::size_t stream) const;
+  bool is_stream_of_part(int part, std::size_t stream) const;
   void save_stream(std::ostream& out, const Stream& stream) const;
   void load_stream(std::istream& in, Stream& stream) const;
 
@@ -82,7 +87,7 @@ class Simulation {
   std::vector<Stream> streams_;
 };
 
-/// Returns the function `value` of the record of each stream.
+/// Returns value(statistics) of each stream.
 template <class Value>
 std::vector<double> statistic_per_stream(const std::vector<Stream>& streams, Value value) {
   std::vector<double> values;

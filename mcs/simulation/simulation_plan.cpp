@@ -50,7 +50,7 @@ constexpr double kMostAutomaticTimes = 1e4;
 // longest burn-in of all streams, as a fraction of the default time
 constexpr double kLongestBurnIn = 1.0 / 8;
 
-struct EventRates {
+struct StreamEventRates {
   double decay;  ///< decay rate of the slowest mode
   double impulses;
   double flights;  ///< rate of flights, plus the rate of noise kicks that act besides impulses
@@ -62,7 +62,7 @@ struct EventRates {
   double total_rate() const { return impulses + flights; }
 };
 
-double automatic_time(const Options& options, const EventRates& rates) {
+double default_simulated_time(const Options& options, const StreamEventRates& rates) {
   const double share = options.tails ? kTailsShare : options.controlled ? kControlledShare : 1;
   const double full = kAutomaticTime * share / rates.decay;
   const double most = (options.tails ? kMostTrunkEvents : kMostRunEvents) / rates.total_rate();
@@ -71,20 +71,20 @@ double automatic_time(const Options& options, const EventRates& rates) {
           ? most
           : kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.total_rate();
   const double enough = std::pow(kErrorOfOneDecayTime / options.accuracy, 2) / rates.decay;
-  // Whether Options::accuracy needs more than the full time or, with several wells, more than a
+  // true if Options::accuracy requires more than the full time or, with several wells, more than a
   // minute of computing
   const bool is_out_of_reach = enough > full || (enough > most && rates.wells > 1);
   return std::min(full,
                   is_out_of_reach ? default_time : std::max(default_time, std::min(enough, most)));
 }
 
-double burn_in_time(const Options& options, const EventRates& rates, double automatic,
+double burn_in_time(const Options& options, const StreamEventRates& rates, double automatic,
                     double time) {
   return std::min(kBurnIn / rates.decay,
                   std::max(kLongestBurnIn * automatic, time) / options.streams);
 }
 
-struct Durations {
+struct SimulationDurations {
   double automatic;  ///< default simulated time, summed over all streams
   double time;       ///< upper limit of the simulated time, summed over all streams
   double burn_in;
@@ -97,19 +97,19 @@ struct Durations {
 /// seconds with other flights. Otherwise the simulation takes a few seconds, or up to a minute if
 /// Options::accuracy requires a longer simulation. With several wells and rare transitions even a
 /// minute would not determine the masses of the wells, and the simulation takes only a few seconds.
-Durations choose_durations(const Options& options, const EventRates& rates) {
-  const double automatic = automatic_time(options, rates);
+SimulationDurations choose_durations(const Options& options, const StreamEventRates& rates) {
+  const double automatic = default_simulated_time(options, rates);
   const bool open_ended = options.samples || options.target_error;
   const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
-  Durations durations{.automatic = automatic,
-                      .time = time,
-                      .burn_in = burn_in_time(options, rates, automatic, time),
-                      .short_burn_in_cause = ShortBurnInCause::none};
+  SimulationDurations durations{.automatic = automatic,
+                                .time = time,
+                                .burn_in = burn_in_time(options, rates, automatic, time),
+                                .short_burn_in_cause = ShortBurnInCause::none};
   const auto is_long_enough = [&](double taken) { return taken * rates.decay >= kLeastBurnIn; };
   if (is_long_enough(durations.burn_in)) return durations;
-  EventRates without = rates;
+  StreamEventRates without = rates;
   without.impulses = 0;
-  const double of_motion = automatic_time(options, without);
+  const double of_motion = default_simulated_time(options, without);
   durations.short_burn_in_cause =
       is_long_enough(burn_in_time(options, without, of_motion, options.time.value_or(of_motion)))
           ? ShortBurnInCause::impulses
@@ -133,7 +133,7 @@ constexpr double kFewestRounds = 8;
 // largest number of impulses and flights of all streams in a round
 constexpr double kMostEvents = 2e7;
 
-std::vector<double> evenly_spaced(double from, double to) {
+std::vector<double> evenly_spaced_edges(double from, double to) {
   std::vector<double> edges;
   for (int k = 0; k <= kAutomaticBins; ++k) {
     edges.push_back(from + (to - from) * k / kAutomaticBins);
@@ -141,17 +141,17 @@ std::vector<double> evenly_spaced(double from, double to) {
   return edges;
 }
 
-BinFinder bins(const std::vector<double>& edges, double from, double to) {
-  return BinFinder(edges.empty() ? evenly_spaced(from, to) : edges);
+BinFinder make_bin_finder(const std::vector<double>& edges, double from, double to) {
+  return BinFinder(edges.empty() ? evenly_spaced_edges(from, to) : edges);
 }
 
-struct Rounds {
+struct RoundCounts {
   std::uint64_t samples, rounds;
 };
 
 /// @param events number of impulses, kicks and flights per unit time
-Rounds choose_rounds(const Options& options, const Durations& durations, double interval,
-                     double events) {
+RoundCounts choose_rounds(const Options& options, const SimulationDurations& durations,
+                          double interval, double events) {
   const double time = durations.time;
   const double round_time = std::min(
       {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
@@ -177,11 +177,12 @@ Rounds choose_rounds(const Options& options, const Durations& durations, double 
 constexpr double kAutomaticKickStep = 0.2, kShortKickStep = 0.05;
 constexpr double kStrongLosses = 0.6;
 
-double automatic_kick_step(const problem::Problem& problem, const problem::MotionScales& scales) {
+double default_kick_step(const problem::Problem& problem, const problem::MotionScales& scales) {
   const auto has_strong_losses = [&](const std::optional<problem::Wall>& wall) {
     if (!wall) return false;
     for (const double share : {0.0, 0.01, 0.1, 0.3, 1.0}) {
-      if (wall->restitution_at(share * scales.velocity_deviation) < kStrongLosses) return true;
+      if (wall->restitution_at_speed(share * scales.velocity_deviation) < kStrongLosses)
+        return true;
     }
     return false;
   };
@@ -221,10 +222,10 @@ Excitation make_excitation(const problem::Problem& problem, const Options& optio
         problem.impulses, options.white_step.value_or(kAutomaticWhiteStep) / scales.frequency);
   }
   Excitation excitation = poisson_excitation(problem.impulses);
-  excitation.power = problem::total_intensity(problem) / 2;
+  excitation.power = problem::total_excitation_intensity(problem) / 2;
   if (white || !problem.impulses.is_present()) {
     excitation.interval = std::numeric_limits<double>::infinity();
-    // The expected work of noise kicks alone is 0; see apply_kick().
+    // The expected work of noise kicks alone is 0; see apply_noise_kick().
     excitation.work = 0;
   }
   return excitation;
@@ -235,15 +236,14 @@ Excitation make_excitation(const problem::Problem& problem, const Options& optio
 SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options) {
   validate_for_problem(problem, options);
   const bool duffing_at_wall = is_duffing_at_wall(problem);
-  const problem::MotionScales scales = problem::scales(problem);
-  const problem::ProblemFeatures features = problem::features(problem);
+  const problem::MotionScales scales = problem::motion_scales(problem);
+  const problem::ProblemFeatures features = problem::problem_features(problem);
   // NoiseKicks replace the impulses as white noise, except for a Duffing oscillator at a wall.
   const bool by_kicks = options.equation == DensityEquation::white && !duffing_at_wall;
   const double diffusion =
       problem.noise.diffusion() + (by_kicks ? problem.impulses.rate_times_moment(2) / 2 : 0);
-  const NoiseKicks kicks =
-      make_noise_kicks(problem, scales, diffusion,
-                       options.white_step.value_or(automatic_kick_step(problem, scales)));
+  const NoiseKicks kicks = make_noise_kicks(
+      problem, scales, diffusion, options.white_step.value_or(default_kick_step(problem, scales)));
   const bool has_contact_atoms = features.rests_in_contact && !kicks.is_present();
   const Excitation excitation = make_excitation(problem, options, scales);
   const double step = options.step.value_or(kAutomaticStep);
@@ -260,12 +260,12 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
       problem, scales, by_kicks ? problem.impulses.rate_times_moment(1) : 0, kicks.is_present());
   // A FormulaFlight is about a quarter as long as a PolynomialFlight.
   const double flights_per_step = oscillator.kind == Oscillator::Kind::formula ? 4 : 1;
-  const EventRates rates{.decay = scales.slowest_decay_rate,
-                         .impulses = 1 / excitation.interval,
-                         .flights = kick_rate + flights_per_step * scales.frequency / step,
-                         .duffing_flights = duffing_at_wall,
-                         .wells = features.wells};
-  const Durations durations = choose_durations(options, rates);
+  const StreamEventRates rates{.decay = scales.slowest_decay_rate,
+                               .impulses = 1 / excitation.interval,
+                               .flights = kick_rate + flights_per_step * scales.frequency / step,
+                               .duffing_flights = duffing_at_wall,
+                               .wells = features.wells};
+  const SimulationDurations durations = choose_durations(options, rates);
   const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.total_rate());
   std::optional<DepositPlan> deposit;
   if (options.deposit) {
@@ -273,7 +273,7 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
   }
   return {
       .streams = options.streams,
-      .threads = std::min(base::number_of_threads(options.threads.value_or(0)), options.streams),
+      .threads = std::min(base::resolve_thread_count(options.threads.value_or(0)), options.streams),
       .seed = options.seed,
       .frame = problem.frame,
       .oscillator = oscillator,
@@ -290,8 +290,8 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
       .velocity_deviation = scales.velocity_deviation,
       .has_contact_atoms = has_contact_atoms,
       .excitation = excitation,
-      .y_bins = bins(options.y_edges, scales.y_low, scales.y_high),
-      .v_bins = bins(options.v_edges, -scales.v_high, scales.v_high),
+      .y_bins = make_bin_finder(options.y_edges, scales.y_low, scales.y_high),
+      .v_bins = make_bin_finder(options.v_edges, -scales.v_high, scales.v_high),
       .deposit = deposit,
       .time = problem.time};
 }

@@ -30,7 +30,7 @@ void read_binary(std::istream& in, Number& number) {
 // size limit of a list that has no expected size
 constexpr std::uint64_t kLargestFreeSize = 100000;
 
-void require_entries(bool holds) {
+void require_valid_list(bool holds) {
   if (!holds) throw InputError("wrong number of entries");
 }
 
@@ -56,17 +56,17 @@ void write_binary(std::ostream& out, const std::vector<double>& numbers) {
 void read_binary(std::istream& in, std::vector<double>& numbers) {
   std::uint64_t size = 0;
   read_binary(in, size);
-  require_entries(in && (numbers.empty() ? size <= kLargestFreeSize : size == numbers.size()));
+  require_valid_list(in && (numbers.empty() ? size <= kLargestFreeSize : size == numbers.size()));
   numbers.assign(size, 0.0);
   for (std::uint64_t k = 0; k < size;) {
     std::uint64_t zeros = 0, others = 0;
     read_binary(in, zeros);
     read_binary(in, others);
-    require_entries(in && zeros <= size - k && others <= size - k - zeros && zeros + others > 0);
+    require_valid_list(in && zeros <= size - k && others <= size - k - zeros && zeros + others > 0);
     k += zeros;
     for (const std::uint64_t end = k + others; k < end; ++k) read_binary(in, numbers[k]);
   }
-  require_entries(static_cast<bool>(in));
+  require_valid_list(static_cast<bool>(in));
 }
 
 // Every number of a saved state is checked: a checksum can be forged, and a simulation from
@@ -88,7 +88,7 @@ bool is_between_walls(double y, double farthest, const SimulationPlan& plan) {
          y <= (o.right.exists ? o.right.position : plan.centre + farthest);
 }
 
-bool has_valid_times(const Branch& branch, const NoiseKicks& kicks) {
+bool has_valid_times(const TrajectoryBranch& branch, const NoiseKicks& kicks) {
   // limit of the interval between kicks, with an allowance for rounding
   const double longest_interval = 1.01 * kicks.longest_interval;
   const bool waits = kicks.is_present()
@@ -100,7 +100,7 @@ bool has_valid_times(const Branch& branch, const NoiseKicks& kicks) {
 
 /// Returns whether the state of a branch is within the range of the motion and of the random
 /// numbers.
-bool is_valid_state(const Branch& branch, const SimulationPlan& plan) {
+bool is_valid_state(const TrajectoryBranch& branch, const SimulationPlan& plan) {
   // largest valid speed, in units of the velocity deviation plus the largest impulse
   constexpr double kFarthest = 1e4;
   // Largest valid waiting time, in mean waiting times, and largest valid amplitude, in widths of
@@ -123,8 +123,8 @@ bool is_valid_state(const Branch& branch, const SimulationPlan& plan) {
 
 void Simulation::save_stream(std::ostream& out, const Stream& stream) const {
   write_binary(out, stream.branch);
-  write_binary(out, stream.source.number());
-  write_binary(out, stream.noise.number());
+  write_binary(out, stream.source.drawn_impulse_count());
+  write_binary(out, stream.noise.drawn_number_count());
   for_each_statistic(stream.record, [&](const auto& sum) { write_binary(out, sum); });
 }
 
@@ -137,21 +137,21 @@ void Simulation::load_stream(std::istream& in, Stream& stream) const {
                       stream.branch.floor_level >= 0 &&
                       stream.branch.floor_level <= threshold_count);
   read_binary(in, number);
-  stream.source.seek_to(number);
+  stream.source.seek_to_impulse(number);
   read_binary(in, number);
-  stream.noise.seek_to(number);
+  stream.noise.seek_to_number(number);
   for_each_statistic(stream.record, [&](auto& sum) {
     read_binary(in, sum);
     require_valid_state(is_finite(sum));
   });
 }
 
-void Simulation::save(std::ostream& out) const {
+void Simulation::save_state(std::ostream& out) const {
   write_binary(out, rounds_);
   for (const Stream& stream : streams_) save_stream(out, stream);
 }
 
-void Simulation::load(std::istream& in) {
+void Simulation::load_state(std::istream& in) {
   read_binary(in, rounds_);
   // Number of rounds that no simulation reaches; a file with more rounds than kMostRounds is
   // manipulated.
@@ -161,15 +161,15 @@ void Simulation::load(std::istream& in) {
   require_valid_state(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
 }
 
-void Simulation::save_stream_subset(std::ostream& out) const {
+void Simulation::save_own_streams(std::ostream& out) const {
   for (std::size_t s = 0; s < streams_.size(); ++s) {
-    if (is_stream_in_subset(part_, s)) save_stream(out, streams_[s]);
+    if (is_stream_of_part(part_, s)) save_stream(out, streams_[s]);
   }
 }
 
-void Simulation::load_stream_subset(std::istream& in, int part) {
+void Simulation::load_streams_of_part(std::istream& in, int part) {
   for (std::size_t s = 0; s < streams_.size(); ++s) {
-    if (is_stream_in_subset(part, s)) load_stream(in, streams_[s]);
+    if (is_stream_of_part(part, s)) load_stream(in, streams_[s]);
   }
   require_valid_state(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
 }

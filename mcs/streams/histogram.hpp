@@ -20,7 +20,7 @@ class BinFinder {
   /// Returns the index of the bin that contains x: 0 below the first edge, 1 .. n between the
   /// edges, n + 1 at or above the last edge.
   std::size_t operator()(double x) const {
-    std::size_t bin = first_bin_[static_cast<std::size_t>(cell(x))];
+    std::size_t bin = first_bin_[static_cast<std::size_t>(cell_position(x))];
     while (x < guarded_edges_[bin]) --bin;
     while (x >= guarded_edges_[bin + 1]) ++bin;
     return bin;
@@ -39,7 +39,7 @@ class BinFinder {
  private:
   /// Returns the approximate index of the cell that contains x; the cells are half as wide as the
   /// mean bin. Returns 0 for NaN.
-  double cell(double x) const {
+  double cell_position(double x) const {
     const double from_first = (x - first_edge_) * 2 * bins_per_length_;
     return from_first > 0 ? std::min(from_first, last_cell_) : 0;
   }

@@ -18,8 +18,9 @@ std::vector<double> energy_edges(double largest) {
   return edges;
 }
 
-/// Returns a value of Branch::split in which the bits of the thresholds first + 1 .. last are set.
-std::uint64_t bits(int first, int last) {
+/// Returns a value of TrajectoryBranch::split in which the bits of the thresholds first + 1 .. last
+/// are set.
+std::uint64_t threshold_bits(int first, int last) {
   return (std::uint64_t{1} << last) - (std::uint64_t{1} << first);
 }
 
@@ -36,7 +37,7 @@ ImportanceSplitting::ImportanceSplitting(const numerics::Polynomial& potential,
   }
 }
 
-double ImportanceSplitting::energy(const Branch& b) const {
+double ImportanceSplitting::branch_energy(const TrajectoryBranch& b) const {
   return b.v * b.v / 2 + potential_(b.y);
 }
 
@@ -49,48 +50,49 @@ bool ImportanceSplitting::may_split(const StreamStatistics& record) const {
   return record.branch_impulses < kImpulseAllowance + most * record.impulses;
 }
 
-void ImportanceSplitting::split(Stream& stream, int from, bool at_impulse) const {
+void ImportanceSplitting::split_branch(Stream& stream, int from, bool at_impulse) const {
   const int to = stream.branch.energy_level, first = std::max(from, to - kMostSplits);
   if (!may_split(stream.record)) return;
-  stream.branch.split |= bits(first, to);
-  const Branch origin = stream.branch;
+  stream.branch.split |= threshold_bits(first, to);
+  const TrajectoryBranch origin = stream.branch;
   stream.pending_branches.push_back({.branch = origin});
   // Each threshold splits each of the present branches into kCopies branches.
   int branches = 1;
   for (int i = first; i < to; ++i) {
-    Branch copy = origin;
+    TrajectoryBranch copy = origin;
     copy.floor_level = i + 1;
     stream.pending_branches.push_back(
         {.branch = copy, .copies = branches * (kCopies - 1), .at_impulse = at_impulse});
     branches *= kCopies;
   }
-  resume_next_branch(stream);
+  resume_pending_branch(stream);
 }
 
 void ImportanceSplitting::split_or_end_branch(Stream& stream) const {
-  Branch& branch = stream.branch;
-  const double now = energy(branch);
+  TrajectoryBranch& branch = stream.branch;
+  const double now = branch_energy(branch);
   const int before = branch.energy_level;
   branch.energy_level = energy_level(now);
-  branch.split &= bits(0, branch.energy_level);
-  // The histogram counts the state after the impulse before the split, hence only once.
+  branch.split &= threshold_bits(0, branch.energy_level);
+  // The state after an impulse is counted before the split, since each copy would count the state
+  // again.
   stream.record.energies[energy_bins_(now)] += branch_weight(branch);
   if (branch.energy_level > before) {
-    split(stream, before, true);
+    split_branch(stream, before, true);
   } else if (branch.energy_level < branch.floor_level) {
-    resume_next_branch(stream);
+    resume_pending_branch(stream);
   }
 }
 
 void ImportanceSplitting::split_initial_state(Stream& stream) const {
   stream.record.energies.resize(energy_bins_.bin_count() + 2);
-  stream.branch.energy_level = energy_level(energy(stream.branch));
+  stream.branch.energy_level = energy_level(branch_energy(stream.branch));
   stream.branch.floor_level = 0;
   stream.branch.split = 0;
-  if (stream.branch.energy_level > 0) split(stream, 0, false);
+  if (stream.branch.energy_level > 0) split_branch(stream, 0, false);
 }
 
-void resume_next_branch(Stream& stream) {
+void resume_pending_branch(Stream& stream) {
   assert(!stream.pending_branches.empty());
   PendingBranch& next = stream.pending_branches.back();
   stream.branch = next.branch;

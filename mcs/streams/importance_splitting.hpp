@@ -45,7 +45,7 @@ class ImportanceSplitting {
   ImportanceSplitting(const numerics::Polynomial& potential, std::vector<double> thresholds,
                       double largest_energy);
 
-  double branch_weight(const Branch& branch) const {
+  double branch_weight(const TrajectoryBranch& branch) const {
     return weights_[static_cast<std::size_t>(std::popcount(branch.split))];
   }
   int threshold_count() const { return static_cast<int>(thresholds_.size()); }
@@ -59,10 +59,10 @@ class ImportanceSplitting {
   void split_initial_state(Stream& stream) const;
 
  private:
-  double energy(const Branch& branch) const;
+  double branch_energy(const TrajectoryBranch& branch) const;
   int energy_level(double energy) const;
   bool may_split(const StreamStatistics& record) const;
-  void split(Stream& stream, int from, bool at_impulse) const;
+  void split_branch(Stream& stream, int from, bool at_impulse) const;
 
   numerics::Polynomial potential_;
   std::vector<double> thresholds_;
@@ -70,12 +70,14 @@ class ImportanceSplitting {
   BinFinder energy_bins_;
 };
 
+/// Makes the last pending branch of a stream the current branch.
 /// @pre the stream has a pending branch
-void resume_next_branch(Stream& stream);
+void resume_pending_branch(Stream& stream);
 
-/// Chooses threshold energies whose exceedance probability falls by a factor of about kCopies from
+/// Returns threshold energies whose exceedance probability falls by a factor of about kCopies from
 /// one threshold to the next, down to about `smallest_exceedance_probability`.
 /// @param energies weights of the states after impulses in each energy bin, summed over all streams
+/// @param fewest_visits least expected weight of the states above a threshold
 std::vector<double> choose_energy_thresholds(const BinFinder& bins,
                                              const std::vector<double>& energies,
                                              double fewest_visits,

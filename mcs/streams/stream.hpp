@@ -90,11 +90,11 @@ void for_each_statistic(Record& record, Visit visit) {
   visit(record.peaks);
   visit(record.troughs);
   visit(record.energies);
-  if (!record.deposit.flow.empty()) for_each_deposit_sum(record.deposit, visit);
+  if (!record.deposit.flow.empty()) for_each_deposited_sum(record.deposit, visit);
 }
 
 /// State of a branch of the trajectory, and the times until the next events of the branch.
-struct Branch {
+struct TrajectoryBranch {
   double y;
   double v;
   double time_to_impulse;
@@ -115,7 +115,7 @@ struct Branch {
 
 /// A pending branch of a stream, or several pending branches with the same initial state.
 struct PendingBranch {
-  Branch branch;
+  TrajectoryBranch branch;
   /// Number of pending branches that each draw a new impulse; 0 for one branch with a stored
   /// impulse
   int copies = 0;
@@ -123,7 +123,7 @@ struct PendingBranch {
 };
 
 struct Stream {
-  Branch branch;
+  TrajectoryBranch branch;
   ImpulseSource source;
   StreamStatistics record;
   /// Pending branches, with the main branch first

@@ -61,10 +61,10 @@ double BinAverageError::standard_error() const {
   return std::sqrt(std::inner_product(factors.begin(), factors.end(), factors.begin(), 0.0));
 }
 
-std::vector<BinAverageError> bin_average_errors(std::span<const double> knots,
-                                                std::span<const double> errors,
-                                                std::span<const double> edges,
-                                                const WallExtrapolation& extrapolation) {
+std::vector<BinAverageError> compute_bin_average_errors(std::span<const double> knots,
+                                                        std::span<const double> errors,
+                                                        std::span<const double> edges,
+                                                        const WallExtrapolation& extrapolation) {
   const std::size_t last = knots.size() - 1;
   std::vector<BinAverageError> bins;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {

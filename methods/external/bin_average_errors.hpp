@@ -14,8 +14,7 @@ namespace fpkcheck::methods {
 struct BinAverageError {
   double width;
   std::size_t first = 0;  ///< index of the first point of the density that affects the bin
-  /// Factors of the errors at the points first, first + 1, ..; empty if the bin is outside all
-  /// points.
+  /// Factors of the errors at the points first, first + 1, ..; empty if no point affects the bin.
   std::vector<double> factors;
 
   double standard_error() const;
@@ -27,10 +26,10 @@ struct BinAverageError {
 /// @param errors standard errors of the density at the points
 /// @param extrapolation whether the first or the last knot is a wall, to which the density is
 /// extrapolated linearly from the next two knots
-std::vector<BinAverageError> bin_average_errors(std::span<const double> knots,
-                                                std::span<const double> errors,
-                                                std::span<const double> edges,
-                                                const WallExtrapolation& extrapolation);
+std::vector<BinAverageError> compute_bin_average_errors(std::span<const double> knots,
+                                                        std::span<const double> errors,
+                                                        std::span<const double> edges,
+                                                        const WallExtrapolation& extrapolation);
 
 /// L1 sampling error of a density that is given by averages over bins.
 struct L1SamplingError {

@@ -28,8 +28,8 @@ bool is_histogram(const NumberTable& table);
 bool are_bins_adjacent(const std::vector<double>& bin, const std::vector<double>& next);
 
 /// Returns the quantity of a histogram by the name of the third column. If the name is unknown, the
-/// values decide: densities have the integral 1, probabilities the sum 1, and counts are integers.
-/// All other values are taken as densities.
+/// values determine the quantity: densities have the integral 1, probabilities have the sum 1, and
+/// counts are integers. All other values are densities.
 HistogramQuantity detect_histogram_quantity(const NumberTable& histogram);
 
 }  // namespace fpkcheck::methods

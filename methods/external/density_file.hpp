@@ -30,7 +30,8 @@ DensityFileContent read_density_file(const std::filesystem::path& file);
 struct SolutionSelection {
   std::optional<std::string> solution = {};
   std::optional<std::string> case_name = {};
-  /// Name of the case to use if `case_name` is empty and the run has a case with this name.
+  /// Name of the case that is selected if `case_name` is empty and the run has a case with this
+  /// name.
   std::string default_case = {};
 };
 

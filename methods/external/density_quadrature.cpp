@@ -129,7 +129,7 @@ double DensityIntegrals::sum_over_right_impacts(const std::function<double(doubl
   return points_.has_wall_at_end() ? flux_integral(points_.y_points().size() - 1, 1, weight) : 0;
 }
 
-transform::GridDensity DensityIntegrals::averages() const {
+transform::GridDensity DensityIntegrals::cell_averages() const {
   transform::GridDensity grid{points_.y_edges(), points_.v_edges(), {}};
   for (std::size_t i = 0; i < grid.ny(); ++i) {
     for (std::size_t j = 0; j < grid.nv(); ++j) {

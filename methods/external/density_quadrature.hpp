@@ -44,7 +44,7 @@ std::vector<double> subcell_edges(const std::vector<double>& edges);
 /// Integrals of an external density p(y, y'), from the values of p at the quadrature points.
 class DensityIntegrals {
  public:
-  /// The object keeps references to `points` and `values`, which must outlive the object.
+  /// The arguments `points` and `values` must outlive the object, which refers to both.
   /// @param values values of the density p at the quadrature points, row-major, shape
   /// (points.y_points(), points.v_points())
   DensityIntegrals(const DensityQuadratureGrid& points, const std::vector<double>& values);
@@ -71,10 +71,11 @@ class DensityIntegrals {
   /// sum of weight(u) over impacts at speed u per unit time. The result is 0 if the cells do not
   /// begin at the wall.
   double sum_over_left_impacts(const std::function<double(double)>& weight) const;
-  /// Returns the same sum over impacts at the right wall y = b. The result is 0 if the cells do not
+  /// Returns int_{v>0} v weight(v) p(b, v) dv over impact velocities at the right wall y = b, the
+  /// sum of weight(u) over impacts at speed u per unit time. The result is 0 if the cells do not
   /// end at the wall.
   double sum_over_right_impacts(const std::function<double(double)>& weight) const;
-  transform::GridDensity averages() const;
+  transform::GridDensity cell_averages() const;
 
  private:
   /// Returns the integral of |v| weight(|v|) p(y, v) over velocities v with the sign of

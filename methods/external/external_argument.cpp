@@ -86,7 +86,7 @@ ExternalArgument parse_external_argument(const std::string& text) {
   const auto colon = rest.rfind(':');
   if (colon == std::string::npos || file_exists(rest)) {
     argument.file = rest;
-    argument.label = results::file_stem(argument.file.stem().string());
+    argument.label = results::case_file_stem(argument.file.stem().string());
     argument.has_label = false;
   } else {
     argument.file = rest.substr(0, colon);

@@ -81,7 +81,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   const auto wall_momentum = [&](bool right) {
     const auto& wall = right ? problem.system.right_wall() : problem.system.left_wall();
     if (!wall) return 0.0;
-    const auto change = [&](double u) { return problem::momentum_change(*wall, u); };
+    const auto change = [&](double u) { return problem::momentum_change_at_impact(*wall, u); };
     return (right ? integrals.sum_over_right_impacts(change)
                   : integrals.sum_over_left_impacts(change)) /
            mass;
@@ -111,9 +111,9 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
 
 }  // namespace
 
-transform::SolutionIdentity external_density_identity(const ExternalDensity& external,
-                                                      std::string_view method,
-                                                      const std::string& origin) {
+transform::SolutionIdentity make_external_density_identity(const ExternalDensity& external,
+                                                           std::string_view method,
+                                                           const std::string& origin) {
   transform::SolutionIdentity identity{.id = external.label,
                                        .method = std::string(method),
                                        .order = external.order,
@@ -134,7 +134,7 @@ transform::SolutionIdentity external_density_identity(const ExternalDensity& ext
 }
 
 void add_rest_atom_note(const problem::Problem& problem, transform::MetricBuilder& builder) {
-  if (!problem::features(problem).rests_in_contact) return;
+  if (!problem::problem_features(problem).rests_in_contact) return;
   builder.add_text(
       "notes[0]",
       "the mass at rest in contact with a wall is not part of the density and counts as missing");
@@ -163,18 +163,19 @@ double validated_density_integral(const ExternalDensity& external,
   return mass;
 }
 
-Solution external_density_solution(const problem::Problem& problem, const SolveContext& context,
-                                   const ExternalDensity& external,
-                                   const JointDensityOptions& options,
-                                   const DensityQuadratureGrid& points, std::vector<double> values,
-                                   double mass) {
+Solution make_external_density_solution(const problem::Problem& problem,
+                                        const SolveContext& context,
+                                        const ExternalDensity& external,
+                                        const JointDensityOptions& options,
+                                        const DensityQuadratureGrid& points,
+                                        std::vector<double> values, double mass) {
   if (options.normalise) {
     for (double& value : values) value /= mass;
   }
   const DensityIntegrals integrals(points, values);
   const auto [least, peak] = std::ranges::minmax(values);
   Solution solution;
-  auto grid = integrals.averages();
+  auto grid = integrals.cell_averages();
   solution.mass = integrals.mass();
   solution.min_density = least / peak;
   solution.moments = integrals.moments(solution.mass);
@@ -183,7 +184,7 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
   const double damping_power = integrals.integrate_times_density(
       [&](double y, double v) { return v * system.damping_force(y, v); });
   const auto loss = [&](const std::optional<problem::Wall>& wall) {
-    return [&](double u) { return problem::energy_lost(*wall, external.impact, u); };
+    return [&](double u) { return problem::energy_loss_at_impact(*wall, external.impact, u); };
   };
   const double left_loss = integrals.sum_over_left_impacts(loss(system.left_wall()));
   const double right_loss = integrals.sum_over_right_impacts(loss(system.right_wall()));
@@ -191,8 +192,8 @@ Solution external_density_solution(const problem::Problem& problem, const SolveC
     return problem.noise_factor ? problem.noise_factor->squared(y, v) : 1;
   });
   const double square_impulse_factor = integrals.integrate_times_density(
-      [&](double y, double) { return problem::square_impulse_factor(problem, y); });
-  solution.energy_residual = problem::energy_residual(
+      [&](double y, double) { return problem::squared_impulse_factor(problem, y); });
+  solution.energy_residual = problem::power_balance_residual(
       problem, {.mean_velocity = moments.v1,
                 .mean_square_velocity = moments.v2,
                 .left_impact_loss = left_loss / solution.mass,
@@ -223,13 +224,13 @@ Method make_method_from_density_values(const ExternalDensity& external,
                                        const DensityQuadratureGrid& points,
                                        std::vector<double> values) {
   const double mass = validated_density_integral(external, points, values);
-  return {
-      .identity =
-          external_density_identity(external, transform::kExternalFunction, "given as a function"),
-      .solve = [external, options, points, mass, values = std::move(values)](
-                   const problem::Problem& problem, const SolveContext& context) {
-        return external_density_solution(problem, context, external, options, points, values, mass);
-      }};
+  return {.identity = make_external_density_identity(external, transform::kExternalFunction,
+                                                     "given as a function"),
+          .solve = [external, options, points, mass, values = std::move(values)](
+                       const problem::Problem& problem, const SolveContext& context) {
+            return make_external_density_solution(problem, context, external, options, points,
+                                                  values, mass);
+          }};
 }
 
 }  // namespace fpkcheck::methods

@@ -9,9 +9,9 @@
 #include "methods/external/density_quadrature.hpp"
 #include "methods/method.hpp"
 
-/// Methods that solve nothing and return an external density, from a file or from Python. An
-/// external density with a stated equation has the role of a closure: the density has an error
-/// budget and is never the reference.
+/// Methods that return an external density, from a file or from Python, instead of solving an
+/// equation. An external density with a stated equation has the role of a closure. Such a density
+/// has an error budget and is never the reference.
 namespace fpkcheck::methods {
 
 struct ExternalDensity {
@@ -27,9 +27,9 @@ struct ExternalDensity {
 /// Returns the identity of the solution for an external density.
 /// @param method transform::kExternalFile or transform::kExternalFunction
 /// @param origin phrase on the origin of the density, for the glossary: "given as a function"
-transform::SolutionIdentity external_density_identity(const ExternalDensity& external,
-                                                      std::string_view method,
-                                                      const std::string& origin);
+transform::SolutionIdentity make_external_density_identity(const ExternalDensity& external,
+                                                           std::string_view method,
+                                                           const std::string& origin);
 
 struct JointDensityOptions {
   /// Whether to divide the density by its integral, which becomes the metric "normalised_by".
@@ -64,11 +64,11 @@ double validated_density_integral(const ExternalDensity& external,
 
 /// @param values values of the density, accepted by validated_density_integral()
 /// @param mass integral of the density, from validated_density_integral()
-transform::Solution external_density_solution(const problem::Problem& problem,
-                                              const SolveContext& context,
-                                              const ExternalDensity& external,
-                                              const JointDensityOptions& options,
-                                              const DensityQuadratureGrid& points,
-                                              std::vector<double> values, double mass);
+transform::Solution make_external_density_solution(const problem::Problem& problem,
+                                                   const SolveContext& context,
+                                                   const ExternalDensity& external,
+                                                   const JointDensityOptions& options,
+                                                   const DensityQuadratureGrid& points,
+                                                   std::vector<double> values, double mass);
 
 }  // namespace fpkcheck::methods

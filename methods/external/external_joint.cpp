@@ -37,7 +37,7 @@ ExternalJointDensity joint_from_points(JointTable table, const std::string& path
   }
   joint.values = [path, table = std::make_shared<const JointTable>(std::move(table))](
                      const problem::Problem&, const DensityQuadratureGrid& points) {
-    require_between_walls(points.walls(), table->y.front(), table->y.back(), path);
+    require_range_between_walls(points.walls(), table->y.front(), table->y.back(), path);
     return evaluate_at_quadrature_points(*table, points);
   };
   return joint;
@@ -69,15 +69,15 @@ ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std:
     throw InputError(fmt::format("{}: {} has values that are not finite", where,
                                  base::in_quotes(solutions[place])));
   }
-  if (const auto method = registry.method_by_id(solutions[place])) {
+  if (const auto method = registry.find_method_by_id(solutions[place])) {
     joint.equation = method->identity.equation;
     joint.impact = method->identity.impact;
     joint.order = method->identity.order;
   }
   joint.values = [where, external = std::make_shared<const transform::GridDensity>(cells)](
                      const problem::Problem&, const DensityQuadratureGrid& points) {
-    require_between_walls(points.walls(), external->y_edges.front(), external->y_edges.back(),
-                          where);
+    require_range_between_walls(points.walls(), external->y_edges.front(), external->y_edges.back(),
+                                where);
     return evaluate_at_quadrature_points(*external, points);
   };
   return joint;
@@ -86,14 +86,14 @@ ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std:
 // Returns the first parameter that differs between the problem of the file and the problem of the
 // run; empty without a difference.
 std::string first_difference(const problem::Problem& of_file, const problem::Problem& of_run) {
-  const auto here = problem::sections(of_run);
-  for (const auto& section : problem::sections(of_file)) {
+  const auto here = problem::case_file_sections(of_run);
+  for (const auto& section : problem::case_file_sections(of_file)) {
     const auto same = std::ranges::find(here, section.name, &problem::CaseFileSection::name);
     for (const auto& value : section.values) {
       if (same != here.end() && std::ranges::find(same->values, value) != same->values.end()) {
         continue;
       }
-      return fmt::format("{}.{} = {}", section.name, value.name, base::text_of(value.value));
+      return fmt::format("{}.{} = {}", section.name, value.name, base::value_as_text(value.value));
     }
   }
   return {};
@@ -190,7 +190,7 @@ Method make_method_from_joint_density(const ExternalDensity& external,
     const DensityQuadratureGrid points(context.axes, problem.system.walls());
     auto values = joint.values(problem, points);
     const double mass = validated_density_integral(external, points, values);
-    auto solution = external_density_solution(
+    auto solution = make_external_density_solution(
         problem, context, external,
         {.normalise = joint.normalise, .inadmissible_reason = joint.inadmissible_reason}, points,
         std::move(values), mass);
@@ -213,9 +213,10 @@ Method make_method_from_joint_density(const ExternalDensity& external,
     std::ranges::move(builder.take_metrics(), std::back_inserter(solution.metrics));
     return solution;
   };
-  return {.identity = external_density_identity(external, transform::kExternalFile, "from a file"),
-          .solve = solve,
-          .check = [check](const problem::Problem& problem) { check(problem); }};
+  return {
+      .identity = make_external_density_identity(external, transform::kExternalFile, "from a file"),
+      .solve = solve,
+      .check = [check](const problem::Problem& problem) { check(problem); }};
 }
 
 }  // namespace fpkcheck::methods

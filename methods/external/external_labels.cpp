@@ -49,7 +49,7 @@ std::optional<std::string> family_name(const transform::SolutionIdentity& identi
 void require_valid_label(const std::string& label, const SolverRegistry& registry) {
   constexpr std::size_t kMaxLength = 24;  // longer labels do not fit a table of 80 columns
   const bool legal =
-      !label.empty() && label.size() <= kMaxLength && results::file_stem(label) == label;
+      !label.empty() && label.size() <= kMaxLength && results::case_file_stem(label) == label;
   if (!legal) {
     throw InputError(
         fmt::format("label {} of a density (must be 1 to {} letters, digits, '-', '_' or '.')",

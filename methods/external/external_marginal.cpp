@@ -23,38 +23,40 @@ namespace {
 
 using transform::StateVariable;
 
-void require_between_walls(const NumberTable& table, std::size_t row, double y,
-                           const problem::Walls& walls) {
+void require_range_between_walls(const NumberTable& table, std::size_t row, double y,
+                                 const problem::Walls& walls) {
   if (is_between_walls(walls, y)) return;
   // Two causes are likely: the column names select the variable y, or the file belongs to another
   // case.
-  table.fail(row,
-             fmt::format("y = {:g} under the names {} (must be {}; name the abscissa 'v' for a "
-                         "density of y')",
-                         y, base::in_quotes(fmt::format("{}", fmt::join(table.names, ","))),
-                         admissible_range_text(walls)));
+  table.throw_row_error(
+      row, fmt::format("y = {:g} under the names {} (must be {}; name the abscissa 'v' for a "
+                       "density of y')",
+                       y, base::in_quotes(fmt::format("{}", fmt::join(table.names, ","))),
+                       admissible_range_text(walls)));
 }
 
 void require_rows(const NumberTable& table, const problem::Walls& walls) {
   constexpr std::size_t kMinRows = 4;  // the interpolants need four points
   const std::size_t last = table.rows.size() - 1;
   if (table.rows.size() < kMinRows) {
-    table.fail(last, fmt::format("{} rows (must be at least {})", last + 1, kMinRows));
+    table.throw_row_error(last, fmt::format("{} rows (must be at least {})", last + 1, kMinRows));
   }
   for (std::size_t k = 0; k <= last; ++k) {
     const double x = table.rows[k][0];
     if (k > 0 && x <= table.rows[k - 1][0]) {
-      table.fail(k, fmt::format("{} after {} (must increase{})", x, table.rows[k - 1][0],
-                                table.columns() == 3 ? "; name a joint density y,v,p" : ""));
+      table.throw_row_error(
+          k, fmt::format("{} after {} (must increase{})", x, table.rows[k - 1][0],
+                         table.columns() == 3 ? "; name a joint density y,v,p" : ""));
     }
-    require_between_walls(table, k, x, walls);
+    require_range_between_walls(table, k, x, walls);
   }
 }
 
 void require_not_negative(const NumberTable& table, std::size_t column, const char* what) {
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     if (table.rows[k][column] < 0) {
-      table.fail(k, fmt::format("{} {:g} (must not be negative)", what, table.rows[k][column]));
+      table.throw_row_error(
+          k, fmt::format("{} {:g} (must not be negative)", what, table.rows[k][column]));
     }
   }
 }
@@ -83,13 +85,14 @@ void ExternalMarginal::read_histogram(const NumberTable& table) {
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const double lower = table.rows[k][0], upper = table.rows[k][1];
     if (upper <= lower) {
-      table.fail(k, fmt::format("a bin from {:g} to {:g} (edges must increase)", lower, upper));
+      table.throw_row_error(
+          k, fmt::format("a bin from {:g} to {:g} (edges must increase)", lower, upper));
     }
     if (k > 0 && !are_bins_adjacent(table.rows[k - 1], table.rows[k])) {
-      table.fail(k, fmt::format("a bin from {:g} after a bin to {:g} (bins must adjoin)", lower,
-                                knots_.back()));
+      table.throw_row_error(k, fmt::format("a bin from {:g} after a bin to {:g} (bins must adjoin)",
+                                           lower, knots_.back()));
     }
-    require_between_walls(table, k, upper, walls_);
+    require_range_between_walls(table, k, upper, walls_);
     knots_.push_back(upper);
   }
   const HistogramQuantity value = detect_histogram_quantity(table);
@@ -205,7 +208,7 @@ transform::Marginal ExternalMarginal::average_over_bins(std::span<const double> 
     below = upper;
   }
   if (!has_standard_errors()) return result;
-  const auto errors = bin_average_errors(knots_, errors_, edges, extrapolation_);
+  const auto errors = compute_bin_average_errors(knots_, errors_, edges, extrapolation_);
   for (std::size_t b = 0; b < result.size(); ++b) {
     const double half = numerics::kNormal95 * scale_ * errors[b].standard_error();
     result.lower.push_back(std::max(result.density[b] - half, 0.0));
@@ -229,8 +232,8 @@ double ExternalMarginal::moment(int power) const {
 
 L1SamplingError ExternalMarginal::l1_sampling_error(std::span<const double> edges) const {
   assert(has_standard_errors());
-  const auto [expected, quantile_99] =
-      methods::l1_sampling_error(bin_average_errors(knots_, errors_, edges, extrapolation_));
+  const auto [expected, quantile_99] = methods::l1_sampling_error(
+      compute_bin_average_errors(knots_, errors_, edges, extrapolation_));
   return {scale_ * expected, scale_ * quantile_99};
 }
 

@@ -237,18 +237,20 @@ void read_density_into(const ExternalArgument& argument, const std::string& case
 
 Method make_marginals_method(const ExternalDensity& external,
                              const std::vector<MarginalFile>& files) {
-  return {.identity = external_density_identity(external, transform::kExternalFile, "from a file"),
-          .solve =
-              [files](const problem::Problem& problem, const SolveContext& context) {
-                return marginals_solution(problem, read_marginals(problem, files), context.axes);
-              },
-          .check = [files](const problem::Problem& problem) { read_marginals(problem, files); }};
+  return {
+      .identity = make_external_density_identity(external, transform::kExternalFile, "from a file"),
+      .solve =
+          [files](const problem::Problem& problem, const SolveContext& context) {
+            return marginals_solution(problem, read_marginals(problem, files), context.axes);
+          },
+      .check = [files](const problem::Problem& problem) { read_marginals(problem, files); }};
 }
 
 }  // namespace
 
-std::vector<Method> external_methods(std::span<const std::string> arguments,
-                                     const SolverRegistry& registry, const std::string& case_name) {
+std::vector<Method> read_external_methods(std::span<const std::string> arguments,
+                                          const SolverRegistry& registry,
+                                          const std::string& case_name) {
   std::vector<LabelledFiles> solutions;
   for (const auto& text : arguments) {
     auto argument = parse_external_argument(text);

@@ -37,7 +37,7 @@ std::optional<std::size_t> bin_index(const std::vector<double>& edges, double va
 }
 
 Samples without_samples_at_rest(const Samples& samples, const problem::Problem& problem) {
-  if (!problem::features(problem).rests_in_contact) return samples;
+  if (!problem::problem_features(problem).rests_in_contact) return samples;
   const problem::Walls walls = problem.system.walls();
   Samples left{{}, {}, samples.independent};
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -146,8 +146,8 @@ Method make_method_from_samples(const ExternalDensity& external, std::span<const
   }
   auto samples = std::make_shared<const Samples>(
       Samples{{y.begin(), y.end()}, {v.begin(), v.end()}, independent > 0 ? independent : all});
-  return {.identity =
-              external_density_identity(external, transform::kExternalFunction, "given as samples"),
+  return {.identity = make_external_density_identity(external, transform::kExternalFunction,
+                                                     "given as samples"),
           .solve =
               [samples](const problem::Problem& problem, const SolveContext& context) {
                 return samples_solution(*samples, problem, context.axes);

@@ -88,8 +88,8 @@ JointTable make_joint_table(const NumberTable& table) {
     const auto& row = table.rows[k];
     const auto at = value_index(joint.y, row[of_y]) * nv + value_index(joint.v, row[of_v]);
     if (row_of[at] != kNone) {
-      table.fail(k, fmt::format("y = {:g}, y' = {:g} occurs twice (first in line {})", row[of_y],
-                                row[of_v], table.lines[row_of[at] - 1]));
+      table.throw_row_error(k, fmt::format("y = {:g}, y' = {:g} occurs twice (first in line {})",
+                                           row[of_y], row[of_v], table.lines[row_of[at] - 1]));
     }
     row_of[at] = k + 1;
     joint.p[at] = row[2];
@@ -111,8 +111,8 @@ void require_valid_joint_table(const JointTable& table, const std::string& sourc
   }
 }
 
-void require_between_walls(const problem::Walls& walls, double from, double to,
-                           const std::string& source) {
+void require_range_between_walls(const problem::Walls& walls, double from, double to,
+                                 const std::string& source) {
   for (const double y : {from, to}) {
     if (is_between_walls(walls, y)) continue;
     throw InputError(

@@ -29,8 +29,8 @@ JointTable make_joint_table(const NumberTable& table);
 void require_valid_joint_table(const JointTable& table, const std::string& source);
 
 /// @throws InputError with a message "SOURCE: problem", if `from` or `to` is behind a wall
-void require_between_walls(const problem::Walls& walls, double from, double to,
-                           const std::string& source);
+void require_range_between_walls(const problem::Walls& walls, double from, double to,
+                                 const std::string& source);
 
 /// Interpolates a joint density at quadrature points by Akima's modified interpolant, along y' and
 /// then along y. Interpolated values are clipped from below at the smaller of 0 and the minimum of

@@ -102,7 +102,7 @@ std::vector<double> NumberTable::column(std::size_t c) const {
   return values;
 }
 
-void NumberTable::fail(std::size_t row, const std::string& problem) const {
+void NumberTable::throw_row_error(std::size_t row, const std::string& problem) const {
   throw InputError(fmt::format("{}:{}: {}", base::sanitise(source), lines[row], problem));
 }
 
@@ -110,7 +110,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
   NumberTable table{source, {}, {}, {}};
   std::vector<std::string> comment;
   int line_number = 0;
-  const auto fail = [&](const std::string& problem) {
+  const auto throw_row_error = [&](const std::string& problem) {
     throw InputError(fmt::format("{}:{}: {}", base::sanitise(source), line_number, problem));
   };
   char first_separator = '\0';
@@ -118,7 +118,8 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
   for (std::string line; std::getline(in, line);) {
     ++line_number;
     if (line.size() > kMaxLineLength) {
-      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kMaxLineLength));
+      throw_row_error(
+          fmt::format("a line of {} bytes (must be at most {})", line.size(), kMaxLineLength));
     }
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (line_number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
@@ -139,29 +140,33 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     for (const auto& field : fields) {
       const auto value = number(field);
       if (!value)
-        fail(fmt::format("{} is not a number; use a decimal point", base::in_quotes(field)));
+        throw_row_error(
+            fmt::format("{} is not a number; use a decimal point", base::in_quotes(field)));
       if (!std::isfinite(*value))
-        fail(fmt::format("{} (numbers must be finite)", base::sanitise(field)));
+        throw_row_error(fmt::format("{} (numbers must be finite)", base::sanitise(field)));
       row.push_back(*value);
     }
     if (table.rows.empty()) first_separator = separator;
     if (separator != first_separator) {
-      fail(fmt::format("fields separated by {} after rows with {}; use one separator",
-                       name_of_separator(separator), name_of_separator(first_separator)));
+      throw_row_error(fmt::format("fields separated by {} after rows with {}; use one separator",
+                                  name_of_separator(separator),
+                                  name_of_separator(first_separator)));
     }
     const std::size_t columns = table.rows.empty() ? row.size() : table.columns();
     if (columns < 2 || columns > 3) {
-      fail(fmt::format("{} column{} (must be two or three)", columns, columns == 1 ? "" : "s"));
+      throw_row_error(
+          fmt::format("{} column{} (must be two or three)", columns, columns == 1 ? "" : "s"));
     }
     if (row.size() != columns) {
-      fail(fmt::format("{} columns after rows of {} (must be equal)", row.size(), columns));
+      throw_row_error(
+          fmt::format("{} columns after rows of {} (must be equal)", row.size(), columns));
     }
     if (table.rows.empty()) {
       const auto names = to_lower_case(table.names.empty() ? comment : table.names);
       max_rows = velocity_column_index(names) < names.size() ? kMaxGridRows : kMaxRows;
     }
     if (table.rows.size() == max_rows) {
-      fail(fmt::format("more than {} rows; give a coarser density", max_rows));
+      throw_row_error(fmt::format("more than {} rows; give a coarser density", max_rows));
     }
     table.rows.push_back(std::move(row));
     table.lines.push_back(line_number);
@@ -173,8 +178,8 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
   if (table.names.empty() && comment.size() == table.columns())
     table.names = to_lower_case(comment);
   if (!table.names.empty() && table.names.size() != table.columns()) {
-    table.fail(0, fmt::format("{} columns under {} names (must be equal)", table.columns(),
-                              table.names.size()));
+    table.throw_row_error(0, fmt::format("{} columns under {} names (must be equal)",
+                                         table.columns(), table.names.size()));
   }
   return table;
 }

@@ -18,7 +18,7 @@ struct NumberTable {
   std::size_t columns() const { return rows.front().size(); }
   std::vector<double> column(std::size_t c) const;
   /// @throws InputError with the message "SOURCE:LINE: problem"
-  [[noreturn]] void fail(std::size_t row, const std::string& problem) const;
+  [[noreturn]] void throw_row_error(std::size_t row, const std::string& problem) const;
 };
 
 /// Largest accepted magnitude of abscissae, densities and integrals, for which fourth powers

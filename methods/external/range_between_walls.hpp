@@ -8,8 +8,8 @@
 
 #include "problem/walls.hpp"
 
-/// Checks that external data are in the closed range of y between the walls. The tolerance is a
-/// millionth of the wall position, since numbers in files are rounded.
+/// Checks that values of y in external data are between the walls. The tolerance is 1e-6 of the
+/// wall position, since numbers in files are rounded.
 namespace fpkcheck::methods {
 
 /// Returns whether y equals the wall position within the tolerance; false if there is no wall.

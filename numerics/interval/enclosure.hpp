@@ -4,8 +4,8 @@
 
 namespace fpkcheck::numerics {
 
-/// An enclosure lower <= x <= upper of a number x, computed by interval arithmetic. This header
-/// needs no special compiler options, in contrast to interval.hpp.
+/// An enclosure lower <= x <= upper of a number x, computed by interval arithmetic. The header
+/// enclosure.hpp needs no special compiler options, in contrast to interval.hpp.
 struct Enclosure {
   double lower = 0, upper = 0;
 

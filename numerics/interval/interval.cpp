@@ -52,12 +52,12 @@ Interval exponential(const Interval& x) {
 
 double binomial_coefficient(int n, int j) {
   double c = 1;
-  // Binomial coefficient c is an integer after each step.
+  // The variable c is a binomial coefficient, and thus an integer, after each step.
   for (int i = 1; i <= j; ++i) c = c * (n - j + i) / i;
   return c;
 }
 
-BernsteinCoefficients elevate_degree(std::span<const Interval> b, int degree) {
+BernsteinCoefficients elevate_bernstein_degree(std::span<const Interval> b, int degree) {
   // Degree elevation: the Bernstein coefficient i of degree n+1 is (i b_{i-1} + (n+1-i) b_i) /
   // (n+1).
   BernsteinCoefficients e(b.begin(), b.end());
@@ -92,7 +92,7 @@ BernsteinCoefficients bernstein_derivative(std::span<const Interval> b) {
   return d;
 }
 
-Interval bernstein_value(std::span<const Interval> b, const Interval& t) {
+Interval evaluate_bernstein_polynomial(std::span<const Interval> b, const Interval& t) {
   BernsteinCoefficients c(b.begin(), b.end());
   const Interval s = 1.0 - t;
   for (std::size_t n = c.size(); n-- > 1;) {

@@ -103,17 +103,20 @@ using BernsteinCoefficients = std::vector<Interval>;
 /// Returns the binomial coefficient C(n, j), exact for n <= 40.
 double binomial_coefficient(int n, int j);
 
-BernsteinCoefficients elevate_degree(std::span<const Interval> b, int degree);
+BernsteinCoefficients elevate_bernstein_degree(std::span<const Interval> bernstein_coefficients,
+                                               int degree);
 BernsteinCoefficients bernstein_product(std::span<const Interval> a, std::span<const Interval> b);
-BernsteinCoefficients bernstein_derivative(std::span<const Interval> b);
+BernsteinCoefficients bernstein_derivative(std::span<const Interval> bernstein_coefficients);
 /// Evaluates a polynomial in Bernstein form at t in [0, 1] by de Casteljau's algorithm.
-Interval bernstein_value(std::span<const Interval> b, const Interval& t);
+Interval evaluate_bernstein_polynomial(std::span<const Interval> bernstein_coefficients,
+                                       const Interval& t);
 
 /// Returns the Bernstein coefficients b_0 .. b_n of the polynomial sum_k a_k t^k of degree n.
 BernsteinCoefficients bernstein_from_power_coefficients(std::span<const Interval> a);
-/// Returns the coefficients a_k of the polynomial sum_k a_k t^k that has the Bernstein coefficients
-/// b.
-BernsteinCoefficients power_coefficients_from_bernstein(std::span<const Interval> b);
+/// Returns the coefficients a_k of the polynomial sum_k a_k t^k that has the given Bernstein
+/// coefficients.
+BernsteinCoefficients power_coefficients_from_bernstein(
+    std::span<const Interval> bernstein_coefficients);
 /// Returns the Bernstein coefficients of the polynomial sum_k a_k (x - origin)^k on the segment x =
 /// from + t (to - from), 0 <= t <= 1.
 BernsteinCoefficients bernstein_coefficients_on_segment(std::span<const double> a,

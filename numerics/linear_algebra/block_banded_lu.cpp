@@ -10,8 +10,9 @@ namespace fpkcheck::numerics {
 namespace {
 
 // Replaces C by C - A B for blocks of matrices stored by columns.
-void subtract(Eigen::Ref<Eigen::MatrixXd> c, const Eigen::Ref<const Eigen::MatrixXd>& a,
-              const Eigen::Ref<const Eigen::MatrixXd>& b) {
+void subtract_block_product(Eigen::Ref<Eigen::MatrixXd> c,
+                            const Eigen::Ref<const Eigen::MatrixXd>& a,
+                            const Eigen::Ref<const Eigen::MatrixXd>& b) {
   subtract_product(c.data(), c.outerStride(), {a.data(), 1, a.outerStride()},
                    {b.data(), 1, b.outerStride()}, c.rows(), c.cols(), a.cols());
 }
@@ -21,7 +22,8 @@ void subtract(Eigen::Ref<Eigen::MatrixXd> c, const Eigen::Ref<const Eigen::Matri
 BlockBandedLu::BlockBandedLu(const Eigen::SparseMatrix<double>& matrix, int block_size)
     : n_(block_size), blocks_(static_cast<int>(matrix.rows() / block_size)) {
   assert(matrix.rows() == matrix.cols() && matrix.rows() % block_size == 0);
-  // Last nonzero block in each column and in each row, made increasing
+  // Index of the last nonzero block in each column and in each row, increased to a nondecreasing
+  // sequence
   std::vector<int> last_row(static_cast<std::size_t>(blocks_)), last_column(last_row);
   for (int c = 0; c < blocks_; ++c) last_row[c] = last_column[c] = c;
   using Entry = Eigen::SparseMatrix<double>::InnerIterator;
@@ -64,22 +66,23 @@ void BlockBandedLu::factorise() {
     const Eigen::MatrixXd below = -lower_[c];
     lower_[c].setZero();
     if (below.rows() == 0) continue;
-    subtract(lower_[c], below, diagonal_[c]);
+    subtract_block_product(lower_[c], below, diagonal_[c]);
     const auto rows = static_cast<int>(lower_[c].rows() / n_);
     const auto columns = static_cast<int>(upper_[c].cols() / n_);
     for (int j = 1; j <= columns; ++j) {
       const auto right = upper_[c].middleCols((j - 1) * n_, n_);
-      // Rows of blocks above the diagonal block c + j, then this block, then the blocks below it
+      // The loop updates the blocks above the diagonal block c + j. The two statements after the
+      // loop update the diagonal block and the blocks below the diagonal block.
       for (int i = 1; i < std::min(j, rows + 1); ++i) {
-        subtract(upper_[c + i].middleCols((j - i - 1) * n_, n_),
-                 lower_[c].middleRows((i - 1) * n_, n_), right);
+        subtract_block_product(upper_[c + i].middleCols((j - i - 1) * n_, n_),
+                               lower_[c].middleRows((i - 1) * n_, n_), right);
       }
       if (j <= rows) {
-        subtract(diagonal_[c + j], lower_[c].middleRows((j - 1) * n_, n_), right);
+        subtract_block_product(diagonal_[c + j], lower_[c].middleRows((j - 1) * n_, n_), right);
       }
       if (j < rows) {
-        subtract(lower_[c + j].topRows((rows - j) * n_), lower_[c].bottomRows((rows - j) * n_),
-                 right);
+        subtract_block_product(lower_[c + j].topRows((rows - j) * n_),
+                               lower_[c].bottomRows((rows - j) * n_), right);
       }
     }
   }
@@ -87,25 +90,25 @@ void BlockBandedLu::factorise() {
 
 void BlockBandedLu::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   for (int c = 0; c < blocks_; ++c) {
-    b.segment(first_row(c + 1), lower_[c].rows()).noalias() -=
-        lower_[c] * b.segment(first_row(c), n_);
+    b.segment(first_row_of_block(c + 1), lower_[c].rows()).noalias() -=
+        lower_[c] * b.segment(first_row_of_block(c), n_);
   }
   for (int c = blocks_; c-- > 0;) {
-    auto x = b.segment(first_row(c), n_);
-    x.noalias() -= upper_[c] * b.segment(first_row(c + 1), upper_[c].cols());
+    auto x = b.segment(first_row_of_block(c), n_);
+    x.noalias() -= upper_[c] * b.segment(first_row_of_block(c + 1), upper_[c].cols());
     x = diagonal_[c] * Eigen::VectorXd(x);
   }
 }
 
 void BlockBandedLu::solve_transposed_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   for (int c = 0; c < blocks_; ++c) {
-    auto x = b.segment(first_row(c), n_);
+    auto x = b.segment(first_row_of_block(c), n_);
     x = diagonal_[c].transpose() * Eigen::VectorXd(x);
-    b.segment(first_row(c + 1), upper_[c].cols()).noalias() -= upper_[c].transpose() * x;
+    b.segment(first_row_of_block(c + 1), upper_[c].cols()).noalias() -= upper_[c].transpose() * x;
   }
   for (int c = blocks_; c-- > 0;) {
-    b.segment(first_row(c), n_).noalias() -=
-        lower_[c].transpose() * b.segment(first_row(c + 1), lower_[c].rows());
+    b.segment(first_row_of_block(c), n_).noalias() -=
+        lower_[c].transpose() * b.segment(first_row_of_block(c + 1), lower_[c].rows());
   }
 }
 

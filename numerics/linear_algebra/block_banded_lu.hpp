@@ -7,9 +7,10 @@
 namespace fpkcheck::numerics {
 
 /// LU factors of a sparse matrix whose dense blocks of equal size lie near the diagonal, without
-/// exchanges of rows between blocks. The factors fill the envelope: in each column of blocks down to
-/// the last nonzero block of this and all earlier columns, in each row likewise to the right. A
-/// matrix s - L of a generator L with s > 0 needs no exchanges.
+/// exchanges of rows between blocks. The factors fill the envelope of the blocks. A column of
+/// blocks extends down to the last nonzero block in the column and in all earlier columns. A row of
+/// blocks extends to the right to the last nonzero block in the row and in all earlier rows. A
+/// matrix s - L of a generator L with s > 0 needs no exchanges of rows.
 class BlockBandedLu {
  public:
   /// @pre the size of the matrix is a multiple of block_size
@@ -23,14 +24,15 @@ class BlockBandedLu {
   /// Returns whether all factors are finite, that is, whether every diagonal block was regular.
   bool is_finite() const;
 
-  /// Returns the number of elements of the factors of a matrix with blocks up to `reach` blocks from
-  /// the diagonal, for a choice of the method by memory.
-  static double element_count(double size, double block_size, int reach) {
-    return size * block_size * (1 + 2 * reach);
+  /// Returns the number of elements of the factors of a matrix with blocks up to `half_bandwidth`
+  /// blocks from the diagonal. Callers compare the number of elements with the available memory and
+  /// then choose between LU factors and GMRES.
+  static double factor_element_count(double matrix_size, double block_size, int half_bandwidth) {
+    return matrix_size * block_size * (1 + 2 * half_bandwidth);
   }
 
  private:
-  Eigen::Index first_row(int block) const { return static_cast<Eigen::Index>(block) * n_; }
+  Eigen::Index first_row_of_block(int block) const { return static_cast<Eigen::Index>(block) * n_; }
   void factorise();
 
   int n_;       // block size
@@ -39,7 +41,8 @@ class BlockBandedLu {
   std::vector<Eigen::MatrixXd> lower_;
   /// Element c holds the blocks to the right of the diagonal block c, side by side.
   std::vector<Eigen::MatrixXd> upper_;
-  std::vector<Eigen::MatrixXd> diagonal_;  // diagonal blocks D_c, later their inverses
+  std::vector<Eigen::MatrixXd>
+      diagonal_;  // diagonal blocks D_c; after factorise(), the inverses of D_c
 };
 
 }  // namespace fpkcheck::numerics

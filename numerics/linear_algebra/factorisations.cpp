@@ -18,7 +18,9 @@ LuFactors::LuFactors(LuFactors&&) noexcept = default;
 LuFactors& LuFactors::operator=(LuFactors&&) noexcept = default;
 LuFactors::~LuFactors() = default;
 
-Eigen::VectorXd LuFactors::solve(const Eigen::VectorXd& right) const { return lu_->solve(right); }
+Eigen::VectorXd LuFactors::solve(const Eigen::VectorXd& right_hand_side) const {
+  return lu_->solve(right_hand_side);
+}
 double LuFactors::determinant() const { return lu_->determinant(); }
 
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
@@ -95,7 +97,7 @@ bool BlockBandedMatrix::factorise() {
   return true;
 }
 
-void BlockBandedMatrix::solve(Eigen::MatrixXd& b) const {
+void BlockBandedMatrix::solve_in_place(Eigen::MatrixXd& b) const {
   assert(is_factorised_);
   for (int c = 0; c < block_count(); ++c) {
     const Eigen::MatrixXd& panel = columns_[c];

@@ -18,7 +18,7 @@ class LuFactors {
   LuFactors& operator=(LuFactors&&) noexcept;
   ~LuFactors();
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
   double determinant() const;
 
  private:
@@ -28,8 +28,8 @@ class LuFactors {
 /// Returns the singular values of a matrix in decreasing order.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
-/// Returns the eigenvalue of a square matrix with the largest real part, and of a conjugate pair
-/// the one with the positive imaginary part.
+/// Returns the eigenvalue with the largest real part of a square matrix. Of a conjugate pair the
+/// function returns the eigenvalue with the positive imaginary part.
 std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& matrix);
 
 struct SingularityIndicators {
@@ -47,7 +47,6 @@ class BlockBandedMatrix {
 
   Eigen::Index size() const { return offsets_.back(); }
   int block_count() const { return static_cast<int>(offsets_.size()) - 1; }
-  Eigen::Index block_offset(int block) const { return offsets_[block]; }
   /// Returns the block (row, column) of the lower triangle, column <= row <= column + bandwidth.
   Eigen::Ref<Eigen::MatrixXd> block(int row, int column);
 
@@ -62,7 +61,7 @@ class BlockBandedMatrix {
   /// Replaces b by A^-1 b, where A is the factorised matrix.
   /// @param b shape (size, any number of columns)
   /// @pre factorise() has returned true
-  void solve(Eigen::MatrixXd& b) const;
+  void solve_in_place(Eigen::MatrixXd& b) const;
 
  private:
   int last_block_row(int column) const { return std::min(column + bandwidth_, block_count() - 1); }

@@ -9,8 +9,8 @@
 namespace fpkcheck::numerics {
 
 /// System of ordinary differential equations dx/dt = f(t, x) with its Jacobian df/dx. Both
-/// functions return false at a state x outside of the domain of f. CVODE then repeats the step with
-/// a smaller step size.
+/// functions return false at a state x outside of the domain of f. If a function returns false,
+/// CVODE repeats the step with a smaller step size.
 struct OdeSystem {
   std::function<bool(double t, const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> rate)> rate;
   std::function<bool(double t, const Eigen::VectorXd& x, Eigen::Ref<Eigen::MatrixXd> jacobian)>
@@ -18,8 +18,8 @@ struct OdeSystem {
 };
 
 struct BdfSettings {
-  double relative;
-  double absolute;  ///< of all components
+  double relative_tolerance;
+  double absolute_tolerance;  ///< absolute tolerance of every component of the state
   std::optional<double> max_step = {};
   std::optional<double> stop_time = {};  ///< time that no step exceeds
 };
@@ -28,9 +28,10 @@ struct BdfSettings {
 /// matrix I - gamma df/dx solve the linear systems of Newton's method.
 class BdfIntegrator {
  public:
-  /// @param start state at the time 0
+  /// @param initial_state state at the time 0
   /// @throws std::runtime_error when SUNDIALS cannot be set up
-  BdfIntegrator(OdeSystem system, const Eigen::VectorXd& start, const BdfSettings& settings);
+  BdfIntegrator(OdeSystem system, const Eigen::VectorXd& initial_state,
+                const BdfSettings& settings);
   ~BdfIntegrator();
   BdfIntegrator(const BdfIntegrator&) = delete;
   BdfIntegrator& operator=(const BdfIntegrator&) = delete;
@@ -38,7 +39,7 @@ class BdfIntegrator {
   /// Advances to `time`, at which the state is interpolated.
   /// @return whether `time` was reached; otherwise see error_message()
   /// @throws every exception of the system
-  bool advance(double time);
+  bool advance_to_time(double time);
 
   Eigen::VectorXd state() const;
   const std::string& error_message() const;

@@ -46,7 +46,7 @@ class CallbackExceptionStore {
 
   /// Calls `callback` and returns the flag, or kUnrecoverable if the callback throws.
   template <class Callback>
-  int invoke(const Callback& callback) noexcept {
+  int call_and_store_exception(const Callback& callback) noexcept {
     try {
       return callback();
     } catch (...) {
@@ -56,7 +56,7 @@ class CallbackExceptionStore {
     }
   }
 
-  void rethrow() {
+  void rethrow_stored_exception() {
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
   }
 
@@ -75,15 +75,15 @@ using OwnedHandle = std::unique_ptr<std::remove_pointer_t<Handle>, HandleDeleter
 
 /// @throws std::runtime_error when `handle` is null
 template <class Handle>
-OwnedHandle<Handle> make_owned(Handle handle, const char* name) {
+OwnedHandle<Handle> make_owned_handle(Handle handle, const char* object_name) {
   if (handle == nullptr)
-    throw std::runtime_error(fmt::format("SUNDIALS cannot create {}: out of memory?", name));
+    throw std::runtime_error(fmt::format("SUNDIALS cannot create {}: out of memory?", object_name));
   return OwnedHandle<Handle>(handle);
 }
 
 /// @throws std::runtime_error when `flag` is negative
-inline void require_success(int flag, const char* call) {
-  if (flag < 0) throw std::runtime_error(fmt::format("{} returned {}", call, flag));
+inline void require_success(int flag, const char* function_name) {
+  if (flag < 0) throw std::runtime_error(fmt::format("{} returned {}", function_name, flag));
 }
 
 /// Makes `cvode` report errors to `handler(function, text, data)`, which must not throw.
@@ -111,7 +111,8 @@ inline Eigen::Map<Eigen::VectorXd> vector_view(N_Vector v) {
 /// N_VDotProd_Serial does not.
 inline OwnedHandle<N_Vector> make_sundials_vector(const Eigen::VectorXd& values,
                                                   QuietContext& context) {
-  auto v = make_owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
+  auto v = make_owned_handle(N_VNew_Serial(static_cast<sunindextype>(values.size()), context),
+                             "a vector");
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept {
     return vector_view(a).dot(vector_view(b));
   };

@@ -21,7 +21,7 @@ struct ThreeTermRecurrence {
 // Computes a Gauss rule by the method of Golub and Welsch: the nodes are the eigenvalues of the
 // Jacobi matrix. The weights are computed from the recurrence as 1 / sum_i h_i(t)^2. Eigenvectors
 // would not give the small outer weights with full relative accuracy. Moments of degree 5n, where n
-// is the closure order, require this accuracy.
+// is the closure order, require full relative accuracy of the weights.
 QuadratureRule golub_welsch_rule(const ThreeTermRecurrence& recurrence) {
   const auto& [diagonal, off_diagonal] = recurrence;
   const Eigen::Index count = diagonal.size();

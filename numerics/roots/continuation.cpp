@@ -22,45 +22,49 @@ class CurveTracer {
   CurveTracer(const Homotopy& homotopy, const ContinuationOptions& options)
       : homotopy_(homotopy), options_(options) {}
 
-  SolutionCurve from(const VectorXd& start);
+  SolutionCurve trace_from(const VectorXd& start);
 
  private:
-  MatrixXd bordered_jacobian(const CurvePoint& at, const VectorXd& last_row) const;
-  VectorXd tangent(const CurvePoint& at, const VectorXd& before) const;
+  MatrixXd bordered_jacobian(const CurvePoint& point, const VectorXd& last_row) const;
+  VectorXd unit_tangent(const CurvePoint& point, const VectorXd& previous_tangent) const;
   bool is_converged(const VectorXd& residual, double correction) const;
-  std::optional<CurvePoint> correct(const CurvePoint& predict, const VectorXd& tangent,
-                                    double step);
+  std::optional<CurvePoint> correct_prediction(const CurvePoint& predicted, const VectorXd& tangent,
+                                               double step);
   std::optional<CurvePoint> correct_at_fixed_t(CurvePoint point);
-  std::optional<CurvePoint> point_at_limit(const CurvePoint& before, const CurvePoint& beyond);
+  std::optional<CurvePoint> point_at_parameter_limit(const CurvePoint& before,
+                                                     const CurvePoint& beyond);
   CurvePoint locate_fold(const CurvePoint& from, const VectorXd& tangent, double step);
-  void record(const CurvePoint& at) { curve_.points.push_back(at); }
-  void record_fold(const CurvePoint& at, const VectorXd& direction, double step);
+  void append_point(const CurvePoint& point) { curve_.points.push_back(point); }
+  void append_fold(const CurvePoint& at, const VectorXd& direction, double step);
 
   const Homotopy& homotopy_;
   const ContinuationOptions& options_;
   SolutionCurve curve_;
 };
 
-CurvePoint predict(const CurvePoint& from, const VectorXd& tangent, double step) {
+CurvePoint predict_point(const CurvePoint& from, const VectorXd& tangent, double step) {
   const Index n = from.a.size();
   return {from.a + step * tangent.head(n), from.t + step * tangent[n]};
 }
 
 // Returns the matrix of the derivatives [dG/da dG/dt] with `last_row` as additional last row.
-MatrixXd CurveTracer::bordered_jacobian(const CurvePoint& at, const VectorXd& last_row) const {
-  const Index n = at.a.size();
+MatrixXd CurveTracer::bordered_jacobian(const CurvePoint& point, const VectorXd& last_row) const {
+  const Index n = point.a.size();
   MatrixXd matrix(n + 1, n + 1);
-  matrix.topLeftCorner(n, n) = homotopy_.jacobian(at.a, at.t);
-  matrix.col(n).head(n) = homotopy_.parameter_derivative(at.a, at.t);
+  matrix.topLeftCorner(n, n) = homotopy_.jacobian(point.a, point.t);
+  matrix.col(n).head(n) = homotopy_.parameter_derivative(point.a, point.t);
   matrix.row(n) = last_row.transpose();
   return matrix;
 }
 
 // Returns the unit tangent of the solution curve whose scalar product with the previous tangent
-// `before` is positive.
-VectorXd CurveTracer::tangent(const CurvePoint& at, const VectorXd& before) const {
-  const Index n = at.a.size();
-  return LuFactors(bordered_jacobian(at, before)).solve(VectorXd::Unit(n + 1, n)).normalized();
+// `previous_tangent` is positive.
+VectorXd CurveTracer::unit_tangent(const CurvePoint& point,
+                                   const VectorXd& previous_tangent) const {
+  const Index n = point.a.size();
+  return LuFactors(bordered_jacobian(point, previous_tangent))
+      .solve(VectorXd::Unit(n + 1, n))
+      .normalized();
 }
 
 bool CurveTracer::is_converged(const VectorXd& residual, double correction) const {
@@ -70,8 +74,8 @@ bool CurveTracer::is_converged(const VectorXd& residual, double correction) cons
 
 // Corrects a predicted point by Newton steps within the hyperplane through `start` that is normal
 // to the tangent.
-std::optional<CurvePoint> CurveTracer::correct(const CurvePoint& start, const VectorXd& tangent,
-                                               double step) {
+std::optional<CurvePoint> CurveTracer::correct_prediction(const CurvePoint& start,
+                                                          const VectorXd& tangent, double step) {
   const Index n = start.a.size();
   CurvePoint point = start;
   VectorXd residual = homotopy_.residual(point.a, point.t);
@@ -106,8 +110,8 @@ std::optional<CurvePoint> CurveTracer::correct_at_fixed_t(CurvePoint point) {
 
 // Returns the point of the curve at an end of the interval of t, interpolated between a point
 // inside the interval and a point beyond its end.
-std::optional<CurvePoint> CurveTracer::point_at_limit(const CurvePoint& before,
-                                                      const CurvePoint& beyond) {
+std::optional<CurvePoint> CurveTracer::point_at_parameter_limit(const CurvePoint& before,
+                                                                const CurvePoint& beyond) {
   const double end = beyond.t >= 1 ? 1 : options_.min_t;
   const double share = (end - before.t) / (beyond.t - before.t);
   const CurvePoint between{before.a + share * (beyond.a - before.a), end};
@@ -122,38 +126,39 @@ CurvePoint CurveTracer::locate_fold(const CurvePoint& from, const VectorXd& tang
   CurvePoint fold = from;
   for (int i = 0; i < kFoldBisections; ++i) {
     const double middle = (low + high) / 2;
-    const auto point = correct(predict(from, tangent_there, middle), tangent_there, step);
+    const auto point =
+        correct_prediction(predict_point(from, tangent_there, middle), tangent_there, step);
     if (!point) break;
     fold = *point;
-    (tangent(fold, tangent_there)[n] * tangent_there[n] > 0 ? low : high) = middle;
+    (unit_tangent(fold, tangent_there)[n] * tangent_there[n] > 0 ? low : high) = middle;
   }
   return fold;
 }
 
-void CurveTracer::record_fold(const CurvePoint& at, const VectorXd& direction, double step) {
-  record(locate_fold(at, direction, step));
+void CurveTracer::append_fold(const CurvePoint& at, const VectorXd& direction, double step) {
+  append_point(locate_fold(at, direction, step));
   curve_.folds.push_back(curve_.points.size() - 1);
 }
 
-SolutionCurve CurveTracer::from(const VectorXd& start) {
+SolutionCurve CurveTracer::trace_from(const VectorXd& start) {
   const Index n = start.size();
   CurvePoint at{start, 0};
-  VectorXd direction = tangent(at, VectorXd::Unit(n + 1, n));
-  record(at);
+  VectorXd direction = unit_tangent(at, VectorXd::Unit(n + 1, n));
+  append_point(at);
   double step = options_.first_step;
   for (int left = options_.max_points; left > 0; --left) {
     if (options_.should_stop && options_.should_stop()) break;
-    const auto next = correct(predict(at, direction, step), direction, step);
+    const auto next = correct_prediction(predict_point(at, direction, step), direction, step);
     const bool beyond = next && (next->t >= 1 || next->t <= options_.min_t);
-    const auto last = beyond ? point_at_limit(at, *next) : next;
+    const auto last = beyond ? point_at_parameter_limit(at, *next) : next;
     if (!last) {
       step /= 2;
       if (step < options_.min_step) return std::move(curve_);
       continue;
     }
-    const VectorXd onwards = tangent(*next, direction);
-    if (options_.locate_folds && onwards[n] * direction[n] < 0) record_fold(at, direction, step);
-    record(*last);
+    const VectorXd onwards = unit_tangent(*next, direction);
+    if (options_.locate_folds && onwards[n] * direction[n] < 0) append_fold(at, direction, step);
+    append_point(*last);
     if (beyond) {
       curve_.end = last->t == 1 ? TerminationReason::end_reached : TerminationReason::fell_back;
       return std::move(curve_);
@@ -188,7 +193,7 @@ const CurvePoint& SolutionCurve::point_with_largest_t() const {
 
 SolutionCurve trace_solution_curve(const Homotopy& homotopy, const VectorXd& start,
                                    const ContinuationOptions& options) {
-  return CurveTracer(homotopy, options).from(start);
+  return CurveTracer(homotopy, options).trace_from(start);
 }
 
 }  // namespace fpkcheck::numerics

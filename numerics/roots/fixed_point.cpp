@@ -11,19 +11,19 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-struct Evaluation {
+struct MapEvaluation {
   VectorXd value;   // f(x)
   VectorXd change;  // f(x) - x
 };
 
-VectorXd next_argument(const std::deque<Evaluation>& last) {
+VectorXd next_anderson_argument(const std::deque<MapEvaluation>& last) {
   const auto terms = static_cast<Index>(last.size()) - 1;
-  const Evaluation& newest = last.back();
+  const MapEvaluation& newest = last.back();
   if (terms == 0) return newest.value;
   MatrixXd values(newest.value.size(), terms), changes(newest.value.size(), terms);
   for (Index j = 0; j < terms; ++j) {
-    const Evaluation &a = last[static_cast<std::size_t>(j)],
-                     &b = last[static_cast<std::size_t>(j) + 1];
+    const MapEvaluation &a = last[static_cast<std::size_t>(j)],
+                        &b = last[static_cast<std::size_t>(j) + 1];
     values.col(j) = b.value - a.value;
     changes.col(j) = b.change - a.change;
   }
@@ -36,7 +36,7 @@ FixedPoint solve_fixed_point(const VectorMap& f, const VectorXd& start,
                              const FixedPointOptions& options) {
   constexpr std::size_t kMostEvaluations = 8;  // evaluations that determine the next argument
   FixedPoint result{.x = start};
-  std::deque<Evaluation> last;
+  std::deque<MapEvaluation> last;
   VectorXd x = start;
   while (result.evaluations < options.max_evaluations) {
     std::optional<VectorXd> value = f(x);
@@ -55,7 +55,7 @@ FixedPoint solve_fixed_point(const VectorMap& f, const VectorXd& start,
       result.converged = true;
       return result;
     }
-    x = next_argument(last);
+    x = next_anderson_argument(last);
   }
   return result;
 }

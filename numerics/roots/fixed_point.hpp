@@ -7,7 +7,7 @@
 
 namespace fpkcheck::numerics {
 
-/// A map x -> f(x); no value outside the domain of f.
+/// A map x -> f(x), which returns no value outside the domain of f.
 using VectorMap = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& x)>;
 
 struct FixedPointOptions {
@@ -31,8 +31,8 @@ struct FixedPoint {
 ///
 ///     f_k - sum_j xi_j (f_{j+1} - f_j),  where xi minimises |u_k - sum_j xi_j (u_{j+1} - u_j)|.
 ///
-/// The first eight iterations of a linear map are those of GMRES. If the next argument is outside
-/// the domain of f, the iteration starts again from f_k.
+/// For a linear map the first eight iterations are equivalent to iterations of GMRES. If the next
+/// argument is outside the domain of f, the iteration starts again from f_k.
 FixedPoint solve_fixed_point(const VectorMap& f, const Eigen::VectorXd& start,
                              const FixedPointOptions& options);
 

@@ -38,7 +38,7 @@ double backtrack(double first_step_fraction, double min_step_fraction, const Acc
 ///
 ///     at(a)                 an iterate: `a` and `size`, the norm of R (finite where R exists)
 ///     step(iterate)         the Newton step at the iterate, with its `change` of a
-///     step_fraction(iterate, step)  the fraction of the step to take (0: stop); for damped steps only
+///     step_fraction(iterate, step)  the fraction of a damped step to take; 0 stops the iteration
 template <class Equations>
 NewtonResult solve_by_newton(const Equations& equations, const Eigen::VectorXd& start,
                              const NewtonOptions& options) {

@@ -9,8 +9,7 @@
 /// widths and instruction sets.
 namespace fpkcheck::simd {
 
-/// The number 2^52 + 2^51. If a small integer n is added to this number, the last bits of the
-/// resulting double are n.
+/// The number 2^52 + 2^51. The last bits of the double kShift + n are n, for a small integer n.
 inline constexpr double kShift = 6755399441055744.0;
 inline constexpr std::int64_t kShiftBits = 0x4338000000000000;
 /// The number ln 2 as the sum kLn2High + kLn2Low. The product of kLn2High and a binary exponent is

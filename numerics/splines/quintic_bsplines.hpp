@@ -34,14 +34,14 @@ class QuinticBSplines {
   /// the ends of the knots the second derivatives are 0.
   std::array<double, kDegree + 1> second_derivatives(double x) const;
 
-  /// Returns the coefficients of the function x^power in this basis, 0 <= power <= 5, by Marsden's
-  /// identity. The coefficient of a basis function is the mean of all products of `power` different
-  /// knots among the five inner knots of the basis function.
+  /// Returns the coefficients of the function x^power in the B-spline basis, 0 <= power <= 5, by
+  /// Marsden's identity. The coefficient of a basis function is the mean of all products of `power`
+  /// different knots among the five inner knots of the basis function.
   std::vector<double> coefficients_of_monomial(int power) const;
 
  private:
   std::vector<double> knots_, breaks_;
-  // For each span the index of the first basis function that is nonzero there.
+  // Index of the first basis function that is nonzero on each span
   std::vector<int> first_;
 };
 

@@ -8,25 +8,26 @@
 namespace fpkcheck::problem {
 namespace {
 
-consteval const Function* function_named(std::string_view name) {
-  for (const Function& function : kFunctions) {
+consteval const NamedFunction* function_named(std::string_view name) {
+  for (const NamedFunction& function : kFunctions) {
     if (function.name == name) return &function;
   }
   return nullptr;
 }
-constexpr const Function *kAbs = function_named("abs"), *kMax = function_named("max"),
-                         *kMin = function_named("min"), *kSqrt = function_named("sqrt"),
-                         *kExp = function_named("exp"), *kTanh = function_named("tanh"),
-                         *kSinh = function_named("sinh"), *kCosh = function_named("cosh");
+constexpr const NamedFunction *kAbs = function_named("abs"), *kMax = function_named("max"),
+                              *kMin = function_named("min"), *kSqrt = function_named("sqrt"),
+                              *kExp = function_named("exp"), *kTanh = function_named("tanh"),
+                              *kSinh = function_named("sinh"), *kCosh = function_named("cosh");
 
 template <class Real>
 FPKCHECK_INLINE Real absolute(const Real& x) {
   return x < 0.0 ? -x : x;
 }
 
-// Largest argument of simd::exponential().
+// Largest magnitude of an argument of simd::exponential().
 constexpr double kLargestExponent = 700;
-// Below this argument the series of sinh and tanh replace differences of exponentials.
+// For arguments of smaller magnitude, series replace the differences of exponentials in sinh and
+// tanh.
 constexpr double kSmall = 0.06;
 
 template <class Real>
@@ -36,7 +37,7 @@ FPKCHECK_INLINE Real clamped_exponential(const Real& x) {
 }
 
 template <class Real>
-FPKCHECK_INLINE Real tanh_of(const Real& x) {
+FPKCHECK_INLINE Real hyperbolic_tangent(const Real& x) {
   const Real e = clamped_exponential(-2.0 * absolute(x));
   const Real magnitude = (1.0 - e) / (1.0 + e);
   const Real x2 = x * x;
@@ -46,7 +47,7 @@ FPKCHECK_INLINE Real tanh_of(const Real& x) {
 }
 
 template <class Real>
-FPKCHECK_INLINE Real sinh_of(const Real& x) {
+FPKCHECK_INLINE Real hyperbolic_sine(const Real& x) {
   const Real e = clamped_exponential(x);
   const Real x2 = x * x;
   const Real series = x * (1.0 + x2 * (1.0 / 6 + x2 * (1.0 / 120 + x2 * (1.0 / 5040))));
@@ -54,13 +55,14 @@ FPKCHECK_INLINE Real sinh_of(const Real& x) {
 }
 
 template <class Real>
-FPKCHECK_INLINE Real cosh_of(const Real& x) {
+FPKCHECK_INLINE Real hyperbolic_cosine(const Real& x) {
   const Real e = clamped_exponential(x);
   return 0.5 * (e + 1.0 / e);
 }
 
 template <class Real>
-FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const Real& b) {
+FPKCHECK_INLINE void call_function(const NamedFunction& f, std::size_t count, Real& a,
+                                   const Real& b) {
   if (&f == kAbs) {
     a = absolute(a);
   } else if (&f == kMax) {
@@ -74,10 +76,10 @@ FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const R
     decltype(x < x) computed{};
     if (&f == kTanh || &f == kExp || &f == kSinh || &f == kCosh) {
       computed = absolute(x) < kLargestExponent;
-      a = &f == kTanh   ? tanh_of(x)
+      a = &f == kTanh   ? hyperbolic_tangent(x)
           : &f == kExp  ? clamped_exponential(x)
-          : &f == kSinh ? sinh_of(x)
-                        : cosh_of(x);
+          : &f == kSinh ? hyperbolic_sine(x)
+                        : hyperbolic_cosine(x);
     }
     if (!simd::any_lane_set(~computed)) return;
     for (std::size_t k = 0; k < count; ++k) {
@@ -86,8 +88,8 @@ FPKCHECK_INLINE void call(const Function& f, std::size_t count, Real& a, const R
   }
 }
 
-// Values and derivatives with respect to v of a batch of points, as numerics::DualNumber. The members
-// have no initial values, so that an evaluation does not set its whole stack to zero.
+// Values and derivatives with respect to v of a batch of points, as numerics::DualNumber. The
+// members have no initial values, so that an evaluation does not set its whole stack to zero.
 template <class Real>
 struct DualBatch {
   Real value, derivative;
@@ -120,17 +122,18 @@ FPKCHECK_INLINE Number constant_of(double value) {
   }
 }
 
-// Returns slope * derivative, and 0 where the derivative is 0, for an infinite slope too.
+// Returns slope * derivative. The result is 0 where the derivative is 0, even for an infinite
+// slope.
 template <class Real>
 FPKCHECK_INLINE Real chain_rule(const Real& slope, const Real& derivative) {
   return derivative == 0.0 ? Real{} : slope * derivative;
 }
 
 template <class Real>
-FPKCHECK_INLINE void call(const Function& f, std::size_t count, DualBatch<Real>& a,
-                          const DualBatch<Real>& b) {
+FPKCHECK_INLINE void call_function(const NamedFunction& f, std::size_t count, DualBatch<Real>& a,
+                                   const DualBatch<Real>& b) {
   const Real x = a.value, one = simd::broadcast<Real>(1);
-  call(f, count, a.value, b.value);
+  call_function(f, count, a.value, b.value);
   if (&f == kAbs) {
     a.derivative = x < 0.0 ? -a.derivative : x > 0.0 ? a.derivative : Real{};
   } else if (&f == kMax) {
@@ -188,14 +191,15 @@ FPKCHECK_INLINE void raise_to_power(DualBatch<Real>& base, const DualBatch<Real>
   }
 }
 
-// Constant exponents above this limit are computed by the library.
+// Powers with constant exponents above this limit are computed by the standard library.
 constexpr double kLargestHalfInteger = 8;
 
-// Up to this number of points half a batch is evaluated: it fits into one register of AVX2.
+// For at most kHalf points half a batch is evaluated, since half a batch fits into one register of
+// AVX2.
 constexpr std::size_t kHalf = Expression::kBatch / 2;
 
 template <class Real>
-FPKCHECK_INLINE Real load(std::size_t count, const double* numbers) {
+FPKCHECK_INLINE Real load_points(std::size_t count, const double* numbers) {
   constexpr std::size_t kWidth = simd::kWidth<Real>;
   if (count == kWidth) return simd::load<Real>(numbers);
   Real batch{};
@@ -204,7 +208,7 @@ FPKCHECK_INLINE Real load(std::size_t count, const double* numbers) {
 }
 
 template <class Real>
-FPKCHECK_INLINE void store(std::size_t count, const Real& batch, double* numbers) {
+FPKCHECK_INLINE void store_points(std::size_t count, const Real& batch, double* numbers) {
   if (count == simd::kWidth<Real>) return simd::store(batch, numbers);
   for (std::size_t k = 0; k < count; ++k) numbers[k] = batch[k];
 }
@@ -212,8 +216,8 @@ FPKCHECK_INLINE void store(std::size_t count, const Real& batch, double* numbers
 }  // namespace
 
 template <class Number>
-FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number& v,
-                                                  std::size_t count) const {
+FPKCHECK_INLINE Number Expression::evaluate_simd_batch(const Number& y, const Number& v,
+                                                       std::size_t count) const {
   // The value on top of the stack is a variable, so that operations need not wait for stores.
   Number top = y;
   std::array<Number, kMaxDepth + 1> below;
@@ -268,7 +272,7 @@ FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number&
       case Operation::call: {
         const Number last = top;
         if (node.function->arguments == 2) top = below[--depth];
-        call(*node.function, count, top, last);
+        call_function(*node.function, count, top, last);
         break;
       }
     }
@@ -276,8 +280,8 @@ FPKCHECK_INLINE Number Expression::evaluate_lanes(const Number& y, const Number&
   return top;
 }
 
-// One version for each instruction set, all with the same bits; the loader selects one. With Clang 14
-// the versions neither compile nor link: only the version of the baseline exists.
+// One version for each instruction set, all with the same bits; the loader selects one. With Clang
+// 14 the versions neither compile nor link: only the version of the baseline exists.
 #if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
 #define FPKCHECK_VERSIONS __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
@@ -289,9 +293,14 @@ FPKCHECK_VERSIONS void Expression::evaluate_batch(std::size_t count, const doubl
   using Whole = simd::VectorTypes<kBatch>::Real;
   using Half = simd::VectorTypes<kHalf>::Real;
   if (count > kHalf) {
-    store(count, evaluate_lanes(load<Whole>(count, y), load<Whole>(count, v), count), values);
+    store_points(
+        count,
+        evaluate_simd_batch(load_points<Whole>(count, y), load_points<Whole>(count, v), count),
+        values);
   } else {
-    store(count, evaluate_lanes(load<Half>(count, y), load<Half>(count, v), count), values);
+    store_points(
+        count, evaluate_simd_batch(load_points<Half>(count, y), load_points<Half>(count, v), count),
+        values);
   }
 }
 
@@ -300,10 +309,11 @@ FPKCHECK_VERSIONS void Expression::evaluate_batch_with_slopes_in_v(std::size_t c
                                                                    double* values,
                                                                    double* slopes) const {
   using Real = simd::VectorTypes<kBatch>::Real;
-  const auto [value, derivative] = evaluate_lanes<DualBatch<Real>>(
-      {load<Real>(count, y), Real{}}, {load<Real>(count, v), simd::broadcast<Real>(1)}, count);
-  store(count, value, values);
-  store(count, derivative, slopes);
+  const auto [value, derivative] = evaluate_simd_batch<DualBatch<Real>>(
+      {load_points<Real>(count, y), Real{}},
+      {load_points<Real>(count, v), simd::broadcast<Real>(1)}, count);
+  store_points(count, value, values);
+  store_points(count, derivative, slopes);
 }
 
 }  // namespace fpkcheck::problem

@@ -12,17 +12,19 @@ namespace {
 // A polynomial in y and v, or nothing for an expression that is not a polynomial.
 using Polynomial = std::optional<BivariateCoefficients>;
 
-// Limits the time of the expansion, which grows with the fourth power of the degree.
+// The limit of the degree bounds the time of the expansion, which grows with the fourth power of
+// the degree.
 constexpr int kMaxPolynomialDegree = 12;
 
-Polynomial sum(const Polynomial& a, const Polynomial& b, double factor) {
+// Returns a + factor b.
+Polynomial add_scaled_polynomial(const Polynomial& a, const Polynomial& b, double factor) {
   if (!a || !b) return std::nullopt;
   Polynomial result = a;
   for (const auto& [exponents, coefficient] : *b) (*result)[exponents] += factor * coefficient;
   return result;
 }
 
-Polynomial product(const Polynomial& a, const Polynomial& b) {
+Polynomial multiply_polynomials(const Polynomial& a, const Polynomial& b) {
   if (!a || !b) return std::nullopt;
   BivariateCoefficients result;
   for (const auto& [m, x] : *a) {
@@ -35,8 +37,8 @@ Polynomial product(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
-// The value of a polynomial without y and v.
-std::optional<double> constant_value(const Polynomial& a) {
+// Returns the value of a polynomial that depends on neither y nor v; nullopt for other polynomials.
+std::optional<double> constant_of_polynomial(const Polynomial& a) {
   if (!a) return std::nullopt;
   double value = 0;
   for (const auto& [exponents, coefficient] : *a) {
@@ -60,14 +62,14 @@ Parity parity_of_product(Parity a, Parity b) {
 
 }  // namespace
 
-bool Expression::contains(std::size_t begin, std::size_t end, Operation operation) const {
+bool Expression::contains_operation(std::size_t begin, std::size_t end, Operation operation) const {
   return std::any_of(nodes_.begin() + static_cast<std::ptrdiff_t>(begin),
                      nodes_.begin() + static_cast<std::ptrdiff_t>(end),
                      [&](const Node& node) { return node.operation == operation; });
 }
 
 bool Expression::depends_on(Operation variable) const {
-  return contains(0, nodes_.size(), variable);
+  return contains_operation(0, nodes_.size(), variable);
 }
 
 std::optional<BivariateCoefficients> Expression::polynomial_coefficients() const {
@@ -91,17 +93,17 @@ std::optional<BivariateCoefficients> Expression::polynomial_coefficients() const
       case Operation::add:
       case Operation::subtract: {
         const Polynomial b = pop(), a = pop();
-        stack.push_back(sum(a, b, node.operation == Operation::add ? 1 : -1));
+        stack.push_back(add_scaled_polynomial(a, b, node.operation == Operation::add ? 1 : -1));
         break;
       }
       case Operation::multiply: {
         const Polynomial b = pop(), a = pop();
-        stack.push_back(product(a, b));
+        stack.push_back(multiply_polynomials(a, b));
         break;
       }
       case Operation::divide: {
         const Polynomial b = pop(), a = pop();
-        const auto divisor = constant_value(b);
+        const auto divisor = constant_of_polynomial(b);
         if (!a || !divisor) {
           stack.emplace_back();
           break;
@@ -112,7 +114,7 @@ std::optional<BivariateCoefficients> Expression::polynomial_coefficients() const
         break;
       }
       case Operation::negate:
-        stack.push_back(product(monomial(0, 0, -1), pop()));
+        stack.push_back(multiply_polynomials(monomial(0, 0, -1), pop()));
         break;
       case Operation::power: {
         if (!node.has_integer_exponent) {
@@ -123,7 +125,7 @@ std::optional<BivariateCoefficients> Expression::polynomial_coefficients() const
         }
         const Polynomial base = pop();
         Polynomial power = monomial(0, 0, 1);
-        for (int n = 0; n < node.constant && power; ++n) power = product(power, base);
+        for (int n = 0; n < node.constant && power; ++n) power = multiply_polynomials(power, base);
         stack.push_back(node.constant < 0 ? Polynomial() : power);
         break;
       }
@@ -192,16 +194,16 @@ Parity Expression::parity() const {
   return stack.front();
 }
 
-std::vector<double> Expression::kinks(Operation variable, double low, double high,
-                                      const std::function<bool(std::size_t)>& wanted) const {
+std::vector<double> Expression::find_kinks(Operation variable, double low, double high,
+                                           const std::function<bool(std::size_t)>& wanted) const {
   const Operation other = variable == Operation::y ? Operation::v : Operation::y;
-  // Sign changes are searched between this number of points; kinks closer than two points can be
-  // missed. The search ends after the same number of sign changes, which no grid resolves.
+  // Number of points between which sign changes are searched. The search can miss kinks closer than
+  // two neighbouring points. The search ends after kPoints sign changes, which no grid resolves.
   constexpr int kPoints = 4000;
   std::vector<char> has_kink(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     has_kink[k] = nodes_[k].operation == Operation::call && nodes_[k].function->kink != nullptr &&
-                  !contains(nodes_[k].first, k, other) && wanted(k);
+                  !contains_operation(nodes_[k].first, k, other) && wanted(k);
   }
   if (std::ranges::count(has_kink, 1) == 0) return {};
   // One evaluation computes the functions of all kinks: the time is linear in the number of nodes.
@@ -222,8 +224,8 @@ std::vector<double> Expression::kinks(Operation variable, double low, double hig
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       if (has_kink[k] == 0) continue;
       const double at_left = left_values[k], at_right = right_values[k];
-      // A zero at a point of the search is a kink if both neighbouring values differ from zero. An
-      // argument that is zero over an interval, as max(y, 0) for y < 0, has its own kinks only.
+      // A zero at a point of the search is a kink if both neighbouring values differ from zero. The
+      // condition excludes an argument that is zero over an interval, such as max(y, 0) for y < 0.
       if (n > 1 && earlier_values[k] != 0 && at_left == 0 && at_right != 0) found.insert(left);
       if (!((at_left < 0 && at_right > 0) || (at_left > 0 && at_right < 0))) continue;
       if (++changes > kPoints) return {found.begin(), found.end()};
@@ -244,16 +246,17 @@ std::vector<double> Expression::kinks(Operation variable, double low, double hig
 }
 
 std::vector<double> Expression::kinks_in_y(double low, double high) const {
-  return kinks(Operation::y, low, high, [](std::size_t) { return true; });
+  return find_kinks(Operation::y, low, high, [](std::size_t) { return true; });
 }
 std::vector<double> Expression::kinks_in_v(double low, double high) const {
-  return kinks(Operation::v, low, high, [](std::size_t) { return true; });
+  return find_kinks(Operation::v, low, high, [](std::size_t) { return true; });
 }
 
 bool Expression::has_oblique_kinks() const {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     if (nodes_[k].operation != Operation::call || nodes_[k].function->kink == nullptr) continue;
-    if (contains(nodes_[k].first, k, Operation::y) && contains(nodes_[k].first, k, Operation::v)) {
+    if (contains_operation(nodes_[k].first, k, Operation::y) &&
+        contains_operation(nodes_[k].first, k, Operation::v)) {
       return true;
     }
   }
@@ -274,24 +277,24 @@ bool Expression::has_jumps() const {
   });
 }
 
-bool Expression::is_jump_in_v(std::size_t node) const {
+bool Expression::node_jumps_in_v(std::size_t node) const {
   return nodes_[node].operation == Operation::call && nodes_[node].function->name == "sign" &&
-         contains(nodes_[node].first, node, Operation::v);
+         contains_operation(nodes_[node].first, node, Operation::v);
 }
 
 bool Expression::has_jumps_in_v() const {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    if (is_jump_in_v(k)) return true;
+    if (node_jumps_in_v(k)) return true;
   }
   return false;
 }
 
-bool Expression::has_jumps_at_nonzero_v(double high) const {
+bool Expression::has_jumps_at_nonzero_v(double v_limit) const {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    if (is_jump_in_v(k) && contains(nodes_[k].first, k, Operation::y)) return true;
+    if (node_jumps_in_v(k) && contains_operation(nodes_[k].first, k, Operation::y)) return true;
   }
-  const auto jumps =
-      kinks(Operation::v, -high, high, [&](std::size_t node) { return is_jump_in_v(node); });
+  const auto jumps = find_kinks(Operation::v, -v_limit, v_limit,
+                                [&](std::size_t node) { return node_jumps_in_v(node); });
   return std::ranges::any_of(jumps, [](double v) { return v != 0; });
 }
 

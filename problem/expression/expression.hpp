@@ -17,11 +17,12 @@ namespace fpkcheck::problem {
 /// Values of the named constants that an expression may use.
 using NamedConstants = std::map<std::string, double, std::less<>>;
 
-/// Returns whether formulas can use a name for a constant: letters, digits and '_', not y, v, t or
-/// pi, and no function.
-bool is_name_of_constant(std::string_view name);
+/// Returns whether a name can denote a constant in formulas. A valid name consists of letters,
+/// digits and '_', and is neither y, v, t or pi nor the name of a function.
+bool is_valid_constant_name(std::string_view name);
 
-/// A polynomial in y and v, as coefficients of y^i v^j by their exponents (i, j).
+/// Coefficients of a polynomial in y and v: the map from the exponents (i, j) to the coefficient of
+/// y^i v^j.
 using BivariateCoefficients = std::map<std::pair<int, int>, double>;
 
 /// A formula of the displacement y and the velocity v, for example `0.1*v + y + mu*y^3`.
@@ -34,39 +35,44 @@ using BivariateCoefficients = std::map<std::pair<int, int>, double>;
 ///
 /// A name is y, v, pi or a named constant; kFunctions lists the functions. The formula is stored in
 /// postfix notation, with constant parts evaluated. An expression is immutable, so that several
-/// threads can evaluate it.
+/// threads can evaluate the same expression.
 class Expression {
  public:
   /// Parses the text of a formula.
-  /// @param label beginning of messages: the key of the case file
-  /// @param variables names of the variables in use: `y`, `v`, or `t` in the place of y
+  /// @param label beginning of error messages: the key of the case file
+  /// @param variables letters of the variables that the formula may contain: `y`, `v`, or `t` as
+  /// the first argument instead of `y`
   /// @throws InputError "LABEL column N: CAUSE; ACTION" for a text outside the grammar, an unknown
   /// name, or a text above the limits of length, nesting and number of operations
   static Expression parse(std::string_view text, const NamedConstants& constants,
                           const std::string& label, std::string_view variables = "yv");
 
-  /// The text of the formula, as written.
+  /// Returns the text of the formula, as passed to parse().
   const std::string& text() const { return text_; }
 
-  /// Value of the expression. `Number` is double, a DualNumber, or another aggregate
-  /// whose first member is the value, with arithmetic, apply() and real_power() in its namespace.
+  /// Returns the value of the expression. `Number` is double, a DualNumber, or another aggregate
+  /// whose first member is the value. The namespace of `Number` defines arithmetic, apply() and
+  /// real_power().
   template <class Number>
   Number operator()(const Number& y, const Number& v) const {
     return evaluate<Number>(0, nodes_.size(), y, v);
   }
   /// Number of points that evaluate_batch() evaluates at once.
   static constexpr int kBatch = 8;
-  /// Computes the values at `count` <= kBatch points (y, v), faster than one by one. The values
-  /// differ from those of operator() by rounding, and do not depend on the other points.
+  /// Computes the values at `count` <= kBatch points (y, v), faster than by single evaluations. The
+  /// values differ from the values of operator() by rounding. The value at a point does not depend
+  /// on the other points of the batch.
   void evaluate_batch(std::size_t count, const double* y, const double* v, double* values) const;
   /// Computes the values, and their derivatives with respect to v, at `count` <= kBatch points.
   void evaluate_batch_with_slopes_in_v(std::size_t count, const double* y, const double* v,
                                        double* values, double* slopes) const;
-  /// Derivative with respect to y, at a point where it exists.
+  /// Returns the derivative with respect to y.
+  /// @pre the derivative exists at (y, v)
   double derivative_in_y(double y, double v) const {
     return (*this)(numerics::DualNumber{y, 1}, numerics::DualNumber{v, 0}).derivative;
   }
-  /// Derivative with respect to v, at a point where it exists.
+  /// Returns the derivative with respect to v.
+  /// @pre the derivative exists at (y, v)
   double derivative_in_v(double y, double v) const {
     return (*this)(numerics::DualNumber{y, 0}, numerics::DualNumber{v, 1}).derivative;
   }
@@ -74,48 +80,50 @@ class Expression {
   bool depends_on_y() const { return depends_on(Operation::y); }
   bool depends_on_v() const { return depends_on(Operation::v); }
 
-  /// Coefficients if the expression is a polynomial in y and v.
+  /// Returns the coefficients of a polynomial in y and v; nullopt if the expression is no
+  /// polynomial.
   std::optional<BivariateCoefficients> polynomial_coefficients() const;
-  /// Parity under (y, v) -> (-y, -v), as far as the form of the expression shows. A sum of odd
-  /// terms is odd; `none` also stands for a parity that only an identity shows.
+  /// Returns the parity under (y, v) -> (-y, -v) that follows from the parities of the terms and
+  /// factors of the expression. The result is `none` for a parity that follows only from an
+  /// identity.
   Parity parity() const;
-  /// The values of y in (low, high) at which the expression or its slope jumps for every v,
-  /// increasing.
+  /// Returns the values of y in (low, high) at which the expression or its slope jumps for every v,
+  /// in increasing order.
   std::vector<double> kinks_in_y(double low, double high) const;
-  /// The values of v in (low, high) at which the expression or its slope jumps for every y,
-  /// increasing.
+  /// Returns the values of v in (low, high) at which the expression or its slope jumps for every y,
+  /// in increasing order.
   std::vector<double> kinks_in_v(double low, double high) const;
-  /// Whether the expression or its slope jumps along a curve that is neither y = const. nor v =
-  /// const., as abs(y - v) does.
+  /// Returns whether the expression or its slope jumps along a curve other than y = const. and v =
+  /// const. An example is abs(y - v).
   bool has_oblique_kinks() const;
-  /// Whether the expression contains a function with a kink, for example abs(), or a power that is
-  /// not an integer.
+  /// Returns whether the expression contains a function with a kink, for example abs(), or a
+  /// non-integer power.
   bool has_kinks() const;
-  /// Whether the expression contains sign(), hence jumps.
+  /// Returns whether the expression contains sign(), and therefore jumps.
   bool has_jumps() const;
-  /// Whether the expression jumps in v: it contains sign() of a function of v.
+  /// Returns whether the expression contains sign() of a function of v, and therefore jumps in v.
   bool has_jumps_in_v() const;
-  /// Whether the expression jumps in v elsewhere than on the line v = 0, for |v| < `high`.
-  bool has_jumps_at_nonzero_v(double high) const;
+  /// Returns whether the expression jumps in v at a velocity 0 < |v| < `v_limit`.
+  bool has_jumps_at_nonzero_v(double v_limit) const;
 
-  /// Largest number of characters, operations and nested operations.
+  /// Largest accepted numbers of characters, operations and nested operations of a formula.
   static constexpr std::size_t kMaxLength = 4000, kMaxNodes = 2000, kMaxDepth = 100;
 
  private:
   enum class Operation { constant, y, v, add, subtract, multiply, divide, negate, power, call };
   struct Node {
     Operation operation;
-    double constant = 0;                 // value of a constant; integer exponent of `power`
-    bool has_integer_exponent = false;   // the exponent is `constant`, not an operand
-    const Function* function = nullptr;  // function of a call
-    std::size_t first = 0;               // index of the first node of this operation's operands
+    double constant = 0;                      // value of a constant; integer exponent of `power`
+    bool has_integer_exponent = false;        // the exponent is `constant`, not an operand
+    const NamedFunction* function = nullptr;  // function of a call
+    std::size_t first = 0;  // index of the first node of this operation's operands
   };
   friend class ExpressionParser;
 
   template <class Number>
   static Number integer_power(const Number& base, int exponent);
-  // Evaluates the nodes begin .. end - 1. Before the call of a function, calls on_call(k, a, b) with
-  // the index of the node and its arguments; b equals a for functions of one argument.
+  // Evaluates the nodes begin .. end - 1. Before the call of a function, calls on_call(k, a, b)
+  // with the index of the node and its arguments; b equals a for functions of one argument.
   struct IgnoreCalls {
     template <class Number>
     void operator()(std::size_t, const Number&, const Number&) const {}
@@ -124,21 +132,21 @@ class Expression {
   Number evaluate(std::size_t begin, std::size_t end, const Number& y, const Number& v,
                   const OnCall& on_call = {}) const;
   template <class Number>
-  Number evaluate_lanes(const Number& y, const Number& v, std::size_t count) const;
+  Number evaluate_simd_batch(const Number& y, const Number& v, std::size_t count) const;
   bool depends_on(Operation variable) const;
-  bool contains(std::size_t begin, std::size_t end, Operation operation) const;
-  bool is_jump_in_v(std::size_t node) const;
+  bool contains_operation(std::size_t begin, std::size_t end, Operation operation) const;
+  bool node_jumps_in_v(std::size_t node) const;
   // Returns the values of the variable at which a function of a node in `wanted` has a kink.
-  std::vector<double> kinks(Operation variable, double low, double high,
-                            const std::function<bool(std::size_t)>& wanted) const;
+  std::vector<double> find_kinks(Operation variable, double low, double high,
+                                 const std::function<bool(std::size_t)>& wanted) const;
 
   std::string text_;
   std::vector<Node> nodes_;  // postfix order
 };
 
-/// Applies a function to each kind of number.
-inline double apply(const Function& f, double a, double b) { return f.value(a, b); }
-inline numerics::DualNumber apply(const Function& f, const numerics::DualNumber& a,
+/// Returns the value of a function of one or two numbers.
+inline double apply(const NamedFunction& f, double a, double b) { return f.value(a, b); }
+inline numerics::DualNumber apply(const NamedFunction& f, const numerics::DualNumber& a,
                                   const numerics::DualNumber& b) {
   const double in_first = a.derivative == 0 ? 0 : f.slope(a.value, b.value) * a.derivative;
   const double in_second = f.arguments == 1 || b.derivative == 0

@@ -17,13 +17,13 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
-bool is_name_of_constant(std::string_view name) {
+bool is_valid_constant_name(std::string_view name) {
   if (name.empty() || !is_letter(name.front()) || name == "y" || name == "v" || name == "t" ||
       name == "pi") {
     return false;
   }
   return std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c); }) &&
-         std::ranges::find(kFunctions, name, &Function::name) == kFunctions.end();
+         std::ranges::find(kFunctions, name, &NamedFunction::name) == kFunctions.end();
 }
 
 /// Recursive-descent parser that appends the operations of a formula in postfix order.
@@ -48,7 +48,7 @@ class ExpressionParser {
   using Operation = Expression::Operation;
   using Node = Expression::Node;
 
-  // Counts the nesting of the grammar's rules.
+  // Increases the nesting depth of the grammar's rules during the life of the object.
   struct Nesting {
     explicit Nesting(ExpressionParser& owner) : parser(owner) {
       if (++parser.depth_ > Expression::kMaxDepth) parser.fail_nested();
@@ -234,7 +234,8 @@ class ExpressionParser {
     }
   }
 
-  // Returns the operand that a name stands for: a variable, a named constant or pi.
+  // Returns the operand with this name: a variable, a named constant or pi; nullopt for other
+  // names.
   std::optional<Node> operand_of(std::string_view name) const {
     if (name.size() == 1 && variables_.find(name) != std::string_view::npos) {
       return Node{name == "v" ? Operation::v : Operation::y};  // t is the first argument, as y is
@@ -253,7 +254,7 @@ class ExpressionParser {
       parse_call(name, begin);
     } else if (const auto operand = operand_of(name)) {
       append(*operand, 0);
-    } else if (std::ranges::find(kFunctions, name, &Function::name) != kFunctions.end()) {
+    } else if (std::ranges::find(kFunctions, name, &NamedFunction::name) != kFunctions.end()) {
       fail_at(begin, fmt::format("the function {0} lacks its argument; write {0}(..)", name));
     } else {
       std::vector<std::string> known;
@@ -266,12 +267,12 @@ class ExpressionParser {
   }
 
   void parse_call(std::string_view name, std::size_t begin) {
-    const auto function = std::ranges::find(kFunctions, name, &Function::name);
+    const auto function = std::ranges::find(kFunctions, name, &NamedFunction::name);
     if (function == kFunctions.end()) {
       if (operand_of(name))
         fail_at(begin, fmt::format("{0} is not a function; write {0}*(..)", name));
       std::vector<std::string_view> names;
-      for (const Function& known : kFunctions) names.push_back(known.name);
+      for (const NamedFunction& known : kFunctions) names.push_back(known.name);
       fail_at(begin, fmt::format("unknown function {}; known functions: {}",
                                  base::in_quotes(std::string(name)), fmt::join(names, ", ")));
     }

@@ -16,15 +16,16 @@ StateFunction::PhysicalStates StateFunction::physical_states(std::size_t count, 
   return states;
 }
 
-void StateFunction::evaluate(std::size_t count, const double* x, const double* v,
-                             double* values) const {
+void StateFunction::evaluate_batch(std::size_t count, const double* x, const double* v,
+                                   double* values) const {
   if (frame_.is_identity()) return formula_->evaluate_batch(count, x, v, values);
   const PhysicalStates states = physical_states(count, x, v);
   formula_->evaluate_batch(count, states.y.data(), states.v.data(), values);
 }
 
-void StateFunction::evaluate_with_slopes_in_v(std::size_t count, const double* x, const double* v,
-                                              double* values, double* slopes) const {
+void StateFunction::evaluate_batch_with_slopes_in_v(std::size_t count, const double* x,
+                                                    const double* v, double* values,
+                                                    double* slopes) const {
   const PhysicalStates states = physical_states(count, x, v);
   formula_->evaluate_batch_with_slopes_in_v(count, states.y.data(), states.v.data(), values,
                                             slopes);

@@ -29,21 +29,24 @@ class StateFunction {
     return (*formula_)(numerics::DualNumber{frame_.physical_y(x), 0},
                        numerics::DualNumber{frame_.physical_velocity(v), frame_.sign()});
   }
-  /// Computes the values at `count` <= Expression::kBatch points, faster than one by one.
-  void evaluate(std::size_t count, const double* x, const double* v, double* values) const;
+  /// Computes the values at `count` <= Expression::kBatch points, faster than by single
+  /// evaluations.
+  void evaluate_batch(std::size_t count, const double* x, const double* v, double* values) const;
   /// Computes the values, and the derivatives with respect to the velocity in wall coordinates, at
   /// `count` <= Expression::kBatch points.
-  void evaluate_with_slopes_in_v(std::size_t count, const double* x, const double* v,
-                                 double* values, double* slopes) const;
+  void evaluate_batch_with_slopes_in_v(std::size_t count, const double* x, const double* v,
+                                       double* values, double* slopes) const;
 
   /// Returns the formula in physical coordinates.
   const Expression& formula() const { return *formula_; }
-  /// Returns the values of x in (low, high) at which the function or its slope jumps, increasing.
+  /// Returns the values of x in (low, high) at which the function or its slope jumps, in increasing
+  /// order.
   std::vector<double> kinks_in_x(double low, double high) const;
   /// Returns the velocities in (low, high), in wall coordinates, at which the function or its slope
-  /// jumps, increasing.
+  /// jumps, in increasing order.
   std::vector<double> kinks_in_v(double low, double high) const;
 
+  /// Returns the function of the coordinates of a wall frame.
   /// @pre the function is in physical coordinates
   StateFunction to_wall_coordinates(const WallFrame& frame) const;
 

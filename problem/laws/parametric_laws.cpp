@@ -51,14 +51,14 @@ double UniformLaw::cumulative_probability(double y) const {
 
 namespace {
 
-constexpr double kSkewness = 2;
+constexpr double kExponentialSkewness = 2;
 
 }  // namespace
 
 ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation,
                                             const LawShapeParameters& shape) {
-  const double skewness = shape.skewness.value_or(kSkewness);
-  if (std::abs(skewness) != kSkewness) {
+  const double skewness = shape.skewness.value_or(kExponentialSkewness);
+  if (std::abs(skewness) != kExponentialSkewness) {
     throw InputError(
         fmt::format("impulse.skewness = {}: an exponential law has skewness 2, or -2 with its tail "
                     "below; take impulse.law = gamma for others",
@@ -70,7 +70,8 @@ ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation,
 double ExponentialLaw::standard_deviation() const { return std::abs(scale); }
 
 double ExponentialLaw::standardised_moment(int n) const {
-  double derangements = 1;  // recursion of the number of derangements, D_n = n D_{n-1} + (-1)^n
+  // The number of derangements satisfies the recursion D_n = n D_{n-1} + (-1)^n.
+  double derangements = 1;
   for (int i = 1; i <= n; ++i) derangements = i * derangements + (i % 2 == 0 ? 1 : -1);
   return scale < 0 && n % 2 != 0 ? -derangements : derangements;
 }
@@ -96,13 +97,13 @@ namespace {
 
 constexpr double kDefaultSkewness = 1, kMinSkewness = 0.01, kMaxSkewness = 2;
 
-// Boost's default policy computes in long double, which takes ten times as long. Quadrature rules
-// evaluate the density millions of times.
+// Boost's default policy computes in long double, which takes ten times as long as double.
+// Quadrature rules evaluate the density millions of times.
 using DoublePrecision = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 // Returns the value of the gamma variable G that gives Y = y.
-double standardised_variate(const GammaLaw& law, double y) {
-  return law.shape() + (y - law.mean) / law.width() * std::sqrt(law.shape());
+double gamma_variate_of_amplitude(const GammaLaw& law, double y) {
+  return law.gamma_shape() + (y - law.mean) / law.width() * std::sqrt(law.gamma_shape());
 }
 
 }  // namespace
@@ -131,16 +132,16 @@ double GammaLaw::standardised_moment(int n) const {
 }
 
 double GammaLaw::density(double y) const {
-  const double g = standardised_variate(*this, y);
+  const double g = gamma_variate_of_amplitude(*this, y);
   if (g < 0) return 0;
-  return boost::math::gamma_p_derivative(shape(), g, DoublePrecision()) * std::sqrt(shape()) /
-         deviation;
+  return boost::math::gamma_p_derivative(gamma_shape(), g, DoublePrecision()) *
+         std::sqrt(gamma_shape()) / deviation;
 }
 
 double GammaLaw::cumulative_probability(double y) const {
-  const double g = std::max(standardised_variate(*this, y), 0.0);
-  return skewness > 0 ? boost::math::gamma_p(shape(), g, DoublePrecision())
-                      : boost::math::gamma_q(shape(), g, DoublePrecision());
+  const double g = std::max(gamma_variate_of_amplitude(*this, y), 0.0);
+  return skewness > 0 ? boost::math::gamma_p(gamma_shape(), g, DoublePrecision())
+                      : boost::math::gamma_q(gamma_shape(), g, DoublePrecision());
 }
 
 std::vector<double> GammaLaw::density_breakpoints() const {
@@ -148,7 +149,7 @@ std::vector<double> GammaLaw::density_breakpoints() const {
   // of the support the density is x^(k-1) times a smooth function, which a ten-point Gauss rule
   // integrates accurately between x and 3 x.
   constexpr double kBeyond = 1e-20, kFirst = 1e-9, kGrowth = 3;
-  const double k = shape(), deviations = std::sqrt(k);
+  const double k = gamma_shape(), deviations = std::sqrt(k);
   const double low = boost::math::gamma_p_inv(k, kBeyond);
   std::vector<double> pieces;
   if (low < deviations) pieces.push_back(0);
@@ -165,7 +166,7 @@ std::vector<double> GammaLaw::density_breakpoints() const {
 
 double GammaLaw::standardised_quantile(double p, double q) const {
   assert(std::abs(p + q - 1) < 1e-12);
-  const double k = shape();
+  const double k = gamma_shape();
   const double g = p < q ? boost::math::gamma_p_inv(k, p) : boost::math::gamma_q_inv(k, q);
   return (g - k) / std::sqrt(k);
 }

@@ -19,7 +19,7 @@ struct GaussianLaw {
   double width() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
-  /// Returns E[((Y - mean) / deviation)^n], which is (n-1)!! for even n and 0 for odd n.
+  /// Returns E[((Y - mean) / deviation)^n]: (n-1)!! for even n and 0 for odd n.
   double standardised_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
@@ -143,16 +143,18 @@ struct GammaLaw {
   /// Returns the signed width, the standard deviation times the sign of the skewness.
   double width() const;
   double standard_deviation() const { return deviation; }
-  double shape() const { return 4 / (skewness * skewness); }
+  /// Returns the shape parameter k of the gamma density.
+  double gamma_shape() const { return 4 / (skewness * skewness); }
 
-  /// Returns the moment m_n = E[((Y - mean) / deviation)^n], computed by the recursion m_{n+1} = n
-  /// (skewness/2 m_n + m_{n-1}).
+  /// Returns the moment m_n = E[((Y - mean) / deviation)^n], computed by the recursion
+  ///
+  ///     m_{n+1} = n (skewness/2 m_n + m_{n-1}).
   double standardised_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
   std::vector<AmplitudeAtom> atoms() const { return {}; }
-  /// Returns break points for quadrature, which are densest near the finite end of the support.
-  /// There the density behaves like a power of the distance from the end.
+  /// Returns break points for quadrature. The points are densest near the finite end of the
+  /// support, where the density behaves like a power of the distance from the end.
   std::vector<double> density_breakpoints() const;
   GammaLaw with_negated_amplitudes() const { return {-mean, deviation, -skewness}; }
 

@@ -15,7 +15,7 @@ struct LawShapeParameters {
   std::string table = {};
 };
 
-/// An amplitude with positive probability, and its probability.
+/// An impulse amplitude with positive probability, and this probability.
 struct AmplitudeAtom {
   double amplitude;
   double probability;

@@ -14,11 +14,11 @@
 namespace fpkcheck::problem {
 namespace {
 
-bool has_atoms(const TabulatedLaw& law) {
+bool table_has_atoms(const TabulatedLaw& law) {
   return law.standard->kind == AmplitudeTable::WeightType::probability;
 }
 
-// Computes the moment E[Z^n] of the standardised amplitude Z. The 20-point Gauss rule is exact for
+// Returns the moment E[Z^n] of the standardised amplitude Z. The 20-point Gauss rule is exact for
 // the integrand, a polynomial on each piece of the table.
 double expectation_of_power(const AmplitudeTable& table, int n) {
   using Rule = boost::math::quadrature::gauss<double, 20>;
@@ -40,7 +40,7 @@ double expectation_of_power(const AmplitudeTable& table, int n) {
 }
 
 // Returns the probability P(Z <= at) if `with_equal` is true, otherwise P(Z < at).
-double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
+double table_cumulative_probability(const AmplitudeTable& table, double at, bool with_equal) {
   const auto& z = table.amplitude;
   const auto& w = table.weight;
   double sum = 0;
@@ -89,7 +89,7 @@ double TabulatedLaw::standardised_moment(int n) const {
 }
 
 double TabulatedLaw::density(double y) const {
-  if (has_atoms(*this)) return 0;
+  if (table_has_atoms(*this)) return 0;
   const auto& z = standard->amplitude;
   const double at = (y - mean) / scale;
   if (!(at >= z.front() && at <= z.back())) return 0;
@@ -101,12 +101,13 @@ double TabulatedLaw::density(double y) const {
 
 double TabulatedLaw::cumulative_probability(double y) const {
   const double at = (y - mean) / scale;
-  return scale > 0 ? cumulative_of(*standard, at, true) : 1 - cumulative_of(*standard, at, false);
+  return scale > 0 ? table_cumulative_probability(*standard, at, true)
+                   : 1 - table_cumulative_probability(*standard, at, false);
 }
 
 std::vector<AmplitudeAtom> TabulatedLaw::atoms() const {
   std::vector<AmplitudeAtom> atoms;
-  if (!has_atoms(*this)) return atoms;
+  if (!table_has_atoms(*this)) return atoms;
   for (std::size_t k = 0; k < standard->amplitude.size(); ++k) {
     atoms.push_back({mean + scale * standard->amplitude[k], standard->weight[k]});
   }
@@ -116,7 +117,7 @@ std::vector<AmplitudeAtom> TabulatedLaw::atoms() const {
 
 std::vector<double> TabulatedLaw::density_breakpoints() const {
   std::vector<double> pieces;
-  if (has_atoms(*this)) return pieces;
+  if (table_has_atoms(*this)) return pieces;
   for (const double z : standard->amplitude) pieces.push_back(mean + scale * z);
   if (scale < 0) std::ranges::reverse(pieces);
   return pieces;

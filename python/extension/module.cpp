@@ -33,7 +33,7 @@
 #include "methods/external/external_samples.hpp"
 #include "methods/external/range_between_walls.hpp"
 #include "problem/case_file.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "results/run_json.hpp"
 
 namespace fpkcheck::python {
@@ -113,7 +113,7 @@ problem::Problem problem_of(const std::string& name, const std::vector<std::stri
 
 py::dict sections_to_python(const problem::Problem& problem) {
   py::dict sections;
-  for (const auto& section : problem::sections(problem)) {
+  for (const auto& section : problem::case_file_sections(problem)) {
     py::dict values;
     for (const auto& [name, value] : section.values) values[py::str(name)] = to_python(value);
     sections[py::str(section.name)] = values;
@@ -200,7 +200,7 @@ void bind_methods(py::module_& module) {
   py::class_<methods::Method>(module, "Method").def_property_readonly("id", &methods::Method::id);
   module.def("method_families", [] {
     std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> all;
-    for (const auto* family : registry().families()) {
+    for (const auto* family : registry().families_by_trust()) {
       all.emplace_back(family->name, family->meaning, family->default_ids);
     }
     return all;
@@ -226,7 +226,7 @@ void bind_methods(py::module_& module) {
              py::arg("place"));
   module.def("file_methods",
              [](const std::vector<std::string>& arguments, const std::string& case_name) {
-               return methods::external_methods(arguments, registry(), case_name);
+               return methods::read_external_methods(arguments, registry(), case_name);
              });
 }
 
@@ -309,8 +309,8 @@ py::list curve_list(const std::vector<results::DensityCurve>& curves) {
 void bind_runs(py::module_& module) {
   py::class_<results::Run, RunPointer>(module, "Run")
       .def("summary", [](const results::Run& run) { return results::run_summary_text(run); })
-      .def("table",
-           [](const results::Run& run, std::size_t width) { return report::table(run, width); })
+      .def("table", [](const results::Run& run,
+                       std::size_t width) { return report::terminal_tables_text(run, width); })
       .def("problem",
            [](const results::Run& run, std::size_t k) { return case_result_at(run, k).problem; })
       .def("curves", [](const results::Run& run,

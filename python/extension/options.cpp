@@ -50,7 +50,7 @@ Value convert_value(const base::Parameter& parameter, const NamedParameterValue&
   }
   const auto value = parameter.convert_to_parameter_type(option.value);
   if (!value) {
-    throw InputError(fmt::format("{} {} (must be {})", label, base::text_of(option.value),
+    throw InputError(fmt::format("{} {} (must be {})", label, base::value_as_text(option.value),
                                  parameter.requirement_text()));
   }
   return *value;

@@ -30,8 +30,9 @@ struct UncertaintyLine {
   const char* dash;  ///< dash type of gnuplot
 };
 
-/// L1 distances of one marginal density to the reference of a case, by family and order. The
-/// members point to solutions of the case with a positive distance.
+/// L1 distances of one marginal density from the reference of a case, grouped by solution family
+/// and sorted by closure order. The members point to solutions of the case with a positive
+/// distance.
 struct ConvergenceOverOrder {
   const results::CaseResult* case_result;
   const transform::Solution* reference;
@@ -46,17 +47,17 @@ struct ConvergenceOverOrder {
   std::pair<int, int> order_range() const;
 };
 
-int order_of(const Solution* solution) { return *solution->identity.order; }
+int closure_order_of(const Solution* solution) { return *solution->identity.order; }
 
 double ConvergenceOverOrder::l1(const Solution& solution) const {
-  return case_result->l1(solution.id(), reference->id(), variable).value_or(0);
+  return case_result->l1_distance(solution.id(), reference->id(), variable).value_or(0);
 }
 
 std::pair<int, int> ConvergenceOverOrder::order_range() const {
-  int first = order_of(families.front().solutions.front()), last = first;
+  int first = closure_order_of(families.front().solutions.front()), last = first;
   const auto include = [&](const Solution* solution) {
-    first = std::min(first, order_of(solution));
-    last = std::max(last, order_of(solution));
+    first = std::min(first, closure_order_of(solution));
+    last = std::max(last, closure_order_of(solution));
   };
   for (const SolutionFamily& family : families) std::ranges::for_each(family.solutions, include);
   for (const Solution* external_density : external_densities) {
@@ -65,7 +66,7 @@ std::pair<int, int> ConvergenceOverOrder::order_range() const {
   return {first, last};
 }
 
-std::vector<UncertaintyLine> uncertainty_lines(const ConvergenceOverOrder& distances) {
+std::vector<UncertaintyLine> make_uncertainty_lines(const ConvergenceOverOrder& distances) {
   std::vector<UncertaintyLine> all;
   for (const Solution* other : solutions_of_full_problem(*distances.case_result)) {
     const double l1 = distances.l1(*other);
@@ -73,9 +74,10 @@ std::vector<UncertaintyLine> uncertainty_lines(const ConvergenceOverOrder& dista
       all.push_back({fmt::format("distance of {} to {}", other->id(), distances.reference->id()),
                      l1, "(2,4)"});
   }
-  const double own = compare::l1_error_estimate(*distances.reference, distances.variable);
-  if (std::isfinite(own) && own > 0) {
-    all.push_back({"error estimate of " + distances.reference->id(), own, "(8,4)"});
+  const double error_estimate =
+      compare::l1_error_estimate(*distances.reference, distances.variable);
+  if (std::isfinite(error_estimate) && error_estimate > 0) {
+    all.push_back({"error estimate of " + distances.reference->id(), error_estimate, "(8,4)"});
   }
   return all;
 }
@@ -102,23 +104,23 @@ std::optional<ConvergenceOverOrder> convergence_over_order(const results::CaseRe
     }
   }
   distances.families = group_by_family(by_order);
-  const bool any = std::ranges::any_of(
+  const bool has_several_orders = std::ranges::any_of(
       distances.families, [](const SolutionFamily& family) { return family.solutions.size() > 1; });
-  if (!any) return std::nullopt;
+  if (!has_several_orders) return std::nullopt;
   for (SolutionFamily& family : distances.families)
-    std::ranges::stable_sort(family.solutions, {}, order_of);
-  distances.uncertainty_lines = uncertainty_lines(distances);
+    std::ranges::stable_sort(family.solutions, {}, closure_order_of);
+  distances.uncertainty_lines = make_uncertainty_lines(distances);
   return distances;
 }
 
-std::string panel_title(StateVariable variable) {
+std::string convergence_panel_title(StateVariable variable) {
   return variable == StateVariable::y ? "displacement" : "velocity";
 }
 
-FigureAxis distance_axis(StateVariable variable, const Solution& reference,
-                         const std::vector<FigureSeries>& all) {
+FigureAxis distance_from_reference_axis(StateVariable variable, const Solution& reference,
+                                        const std::vector<FigureSeries>& all) {
   return logarithmic_axis(
-      fmt::format("{{/:Italic L}}_1 distance of {} to {}", density_symbol(variable),
+      fmt::format("{{/:Italic L}}_1 distance of {} to {}", density_in_enhanced_text(variable),
                   escape_enhanced_text(reference.id())),
       all, &FigurePoint::y);
 }
@@ -185,7 +187,7 @@ std::vector<FigureSeries> convergence_series(const ConvergenceOverOrder& distanc
 std::vector<FigureSeries> cost_series(const results::CaseResult& case_result,
                                       const Solution& reference, StateVariable variable) {
   const auto l1 = [&](const Solution& solution) {
-    return case_result.l1(solution.id(), reference.id(), variable).value_or(0);
+    return case_result.l1_distance(solution.id(), reference.id(), variable).value_or(0);
   };
   std::vector<const Solution*> compared;
   for (const auto& solution : case_result.solutions) {
@@ -199,7 +201,7 @@ std::vector<FigureSeries> cost_series(const results::CaseResult& case_result,
                                .y = l1(*member),
                                .open = !member->is_ok(),
                                .name = name_with_status(*member),
-                               .label = transform::short_name(member->identity),
+                               .label = transform::short_name_in_family(member->identity),
                                .colour = member->identity.plot_style.colour});
     }
     all.push_back(series);
@@ -210,7 +212,7 @@ std::vector<FigureSeries> cost_series(const results::CaseResult& case_result,
 }  // namespace
 
 Figure convergence_figure(const results::CaseResult& case_result) {
-  Figure figure{.title = problem_title(case_result.problem)};
+  Figure figure{.title = problem_title_parts(case_result.problem)};
   for (const StateVariable variable : transform::kVariables) {
     const auto distances = convergence_over_order(case_result, variable);
     if (!distances) continue;
@@ -219,18 +221,18 @@ Figure convergence_figure(const results::CaseResult& case_result) {
     const auto series = convergence_series(*distances, x);
     figure.panels.push_back(
         {.id = fmt::format("order-{}", name(variable)),
-         .title = panel_title(variable),
+         .title = convergence_panel_title(variable),
          .caption = fmt::format("Convergence of the closures in {}; open marks: not ok",
-                                density_text(variable)),
+                                density_in_plain_text(variable)),
          .x = x,
-         .y = distance_axis(variable, *distances->reference, series),
+         .y = distance_from_reference_axis(variable, *distances->reference, series),
          .series = series});
   }
   return figure;
 }
 
-Figure cost_figure(const results::CaseResult& case_result) {
-  Figure figure{.title = problem_title(case_result.problem)};
+Figure computing_time_figure(const results::CaseResult& case_result) {
+  Figure figure{.title = problem_title_parts(case_result.problem)};
   const Solution* reference = case_result.reference();
   if (reference == nullptr) return figure;
   for (const StateVariable variable : transform::kVariables) {
@@ -238,10 +240,11 @@ Figure cost_figure(const results::CaseResult& case_result) {
     if (series.empty()) continue;
     figure.panels.push_back(
         {.id = fmt::format("cost-{}", name(variable)),
-         .title = panel_title(variable),
-         .caption = fmt::format("L1 distance in {} against computing time", density_text(variable)),
+         .title = convergence_panel_title(variable),
+         .caption = fmt::format("L1 distance in {} against computing time",
+                                density_in_plain_text(variable)),
          .x = logarithmic_axis("computing time in seconds", series, &FigurePoint::x),
-         .y = distance_axis(variable, *reference, series),
+         .y = distance_from_reference_axis(variable, *reference, series),
          .series = series});
   }
   return figure;

@@ -13,6 +13,6 @@ Figure convergence_figure(const results::CaseResult& case_result);
 
 /// Makes the figure of the L1 distances from the reference against the computing time, with one
 /// panel for each marginal density. The figure has no panels without a reference.
-Figure cost_figure(const results::CaseResult& case_result);
+Figure computing_time_figure(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

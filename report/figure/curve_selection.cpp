@@ -15,20 +15,21 @@ namespace {
 using transform::SolutionIdentity;
 using transform::SolutionRole;
 
-constexpr const char* kAll = "all";
+constexpr const char* kAllCurves = "all";
 
-bool matches(const std::string& requested, const SolutionIdentity& identity) {
-  return requested == kAll || requested == identity.id || requested == identity.family ||
+bool matches_request(const std::string& requested, const SolutionIdentity& identity) {
+  return requested == kAllCurves || requested == identity.id || requested == identity.family ||
          requested == identity.method;
 }
 
 bool has_curve(const results::CaseResult& case_result, const transform::Solution& solution) {
   return std::ranges::any_of(transform::kVariables, [&](transform::StateVariable variable) {
-    return case_result.curve(solution.id(), variable) != nullptr;
+    return case_result.marginal_curve(solution.id(), variable) != nullptr;
   });
 }
 
-// Returns all solutions with a curve, by decreasing priority for the default selection.
+// Returns the solutions of a case that have a curve, by decreasing priority in the default
+// selection of curves.
 std::vector<const transform::Solution*> solutions_by_priority(
     const results::CaseResult& case_result) {
   std::vector<const transform::Solution*> order;
@@ -58,20 +59,20 @@ std::vector<const transform::Solution*> solutions_by_priority(
 
 }  // namespace
 
-std::set<std::string> select_curves(const results::CaseResult& case_result,
-                                    const std::vector<std::string>& requested) {
+std::set<std::string> select_solutions_to_draw(const results::CaseResult& case_result,
+                                               const std::vector<std::string>& requested) {
   std::set<std::string> ids;
   for (const auto& solution : case_result.solutions) {
     const bool is_requested = requested.empty()
                                   ? transform::is_external(solution.identity)
                                   : std::ranges::any_of(requested, [&](const std::string& item) {
-                                      return matches(item, solution.identity);
+                                      return matches_request(item, solution.identity);
                                     });
     if (is_requested && has_curve(case_result, solution)) ids.insert(solution.id());
   }
   if (!requested.empty()) return ids;
   for (const auto* solution : solutions_by_priority(case_result)) {
-    if (ids.size() < kMaxCurves) ids.insert(solution->id());
+    if (ids.size() < kMaxDefaultCurves) ids.insert(solution->id());
   }
   return ids;
 }
@@ -92,14 +93,14 @@ std::set<std::string> initially_visible_solutions(const results::CaseResult& cas
   return ids;
 }
 
-void require_available_curves(const std::vector<std::string>& requested,
-                              std::span<const SolutionIdentity> available) {
+void require_requested_curves_exist(const std::vector<std::string>& requested,
+                                    std::span<const SolutionIdentity> available) {
   for (const auto& item : requested) {
-    const bool known =
-        item == kAll || std::ranges::any_of(available, [&](const SolutionIdentity& identity) {
-          return matches(item, identity);
+    const bool is_available =
+        item == kAllCurves || std::ranges::any_of(available, [&](const SolutionIdentity& identity) {
+          return matches_request(item, identity);
         });
-    if (known) continue;
+    if (is_available) continue;
     std::vector<std::string> ids;
     for (const auto& identity : available) {
       if (std::ranges::count(ids, identity.id) == 0) ids.push_back(identity.id);

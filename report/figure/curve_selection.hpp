@@ -11,18 +11,18 @@ namespace fpkcheck::report {
 
 /// Largest number of curves in the default selection: readers cannot distinguish more than six
 /// nearly coincident curves.
-inline constexpr std::size_t kMaxCurves = 6;
+inline constexpr std::size_t kMaxDefaultCurves = 6;
 
 /// Returns the ids of the solutions whose curves the picture of a case shows.
 ///
 /// The default selection contains all external densities. Further solutions are added, up to
-/// kMaxCurves curves, in this order: the reference, the remaining solutions of the full problem
+/// kMaxDefaultCurves curves, in this order: the reference, the remaining solutions of the full problem
 /// (report/solutions_of_full_problem.hpp), the closest closure of each formulation, solutions of
 /// approximate equations by decreasing trust, remaining closures (`ok` and closest first).
 /// @param requested ids, families or solvers whose curves are shown, or "all". An empty list means
 /// the default selection.
-std::set<std::string> select_curves(const results::CaseResult& case_result,
-                                    const std::vector<std::string>& requested = {});
+std::set<std::string> select_solutions_to_draw(const results::CaseResult& case_result,
+                                               const std::vector<std::string>& requested = {});
 
 /// Returns the ids of the solutions whose curves are initially visible on the report page: the
 /// solutions of the full problem (report/solutions_of_full_problem.hpp), the closest closure of
@@ -31,10 +31,10 @@ std::set<std::string> select_curves(const results::CaseResult& case_result,
 std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result);
 
 /// Checks that every requested id, family or solver matches a solution.
-/// @param requested requested ids, families or solvers, the argument of select_curves()
+/// @param requested requested ids, families or solvers, the argument of select_solutions_to_draw()
 /// @param available  identities of the available solutions
 /// @throws InputError with a message of one line if a requested name matches no solution
-void require_available_curves(const std::vector<std::string>& requested,
-                              std::span<const transform::SolutionIdentity> available);
+void require_requested_curves_exist(const std::vector<std::string>& requested,
+                                    std::span<const transform::SolutionIdentity> available);
 
 }  // namespace fpkcheck::report

@@ -19,52 +19,54 @@ using transform::StateVariable;
 /// The kind of a panel of one marginal density: the density on a linear or on a logarithmic axis,
 /// the difference from the reference, or the absolute difference from the reference over smooth
 /// bins.
-enum class Panel { linear, logarithmic, difference, smooth_difference };
+enum class PanelKind { linear, logarithmic, difference, smooth_difference };
 
-bool shows_differences(Panel panel) {
-  return panel == Panel::difference || panel == Panel::smooth_difference;
+bool shows_differences(PanelKind kind) {
+  return kind == PanelKind::difference || kind == PanelKind::smooth_difference;
 }
 
-std::string panel_title(Panel panel, StateVariable variable, const std::string& reference,
+std::string panel_title(PanelKind kind, StateVariable variable, const std::string& reference,
                         bool is_short) {
   const std::string name(base::meaning_of(variable));
-  const auto named = [&](const std::string& what) { return is_short ? what : name + ", " + what; };
-  switch (panel) {
-    case Panel::linear:
+  const auto with_variable_name = [&](const std::string& what) {
+    return is_short ? what : name + ", " + what;
+  };
+  switch (kind) {
+    case PanelKind::linear:
       return name;
-    case Panel::logarithmic:
-      return is_short ? name : named("logarithmic");
-    case Panel::difference:
-      return named("difference from " + reference);
-    case Panel::smooth_difference:
-      return named("|difference from " + reference + "|");
+    case PanelKind::logarithmic:
+      return is_short ? name : with_variable_name("logarithmic");
+    case PanelKind::difference:
+      return with_variable_name("difference from " + reference);
+    case PanelKind::smooth_difference:
+      return with_variable_name("|difference from " + reference + "|");
   }
   return "";
 }
 
-FigureAxis abscissa(Panel panel, const MarginalCurves& marginal) {
+FigureAxis abscissa_axis(PanelKind kind, const MarginalCurves& marginal) {
   const MarginalAxisRanges& r = marginal.ranges;
-  const bool is_logarithmic = panel == Panel::logarithmic;
+  const bool is_logarithmic = kind == PanelKind::logarithmic;
   const double from = is_logarithmic ? r.logarithmic_from : r.linear_from,
                to = is_logarithmic ? r.logarithmic_to : r.linear_to;
   return {marginal.variable == StateVariable::y ? "{/:Italic y}" : "{/:Italic y}'", from, to, false,
-          tic_step(from, to)};
+          choose_tic_step(from, to)};
 }
 
-FigureAxis ordinate(Panel panel, const MarginalCurves& marginal, double smallest_density) {
+FigureAxis ordinate_axis(PanelKind kind, const MarginalCurves& marginal, double smallest_density) {
   const MarginalAxisRanges& r = marginal.ranges;
-  const std::string density = density_symbol(marginal.variable);
-  switch (panel) {
-    case Panel::linear:
+  const std::string density = density_in_enhanced_text(marginal.variable);
+  switch (kind) {
+    case PanelKind::linear:
       return {density, 0, 1.08 * r.linear_top};
-    case Panel::logarithmic:
+    case PanelKind::logarithmic:
       return {density, logarithmic_axis_bottom(r, smallest_density), logarithmic_axis_top(r), true};
-    case Panel::difference: {
+    case PanelKind::difference: {
       // If all differences from the reference are 0, the axis range is arbitrary.
       const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
       return {"Δ" + density, -half, half};
     }
-    case Panel::smooth_difference: {
+    case PanelKind::smooth_difference: {
       const auto [least, most] = difference_axis_decades(r);
       return {"|Δ" + density + "|", least, most, true};
     }
@@ -73,7 +75,7 @@ FigureAxis ordinate(Panel panel, const MarginalCurves& marginal, double smallest
 }
 
 // Returns the legend note with the probabilities of atoms at rest, which a curve cannot show.
-std::string legend_note(const DrawnCurve& drawn) {
+std::string atom_and_interval_note(const DrawnCurve& drawn) {
   std::string label;
   for (const auto& atom : drawn.solution->atoms) {
     label += fmt::format(", probability {:.3g} of rest at y = {:g}", atom.probability, atom.y);
@@ -84,15 +86,15 @@ std::string legend_note(const DrawnCurve& drawn) {
 
 // Returns whether the curve of a solution has marks, which distinguish curves in grey print.
 // Closures and external densities have marks; solutions of density equations have lines only.
-bool has_marks(const transform::SolutionIdentity& identity) {
+bool curve_has_marks(const transform::SolutionIdentity& identity) {
   return !identity.plot_style.as_points && (identity.role == transform::SolutionRole::closure ||
                                             identity.role == transform::SolutionRole::external);
 }
 
 // Returns the series of a curve. The series has no points if the panel shows differences and the
 // curve has no differences.
-FigureSeries curve_series(const DrawnCurve& drawn, Panel panel, const std::string& reference) {
-  const bool of_differences = shows_differences(panel);
+FigureSeries curve_series(const DrawnCurve& drawn, PanelKind kind, const std::string& reference) {
+  const bool of_differences = shows_differences(kind);
   const CurveDifference& difference = drawn.difference;
   const auto& places = of_differences ? difference.abscissa : drawn.curve->abscissa;
   const auto& values = of_differences ? difference.values : drawn.curve->density;
@@ -101,11 +103,11 @@ FigureSeries curve_series(const DrawnCurve& drawn, Panel panel, const std::strin
   const auto& plot_style = drawn.plot_style();
   const std::string& id = drawn.solution->id();
   const bool is_ok = drawn.solution->is_ok();
-  FigureSeries series = make_series(
+  FigureSeries series = make_empty_series(
       is_ok ? id : fmt::format("{} ({})", id, name(drawn.solution->status)), plot_style);
   series.line_width = plot_style.width;
-  series.note = legend_note(drawn);
-  if (panel == Panel::smooth_difference && id == reference) {
+  series.note = atom_and_interval_note(drawn);
+  if (kind == PanelKind::smooth_difference && id == reference) {
     // The differences of the reference are the half-widths of its confidence intervals.
     series = {.name = fmt::format("half-width of the interval of {}", reference),
               .colour = "#444444",
@@ -117,7 +119,7 @@ FigureSeries curve_series(const DrawnCurve& drawn, Panel panel, const std::strin
     series.dash = "";
     series.symbol = "circle-open";
     series.mark_size = 0.8;
-  } else if (has_marks(drawn.solution->identity)) {
+  } else if (curve_has_marks(drawn.solution->identity)) {
     series.mark_size = 1.1;
   } else {
     series.symbol = "";
@@ -135,16 +137,16 @@ FigureSeries curve_series(const DrawnCurve& drawn, Panel panel, const std::strin
   return series;
 }
 
-FigurePanel density_panel(Panel panel, const MarginalCurves& marginal, const FigureContent& content,
-                          bool short_title) {
+FigurePanel density_panel(PanelKind kind, const MarginalCurves& marginal,
+                          const DensityFigureContent& content, bool short_title) {
   FigurePanel result{.title = escape_enhanced_text(
-                         panel_title(panel, marginal.variable, content.reference, short_title)),
-                     .x = abscissa(panel, marginal),
-                     .y = ordinate(panel, marginal, content.smallest_density)};
-  if (panel == Panel::linear) result.note = spike_note(marginal.ranges);
+                         panel_title(kind, marginal.variable, content.reference, short_title)),
+                     .x = abscissa_axis(kind, marginal),
+                     .y = ordinate_axis(kind, marginal, content.smallest_density)};
+  if (kind == PanelKind::linear) result.note = spike_note(marginal.ranges);
   std::vector<FigureSeries*> marked;
   for (const auto& drawn : marginal.curves) {
-    result.series.push_back(curve_series(drawn, panel, content.reference));
+    result.series.push_back(curve_series(drawn, kind, content.reference));
   }
   for (auto& series : result.series) {
     if (!series.symbol.empty() && !series.dash.empty()) marked.push_back(&series);
@@ -159,10 +161,10 @@ FigurePanel density_panel(Panel panel, const MarginalCurves& marginal, const Fig
   return result;
 }
 
-std::string page_caption(StateVariable variable, const FigureContent& content) {
+std::string page_caption(StateVariable variable, const DensityFigureContent& content) {
   std::string caption(base::meaning_of(variable));
   caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
-  caption += fmt::format(" {}: ", variable_text(variable));
+  caption += fmt::format(" {}: ", variable_in_plain_text(variable));
   if (!content.reference.empty()) {
     caption += "difference from " + content.reference;
     if (content.smooth_differences) {
@@ -175,30 +177,30 @@ std::string page_caption(StateVariable variable, const FigureContent& content) {
 
 }  // namespace
 
-Figure density_figure(const problem::Problem& problem, const FigureContent& content,
+Figure density_figure(const problem::Problem& problem, const DensityFigureContent& content,
                       FigureWidth width) {
   const bool narrow = width == FigureWidth::one_column;
-  std::vector<Panel> shown{Panel::linear, Panel::logarithmic};
+  std::vector<PanelKind> shown{PanelKind::linear, PanelKind::logarithmic};
   if (!content.reference.empty()) {
-    shown.push_back(content.smooth_differences ? Panel::smooth_difference : Panel::difference);
+    shown.push_back(content.smooth_differences ? PanelKind::smooth_difference
+                                               : PanelKind::difference);
     if (narrow) shown.erase(shown.begin());
   }
-  Figure figure{.title = problem_title(problem),
+  Figure figure{.title = problem_title_parts(problem),
                 .columns = static_cast<int>(shown.size()),
                 .screen_width = 1500,
                 .panel_height = 280};
   for (const auto& marginal : content.marginals) {
     const bool of_y = marginal.variable == StateVariable::y;
     const std::string caption = page_caption(marginal.variable, content);
-    for (const Panel panel : shown) {
-      figure.panels.push_back(
-          density_panel(panel, marginal, content, width != FigureWidth::screen));
+    for (const PanelKind kind : shown) {
+      figure.panels.push_back(density_panel(kind, marginal, content, width != FigureWidth::screen));
       figure.panels.back().id = fmt::format("density-{}", name(marginal.variable));
       figure.panels.back().caption = caption;
       if (narrow) continue;  // a narrow figure letters its panels consecutively
-      figure.panels.back().letter = panel == Panel::linear        ? (of_y ? "a" : "c")
-                                    : panel == Panel::logarithmic ? (of_y ? "b" : "d")
-                                                                  : (of_y ? "e" : "f");
+      figure.panels.back().letter = kind == PanelKind::linear        ? (of_y ? "a" : "c")
+                                    : kind == PanelKind::logarithmic ? (of_y ? "b" : "d")
+                                                                     : (of_y ? "e" : "f");
     }
   }
   // The hint appears only in figures for a screen, since the hint names a command-line option.

@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string first_line(const std::string& text) {
+std::string first_line_of_message(const std::string& text) {
   const auto start = text.find_first_not_of(" \n");
   return start == std::string::npos
              ? "no message"
              : base::sanitise(text.substr(start, text.find('\n', start) - start));
 }
 
-std::string bytes_of(const fs::path& file) {
+std::string read_all_bytes(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -36,11 +36,12 @@ std::string bytes_of(const fs::path& file) {
 // Runs gnuplot on a script and reports errors.
 // @param target file that gnuplot writes
 // @param picture file that error messages name
-void run_script(const std::string& gnuplot, const fs::path& script, const std::string& format,
-                const fs::path& target, const fs::path& picture) {
+void run_gnuplot_script(const std::string& gnuplot, const fs::path& script,
+                        const std::string& format, const fs::path& target,
+                        const fs::path& picture) {
   const auto outcome = run_gnuplot(gnuplot,
-                                   {"format=" + gnuplot_string(format),
-                                    "target=" + gnuplot_string(fs::absolute(target).string())},
+                                   {"format=" + quote_for_gnuplot(format),
+                                    "target=" + quote_for_gnuplot(fs::absolute(target).string())},
                                    script);
   if (!outcome.found) throw GnuplotMissing(fmt::format("'{}' was not found", gnuplot));
   std::error_code error;
@@ -48,14 +49,14 @@ void run_script(const std::string& gnuplot, const fs::path& script, const std::s
   if (outcome.exit_code != 0 || error || size == 0) {
     throw std::runtime_error(fmt::format("{} was not drawn: gnuplot exited with code {} ({})",
                                          picture.string(), outcome.exit_code,
-                                         first_line(outcome.message)));
+                                         first_line_of_message(outcome.message)));
   }
 }
 
 // Sets the printed size in an SVG file. The program gnuplot measures an SVG in pixels and does not
-// scale tics and marks. Therefore gnuplot draws the SVG for a screen, and this function replaces
-// the size afterwards.
-std::string set_printed_size(std::string svg, double across) {
+// scale tics and marks. Therefore gnuplot draws the SVG with the size for a screen. This function
+// then replaces the size.
+std::string set_printed_size(std::string svg, double width_mm) {
   int width = 0, height = 0;
   const auto at = svg.find(" width=\"");
   if (at == std::string::npos ||
@@ -65,7 +66,7 @@ std::string set_printed_size(std::string svg, double across) {
   const auto end = svg.find('\n', at);
   return svg.replace(
       at, end - at,
-      fmt::format(" width=\"{:g}mm\" height=\"{:.2f}mm\"", across, across * height / width));
+      fmt::format(" width=\"{:g}mm\" height=\"{:.2f}mm\"", width_mm, width_mm * height / width));
 }
 
 /// Guard object that creates a temporary directory. The destructor removes the directory.
@@ -90,22 +91,24 @@ class TemporaryDirectory {
   fs::path path_;
 };
 
-// Renames the graphics file that STEM.tex includes to STEM-tex.pdf. gnuplot calls this file
-// STEM.pdf, like the picture in format pdf, and writes the directory into STEM.tex. The new name
-// has no directory, so that LaTeX's \graphicspath applies.
-void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
+// Draws a picture in the format tex, and renames the graphics file that STEM.tex includes to
+// STEM-tex.pdf. The program gnuplot names the graphics file STEM.pdf, like the picture in the
+// format pdf, and writes the directory into STEM.tex. The new name has no directory, so that
+// LaTeX's \graphicspath applies.
+void draw_latex_picture(const std::string& gnuplot, const fs::path& script,
+                        const fs::path& picture) {
   const TemporaryDirectory directory;
   const fs::path drawn = directory.path() / "drawn.tex", graphics = directory.path() / "drawn.pdf";
-  run_script(gnuplot, script, "tex", drawn, picture);
+  run_gnuplot_script(gnuplot, script, "tex", drawn, picture);
   const std::string included = picture.stem().string() + "-tex.pdf";
-  std::string text = bytes_of(drawn);
+  std::string text = read_all_bytes(drawn);
   const std::string name = (directory.path() / "drawn").string();
   if (const auto at = text.find(name); at != std::string::npos) {
     text.replace(at, name.size(), included);
   }
   base::FileTransaction files;
   files.add(picture, text);
-  files.add(picture.parent_path() / included, bytes_of(graphics));
+  files.add(picture.parent_path() / included, read_all_bytes(graphics));
   files.commit();
 }
 
@@ -115,26 +118,27 @@ void draw_picture(const std::string& gnuplot, const fs::path& script, const fs::
                   FigureWidth width) {
   const std::string format = picture.extension().string().substr(1);
   if (format == name(FigureFormat::tex)) {
-    draw_latex(gnuplot, script, picture);
+    draw_latex_picture(gnuplot, script, picture);
     return;
   }
   base::replace_file_atomically(picture, [&](const fs::path& temporary) {
-    run_script(gnuplot, script, format, temporary, picture);
+    run_gnuplot_script(gnuplot, script, format, temporary, picture);
     if (format != name(FigureFormat::svg) || width == FigureWidth::screen) return;
-    const std::string svg = set_printed_size(bytes_of(temporary), printed_width_mm(width));
+    const std::string svg = set_printed_size(read_all_bytes(temporary), printed_width_mm(width));
     std::ofstream(temporary, std::ios::binary | std::ios::trunc) << svg;
   });
 }
 
-std::vector<std::string> draw_formats(const std::string& gnuplot, const fs::path& figures,
-                                      const std::vector<std::string>& stems,
-                                      const FigureOptions& options) {
-  // More simultaneous processes could exceed the time limit of a picture on a busy machine.
-  constexpr int kMostProcesses = 4;
+std::vector<std::string> draw_scripts_in_all_formats(const std::string& gnuplot,
+                                                     const fs::path& figures,
+                                                     const std::vector<std::string>& stems,
+                                                     const FigureOptions& options) {
+  // With more simultaneous processes, a picture on a busy machine could exceed its time limit.
+  constexpr int kMaxProcesses = 4;
   const std::size_t formats = options.formats.size();
   std::vector<std::string> warnings(stems.size() * formats);
   base::parallel_for(
-      warnings.size(), std::min(kMostProcesses, base::available_processors()), [&](std::size_t k) {
+      warnings.size(), std::min(kMaxProcesses, base::available_processors()), [&](std::size_t k) {
         if (base::stop_requested()) return;
         const std::string& stem = stems[k / formats];
         try {
@@ -153,13 +157,14 @@ std::vector<std::string> draw_formats(const std::string& gnuplot, const fs::path
   return warnings;
 }
 
-std::vector<std::string> write_pictures(const fs::path& figures, const std::string& stem,
-                                        const std::string& script, const FigureOptions& options,
-                                        const std::string& gnuplot) {
+std::vector<std::string> write_script_and_draw(const fs::path& figures, const std::string& stem,
+                                               const std::string& script,
+                                               const FigureOptions& options,
+                                               const std::string& gnuplot) {
   fs::create_directories(figures);
   base::write_file_atomically(figures / (stem + ".gp"), script);
   try {
-    return draw_formats(gnuplot, figures, {stem}, options);
+    return draw_scripts_in_all_formats(gnuplot, figures, {stem}, options);
   } catch (const GnuplotMissing& missing) {
     return {fmt::format("no picture: {}; install gnuplot, then run `cd {} && gnuplot {}.gp`",
                         missing.what(), figures.string(), stem)};

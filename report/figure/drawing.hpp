@@ -15,8 +15,8 @@ struct GnuplotMissing : std::runtime_error {
 };
 
 /// Runs gnuplot to draw the picture of a script. The extension of `picture` determines the format.
-/// The picture file is either replaced completely or left unchanged, as is the graphics file
-/// STEM-tex.pdf that STEM.tex includes.
+/// The picture file is either replaced completely or left unchanged. The same holds for the
+/// graphics file STEM-tex.pdf, which STEM.tex includes.
 /// @throws GnuplotMissing
 /// @throws std::runtime_error with a message of one line if gnuplot drew no picture
 void draw_picture(const std::string& gnuplot, const std::filesystem::path& script,
@@ -26,17 +26,18 @@ void draw_picture(const std::string& gnuplot, const std::filesystem::path& scrip
 /// processes at once. The pictures are written to the directory of the scripts.
 /// @return a warning for each picture that was not drawn; empty after a stop request
 /// @throws GnuplotMissing
-std::vector<std::string> draw_formats(const std::string& gnuplot,
-                                      const std::filesystem::path& figures,
-                                      const std::vector<std::string>& stems,
-                                      const FigureOptions& options);
+std::vector<std::string> draw_scripts_in_all_formats(const std::string& gnuplot,
+                                                     const std::filesystem::path& figures,
+                                                     const std::vector<std::string>& stems,
+                                                     const FigureOptions& options);
 
 /// Writes the script STEM.gp into a directory, and draws its pictures in each file format of the
 /// figure options.
 /// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing
-std::vector<std::string> write_pictures(const std::filesystem::path& figures,
-                                        const std::string& stem, const std::string& script,
-                                        const FigureOptions& options, const std::string& gnuplot);
+std::vector<std::string> write_script_and_draw(const std::filesystem::path& figures,
+                                               const std::string& stem, const std::string& script,
+                                               const FigureOptions& options,
+                                               const std::string& gnuplot);
 
 void remove_script_and_pictures(const std::filesystem::path& figures, const std::string& stem);
 

@@ -36,32 +36,32 @@ struct PlottedMoment {
 constexpr PlottedMoment kMoments[] = {{"y2", "E[{/:Italic y}²]", "E[y²]", &Moments::y2},
                                       {"v2", "E[{/:Italic y}'²]", "E[y′²]", &Moments::v2}};
 
-double largest_value(const ErrorSource& source) {
+double largest_magnitude(const ErrorSource& source) {
   double most = 0;
   for (const double x : source.density.averages) most = std::max(most, std::abs(x));
   return most;
 }
 
-bool has_all_sources(const CaseResult& case_result, const std::string& id) {
+bool has_error_sources(const CaseResult& case_result, const std::string& id) {
   return std::ranges::all_of(kMoments, [&](const PlottedMoment& moment) {
     return case_result.error_source(id, moment.name) != nullptr;
   });
 }
 
-std::vector<std::string> selected_solutions(const CaseResult& case_result, std::size_t most) {
+std::vector<std::string> solutions_to_show(const CaseResult& case_result, std::size_t most) {
   std::vector<std::string> ids;
   std::set<std::string> formulations;
   for (const auto* ranked : case_result.assessment.ranked_closures()) {
     const auto& closure = *case_result.find(ranked->id);
     if (ids.size() + 1 < most && formulations.insert(closure.identity.formulation).second &&
-        has_all_sources(case_result, closure.id())) {
+        has_error_sources(case_result, closure.id())) {
       ids.push_back(closure.id());
     }
   }
   std::ranges::reverse(ids);  // by increasing accuracy from left to right
   for (const auto& solution : case_result.solutions) {
     if (ids.size() < most && compare::is_solution_of_full_problem(solution) &&
-        has_all_sources(case_result, solution.id())) {
+        has_error_sources(case_result, solution.id())) {
       ids.push_back(solution.id());
     }
   }
@@ -70,14 +70,15 @@ std::vector<std::string> selected_solutions(const CaseResult& case_result, std::
 
 // Returns the window of the cells that have a visible value in at least one map. The window is
 // symmetric in y', and includes y = 0 if the cells begin at y = 0.
-CellWindow visible_window(const CaseResult& case_result, const std::vector<std::string>& ids) {
+CellIndexWindow window_of_visible_cells(const CaseResult& case_result,
+                                        const std::vector<std::string>& ids) {
   const auto& cells = case_result.error_sources.front().density;
-  CellWindow window{.y_end = 1, .v_begin = cells.nv(), .v_end = 0};
+  CellIndexWindow window{.y_end = 1, .v_begin = cells.nv(), .v_end = 0};
   if (cells.y_edges.front() != 0) window.y_begin = cells.ny() - 1;
   for (const auto& id : ids) {
     for (const PlottedMoment& moment : kMoments) {
       const ErrorSource& source = *case_result.error_source(id, moment.name);
-      const double least = kVisibleErrorFraction * largest_value(source);
+      const double least = kVisibleErrorFraction * largest_magnitude(source);
       for (std::size_t i = 0; i < source.density.ny(); ++i) {
         for (std::size_t j = 0; j < source.density.nv(); ++j) {
           if (std::abs(source.density.cell_average(i, j)) <= least) continue;
@@ -94,76 +95,77 @@ CellWindow visible_window(const CaseResult& case_result, const std::vector<std::
 
 // Returns the signed square root, which the colour scale uses to show values that are small
 // relative to the values at the wall.
-double signed_root(double value, double limit) {
+double scaled_signed_root(double value, double limit) {
   return std::copysign(std::sqrt(std::abs(value) / limit), value);
 }
 
 // Returns a colour axis with tics at equal steps of the value. The positions of the tics are signed
 // square roots of the values. The tic labels are in units of the power of ten in the axis label.
-FigureAxis colour_axis(const std::string& quantity, double limit) {
-  constexpr int kMostSteps = 5;  // largest number of tic steps on each side of 0
-  const double step = tic_step(0, limit, kMostSteps);
+FigureAxis signed_root_colour_axis(const std::string& quantity, double limit) {
+  constexpr int kMaxSteps = 5;  // largest number of tic steps on each side of 0
+  const double step = choose_tic_step(0, limit, kMaxSteps);
   const auto power = static_cast<int>(std::floor(std::log10(step)));
   FigureAxis axis{quantity, -1, 1};
-  if (power != 0) axis.label += with_minus_signs(fmt::format(", 10^{{{}}}", power));
+  if (power != 0) axis.label += replace_hyphens_by_minus_signs(fmt::format(", 10^{{{}}}", power));
   const int most = static_cast<int>(limit / step * (1 + 1e-9));
   for (int k = -most; k <= most; ++k) {
-    axis.tics.push_back({with_minus_signs(fmt::format("{:.0f}", k * step / std::pow(10, power))),
-                         signed_root(k * step, limit)});
+    axis.tics.push_back(
+        {replace_hyphens_by_minus_signs(fmt::format("{:.0f}", k * step / std::pow(10, power))),
+         scaled_signed_root(k * step, limit)});
   }
   return axis;
 }
 
-FigurePanel source_panel(const CaseResult& case_result, const std::string& id,
-                         const PlottedMoment& moment, const CellWindow& window) {
-  constexpr int kMostTics = 4;  // largest number of tics that fit under a map on a screen
-  const auto* own = case_result.moment_error_estimate(id);
-  const double error = own == nullptr ? 0 : own->error.*moment.member;
+FigurePanel error_source_panel(const CaseResult& case_result, const std::string& id,
+                               const PlottedMoment& moment, const CellIndexWindow& window) {
+  constexpr int kMaxTics = 4;  // largest number of tics that fit under a map on a screen
+  const auto* estimate = case_result.moment_error_estimate(id);
+  const double error = estimate == nullptr ? 0 : estimate->error.*moment.member;
   const ErrorSource& source = *case_result.error_source(id, moment.name);
-  const double limit = std::max(largest_value(source), 1e-300);
+  const double limit = std::max(largest_magnitude(source), 1e-300);
   const auto& y = source.density.y_edges;
   const auto& v = source.density.v_edges;
   const FigureAxis x_axis{"{/:Italic y}", y[window.y_begin], y[window.y_end], false,
-                          tic_step(y[window.y_begin], y[window.y_end], kMostTics)},
+                          choose_tic_step(y[window.y_begin], y[window.y_end], kMaxTics)},
       y_axis{"{/:Italic y}'", v[window.v_begin], v[window.v_end]};
   FigureHeatMap map{.x_range = {x_axis.from, x_axis.to},
                     .y_range = {y_axis.from, y_axis.to},
                     .columns = window.y_end - window.y_begin,
                     .values = rows_of_constant_velocity(source.density, window),
-                    .colour_axis = colour_axis("error per area", limit),
+                    .colour_axis = signed_root_colour_axis("error per area", limit),
                     .colours = {std::begin(kDivergingColours), std::end(kDivergingColours)},
                     .root_scale = limit,
                     .quantity = "error per area"};
   for (double& value : map.values) {
     constexpr double kDecimals = 1000;  // rounding of values to 1/1000, which resolves the colours
-    value = std::round(kDecimals * signed_root(value, limit)) / kDecimals;
+    value = std::round(kDecimals * scaled_signed_root(value, limit)) / kDecimals;
   }
-  return {
-      .id = fmt::format("errors-{}", moment.name),
-      .title = fmt::format("{} of {}: {}", moment.symbol, escape_enhanced_text(id),
-                           scientific_text(error)),
-      .caption = fmt::format("{}: error {}", moment.text, with_minus_signs(number_text(error, 2))),
-      .x = x_axis,
-      .y = y_axis,
-      .map = std::move(map),
-      .choice = id};
+  return {.id = fmt::format("errors-{}", moment.name),
+          .title = fmt::format("{} of {}: {}", moment.symbol, escape_enhanced_text(id),
+                               scientific_notation_text(error)),
+          .caption = fmt::format("{}: error {}", moment.text,
+                                 replace_hyphens_by_minus_signs(number_text(error, 2))),
+          .x = x_axis,
+          .y = y_axis,
+          .map = std::move(map),
+          .choice = id};
 }
 
 // On a screen each solution has a column of two maps, but a single solution has a row of two maps.
 // On paper each solution has a row of two maps. In a single journal column all maps are below one
 // another.
-Figure figure_of(const CaseResult& case_result, const std::vector<std::string>& ids,
-                 FigureWidth width) {
+Figure make_error_source_figure(const CaseResult& case_result, const std::vector<std::string>& ids,
+                                FigureWidth width) {
   constexpr int kColumnOnScreen = 400, kMomentCount = static_cast<int>(std::size(kMoments));
   const bool has_columns = width == FigureWidth::screen && ids.size() > 1;
   const int columns = has_columns ? static_cast<int>(ids.size()) : kMomentCount;
-  Figure figure{.title = problem_title(case_result.problem),
+  Figure figure{.title = problem_title_parts(case_result.problem),
                 .columns = columns,
                 .screen_width = columns * kColumnOnScreen,
                 .panel_height = 275};
   const bool has_error = std::ranges::any_of(ids, [&](const std::string& id) {
     return std::ranges::any_of(kMoments, [&](const PlottedMoment& moment) {
-      return largest_value(*case_result.error_source(id, moment.name)) > 0;
+      return largest_magnitude(*case_result.error_source(id, moment.name)) > 0;
     });
   });
   const bool same_cells = std::ranges::all_of(case_result.error_sources, [&](const auto& source) {
@@ -171,11 +173,12 @@ Figure figure_of(const CaseResult& case_result, const std::vector<std::string>& 
     return source.density.y_edges == cells.y_edges && source.density.v_edges == cells.v_edges;
   });
   if (!has_error || !same_cells) return figure;
-  const CellWindow window = visible_window(case_result, ids);
+  const CellIndexWindow window = window_of_visible_cells(case_result, ids);
   for (std::size_t k = 0; k < ids.size() * std::size(kMoments); ++k) {
     const std::size_t solution = has_columns ? k % ids.size() : k / std::size(kMoments),
                       moment = has_columns ? k / ids.size() : k % std::size(kMoments);
-    figure.panels.push_back(source_panel(case_result, ids[solution], kMoments[moment], window));
+    figure.panels.push_back(
+        error_source_panel(case_result, ids[solution], kMoments[moment], window));
   }
   return figure;
 }
@@ -184,20 +187,20 @@ Figure figure_of(const CaseResult& case_result, const std::vector<std::string>& 
 
 Figure error_source_figure(const CaseResult& case_result, FigureWidth width) {
   const bool narrow = width == FigureWidth::one_column;
-  return figure_of(case_result,
-                   selected_solutions(case_result, narrow ? kMaxSolutionsInColumn : kMaxSolutions),
-                   width);
+  return make_error_source_figure(
+      case_result, solutions_to_show(case_result, narrow ? kMaxSolutionsInColumn : kMaxSolutions),
+      width);
 }
 
 Figure error_source_page_figure(const CaseResult& case_result) {
   std::vector<std::string> ids;
   const auto add = [&](const std::string& id) {
     const bool is_new = std::ranges::find(ids, id) == ids.end();
-    if (is_new && has_all_sources(case_result, id)) ids.push_back(id);
+    if (is_new && has_error_sources(case_result, id)) ids.push_back(id);
   };
   for (const auto* closure : case_result.assessment.ranked_closures()) add(closure->id);
   for (const auto& estimate : case_result.moment_error_estimates) add(estimate.solution);
-  return figure_of(case_result, ids, FigureWidth::screen);
+  return make_error_source_figure(case_result, ids, FigureWidth::screen);
 }
 
 }  // namespace fpkcheck::report

@@ -9,9 +9,9 @@
 #include <limits>
 #include <map>
 
+#include "report/figure/axis_ranges.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
-#include "report/figure/ranges.hpp"
 #include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {
@@ -37,7 +37,7 @@ class DataBlocks {
   std::string text_;
 };
 
-std::string number_cell(double value, bool is_logarithmic) {
+std::string gnuplot_number(double value, bool is_logarithmic) {
   return std::isfinite(value) && (value > 0 || !is_logarithmic) ? fmt::format("{:.6g}", value)
                                                                 : "NaN";
 }
@@ -53,7 +53,7 @@ bool has_open_bars(const FigureSeries& series) {
 }
 
 bool has_open_marks(const FigureSeries& series) {
-  const auto [filled, open] = point_types(series.symbol);
+  const auto [filled, open] = gnuplot_point_types(series.symbol);
   return !series.symbol.empty() && filled != open &&
          std::ranges::any_of(series.points, &FigurePoint::open);
 }
@@ -63,7 +63,7 @@ bool has_intervals(const FigureSeries& series) {
                              [](const FigurePoint& point) { return std::isfinite(point.upper); });
 }
 
-std::string series_kind(const FigureSeries& series) {
+std::string gnuplot_plot_style(const FigureSeries& series) {
   return series.is_area          ? "filledcurves"
          : series.is_bars        ? has_intervals(series) ? "boxerrorbars" : "boxes"
          : has_intervals(series) ? "yerrorbars"
@@ -75,7 +75,7 @@ std::string series_kind(const FigureSeries& series) {
 constexpr double kPaleFraction = 0.3;
 
 // Mixes a colour "#RRGGBB" with white.
-std::string paler(const std::string& colour) {
+std::string mix_with_white(const std::string& colour) {
   std::string mixed = "#";
   for (const std::size_t position : {1, 3, 5}) {
     const int component = std::stoi(colour.substr(position, 2), nullptr, 16);
@@ -85,39 +85,40 @@ std::string paler(const std::string& colour) {
 }
 
 // Since gnuplot has no fill density for patterns, the colour of a pale pattern is mixed with white.
-std::string bar_style(const FigureSeries& series, const std::string& kind, bool is_pale) {
-  const std::string colour = gnuplot_string(series.colour);
+std::string bar_style_options(const FigureSeries& series, const std::string& kind, bool is_pale) {
+  const std::string colour = quote_for_gnuplot(series.colour);
   if (series.hatch.empty()) {
     return fmt::format("with {} fillstyle solid {:.1f} border rgb {} linecolor rgb {}", kind,
                        is_pale ? kPaleFraction : 1, colour, colour);
   }
   return fmt::format("with {} fillstyle pattern {} border rgb {} linecolor rgb {}", kind,
-                     fill_pattern(series.hatch), colour,
-                     is_pale ? gnuplot_string(paler(series.colour)) : colour);
+                     gnuplot_fill_pattern(series.hatch), colour,
+                     is_pale ? quote_for_gnuplot(mix_with_white(series.colour)) : colour);
 }
 
 // Returns the plot style of a series, in the colour of the series or of its legend entry. The
 // colour is quoted as a gnuplot string, since plot styles may come from files.
-// @param kind plot style of gnuplot: series_kind(), or only the lines or points of the series
-std::string series_style(const FigureSeries& series, const std::string& kind,
-                         const std::string& colour, bool is_open = false) {
+// @param kind plot style of gnuplot: gnuplot_plot_style(), or only the lines or points of the series
+std::string series_style_options(const FigureSeries& series, const std::string& kind,
+                                 const std::string& colour, bool is_open = false) {
   if (series.is_area) {
     return fmt::format("with {0} fillstyle solid 0.4 border rgb {1} fillcolor rgb {1}", kind,
-                       gnuplot_string(colour));
+                       quote_for_gnuplot(colour));
   }
-  if (series.is_bars) return bar_style(series, kind, is_open);
+  if (series.is_bars) return bar_style_options(series, kind, is_open);
   std::string style = fmt::format("with {} linewidth {:g} linecolor rgb {}", kind,
-                                  series.line_width, gnuplot_string(colour));
+                                  series.line_width, quote_for_gnuplot(colour));
   if (kind.starts_with("lines")) style += fmt::format(" dashtype {}", valid_dash_type(series.dash));
   if (kind == "lines") return style;
-  const auto [filled, open] = point_types(series.symbol);
+  const auto [filled, open] = gnuplot_point_types(series.symbol);
   return style +
          fmt::format(" pointtype {} pointsize {:g}", is_open ? open : filled, series.mark_size);
 }
 
 // Returns the data block of a series with the columns abscissa, ordinate, 1 for an open mark, width
 // of the bar, and ends of the interval.
-std::string series_block(const FigureSeries& series, const FigurePanel& panel, DataBlocks& blocks) {
+std::string add_series_data_block(const FigureSeries& series, const FigurePanel& panel,
+                                  DataBlocks& blocks) {
   const bool is_logarithmic = panel.y.is_logarithmic, with_intervals = has_intervals(series);
   std::string rows;
   for (const auto& point : series.points) {
@@ -125,16 +126,16 @@ std::string series_block(const FigureSeries& series, const FigurePanel& panel, D
       rows += '\n';  // an empty line separates areas
       continue;
     }
-    rows += fmt::format("{} {} {:d}", number_cell(point.x, panel.x.is_logarithmic),
-                        number_cell(point.y, is_logarithmic), point.open);
+    rows += fmt::format("{} {} {:d}", gnuplot_number(point.x, panel.x.is_logarithmic),
+                        gnuplot_number(point.y, is_logarithmic), point.open);
     if (series.is_bars) rows += fmt::format(" {:.6g}", point.width);
     if (with_intervals) {
       // An interval that reaches below a logarithmic axis ends at the axis.
       const double lower = is_logarithmic ? std::max(point.lower, panel.y.from) : point.lower;
       // The program gnuplot would omit a bar without an interval.
       const bool is_empty = series.is_bars && !std::isfinite(point.upper);
-      rows += fmt::format(" {} {}", number_cell(is_empty ? point.y : lower, false),
-                          number_cell(is_empty ? point.y : point.upper, false));
+      rows += fmt::format(" {} {}", gnuplot_number(is_empty ? point.y : lower, false),
+                          gnuplot_number(is_empty ? point.y : point.upper, false));
     }
     rows += '\n';
   }
@@ -143,9 +144,10 @@ std::string series_block(const FigureSeries& series, const FigurePanel& panel, D
 
 // An open mark is a white filled mark below the outline of the mark, so that the line does not
 // cross the mark.
-std::vector<std::string> series_plots(const FigureSeries& series, const FigurePanel& panel,
-                                      DataBlocks& blocks) {
-  const std::string block = series_block(series, panel, blocks), kind = series_kind(series);
+std::vector<std::string> series_plot_commands(const FigureSeries& series, const FigurePanel& panel,
+                                              DataBlocks& blocks) {
+  const std::string block = add_series_data_block(series, panel, blocks),
+                    kind = gnuplot_plot_style(series);
   const auto plot = [&](const std::string& every, const std::string& columns,
                         const std::string& style) {
     return fmt::format("{}{} using {} {} notitle", block, every, columns, style);
@@ -157,7 +159,7 @@ std::vector<std::string> series_plots(const FigureSeries& series, const FigurePa
       plots.push_back(plot("",
                            fmt::format("1:($3 == {:d} ? $2 : NaN){}", is_open,
                                        has_intervals(series) ? ":5:6:4" : ":4"),
-                           series_style(series, kind, series.colour, is_open)));
+                           series_style_options(series, kind, series.colour, is_open)));
     }
     return plots;
   }
@@ -169,22 +171,23 @@ std::vector<std::string> series_plots(const FigureSeries& series, const FigurePa
     every = fmt::format(" every {}::{}", series.mark_step, series.first_mark);
   }
   if (kind == "linespoints" && series.mark_step > 1) {
-    plots = {plot("", columns, series_style(series, "lines", series.colour)),
-             plot(every, columns, series_style(series, "points", series.colour))};
+    plots = {plot("", columns, series_style_options(series, "lines", series.colour)),
+             plot(every, columns, series_style_options(series, "points", series.colour))};
   } else {
-    plots = {plot(every, columns, series_style(series, kind, series.colour))};
+    plots = {plot(every, columns, series_style_options(series, kind, series.colour))};
   }
   if (!has_open_marks(series)) return plots;
   const std::string open_points = "1:($3 == 1 ? $2 : NaN)";
-  plots.push_back(plot(every, open_points, series_style(series, "points", "white")));
-  plots.push_back(plot(every, open_points, series_style(series, "points", series.colour, true)));
+  plots.push_back(plot(every, open_points, series_style_options(series, "points", "white")));
+  plots.push_back(
+      plot(every, open_points, series_style_options(series, "points", series.colour, true)));
   return plots;
 }
 
-std::string map_plot(const FigureHeatMap& map, DataBlocks& blocks) {
+std::string heat_map_plot_command(const FigureHeatMap& map, DataBlocks& blocks) {
   std::string rows;
   for (const auto& [x, y, value] : map.discs) {
-    rows += fmt::format("{:.6g} {:.6g} {}\n", x, y, number_cell(value, false));
+    rows += fmt::format("{:.6g} {:.6g} {}\n", x, y, gnuplot_number(value, false));
   }
   if (map.values.empty()) {
     return fmt::format(
@@ -203,7 +206,7 @@ std::string map_plot(const FigureHeatMap& map, DataBlocks& blocks) {
       is_image && std::ranges::all_of(map.values, [](double v) { return std::isfinite(v); });
   for (std::size_t k = 0; k < map.values.size(); ++k) {
     const bool is_end = (k + 1) % map.columns == 0;
-    const std::string value = number_cell(map.values[k], false);
+    const std::string value = gnuplot_number(map.values[k], false);
     rows += is_matrix
                 ? fmt::format("{}{}", value, is_end ? '\n' : ' ')
                 : fmt::format(
@@ -234,12 +237,12 @@ std::string panel_letter(std::size_t panel) {
 std::string axis_commands(const FigureAxis& axis, const std::string& name) {
   std::vector<std::string> tics;
   for (const auto& tic : axis.tics) {
-    tics.push_back(fmt::format("{} {:.6g}", gnuplot_text(tic.label), tic.place));
+    tics.push_back(fmt::format("{} {:.6g}", gnuplot_string_expression(tic.label), tic.place));
   }
   return fmt::format(
       "unset logscale {0}\nset {0}label {1}\nset {0}range [{2:.6g}:{3:.6g}]\nset {0}tics {4}\n"
       "{5}set format {0} {6}\n",
-      name, gnuplot_text(axis.label), axis.from, axis.to,
+      name, gnuplot_string_expression(axis.label), axis.from, axis.to,
       !tics.empty()       ? fmt::format("({}){}", fmt::join(tics, ", "),
                                   axis.rotated_tics ? " rotate by 35 right" : "")
       : axis.tic_step > 0 ? fmt::format("{:g}", axis.tic_step)
@@ -250,11 +253,11 @@ std::string axis_commands(const FigureAxis& axis, const std::string& name) {
 
 // The colour scale of a map, with a colour bar to the right of the panel.
 /// @param has_colour_bar whether the panel has a colour bar
-std::string colour_commands(const FigureHeatMap& map, const PanelBox& place, int figure_width,
-                            bool has_colour_bar) {
+std::string colour_scale_commands(const FigureHeatMap& map, const PanelBox& place, int layout_width,
+                                  bool has_colour_bar) {
   std::vector<std::string> colours;
   for (const auto& [position, colour] : map.colours) {
-    colours.push_back(fmt::format("{:g} {}", position, gnuplot_string(colour)));
+    colours.push_back(fmt::format("{:g} {}", position, quote_for_gnuplot(colour)));
   }
   return axis_commands(map.colour_axis, "cb") +
          fmt::format(
@@ -266,13 +269,13 @@ std::string colour_commands(const FigureHeatMap& map, const PanelBox& place, int
              has_colour_bar
                  ? fmt::format(
                        "set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n",
-                       place.right + 8.0 / figure_width, place.bottom,
-                       static_cast<double>(kColourBarWidth) / figure_width,
+                       place.right + 8.0 / layout_width, place.bottom,
+                       static_cast<double>(kColourBarWidth) / layout_width,
                        place.top - place.bottom)
                  : "unset colorbox\n");
 }
 
-Legend figure_legend(const Figure& figure) {
+Legend collect_legend(const Figure& figure) {
   Legend legend{{}, 4};
   std::vector<const FigureSeries*> listed;
   bool any_open = false, any_pale = false;
@@ -291,11 +294,12 @@ Legend figure_legend(const Figure& figure) {
   }
   std::ranges::stable_sort(listed, {}, &FigureSeries::rank);
   for (const FigureSeries* series : listed) {
-    const std::string kind = series->is_bars ? "boxes" : series_kind(*series);
+    const std::string kind = series->is_bars ? "boxes" : gnuplot_plot_style(*series);
     const auto& colour = series->legend_colour.empty() ? series->colour : series->legend_colour;
     legend.entries.push_back(
-        {fmt::format("{} {}", kind == "yerrorbars" ? "'+' using 1:(NaN):(0):(0)" : "NaN",
-                     series_style(*series, kind, colour,
+        {fmt::format(
+             "{} {}", kind == "yerrorbars" ? "'+' using 1:(NaN):(0):(0)" : "NaN",
+             series_style_options(*series, kind, colour,
                                   series->dash.empty() && !series->is_bars &&
                                       std::ranges::all_of(series->points, &FigurePoint::open))),
          series->name + series->note});
@@ -327,15 +331,15 @@ Legend figure_legend(const Figure& figure) {
 
 // Returns whether the maps of all panels have the same colours, so that a row of panels needs a
 // single colour bar.
-bool has_common_colours(const Figure& figure) {
+bool panels_share_colour_axis(const Figure& figure) {
   const auto& first = figure.panels.front().map;
   return std::ranges::all_of(figure.panels, [&](const FigurePanel& panel) {
     return panel.map && panel.map->colour_axis == first->colour_axis;
   });
 }
 
-PanelGrid figure_grid(const Figure& figure, const Legend& legend, FigureWidth width) {
-  PanelGrid grid = panel_grid(width, figure.screen_width);
+PanelGrid choose_panel_grid(const Figure& figure, const Legend& legend, FigureWidth width) {
+  PanelGrid grid = make_panel_grid(width, figure.screen_width);
   const int panels = static_cast<int>(figure.panels.size());
   grid.columns = width == FigureWidth::one_column ? 1 : std::min(figure.columns, panels);
   grid.rows = (panels + grid.columns - 1) / grid.columns;
@@ -343,7 +347,7 @@ PanelGrid figure_grid(const Figure& figure, const Legend& legend, FigureWidth wi
                       : width == FigureWidth::two_columns ? 3 * figure.panel_height / 4
                                                           : 2 * figure.panel_height / 3;
   if (figure.panels.front().x.rotated_tics) grid.below = 120;
-  if (has_common_colours(figure)) {
+  if (panels_share_colour_axis(figure)) {
     grid.right_margin = kColourBarSpace;
   } else if (std::ranges::any_of(figure.panels, [](const auto& panel) { return !!panel.map; })) {
     grid.panel_right_margin = kColourBarSpace;
@@ -354,7 +358,7 @@ PanelGrid figure_grid(const Figure& figure, const Legend& legend, FigureWidth wi
 
 }  // namespace
 
-FigureSeries make_series(const std::string& name, const transform::PlotStyle& plot_style) {
+FigureSeries make_empty_series(const std::string& name, const transform::PlotStyle& plot_style) {
   return {.name = name,
           .colour = plot_style.colour,
           .dash = plot_style.dash,
@@ -386,11 +390,12 @@ FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>
   return {label, low - margin, high + margin};
 }
 
-std::string figure_script(const Figure& figure, const std::string& file_stem, FigureWidth width) {
+std::string make_gnuplot_script(const Figure& figure, const std::string& file_stem,
+                                FigureWidth width) {
   assert(!figure.panels.empty());
-  const Legend legend = figure_legend(figure);
-  PanelGrid grid = figure_grid(figure, legend, width);
-  const FigureTitle title = figure_title(figure.title, grid.size());
+  const Legend legend = collect_legend(figure);
+  PanelGrid grid = choose_panel_grid(figure, legend, width);
+  const FigureTitle title = make_figure_title(figure.title, grid.size());
   grid.title_height = title.height;
 
   // A map with few cells is drawn as rectangles in SVG, since SVG viewers smooth images.
@@ -398,7 +403,7 @@ std::string figure_script(const Figure& figure, const std::string& file_stem, Fi
   std::size_t cells = 0;
   for (const auto& panel : figure.panels) cells += panel.map ? panel.map->values.size() : 0;
   const bool few_cells = cells <= kFewCells;
-  const bool common_colours = has_common_colours(figure);
+  const bool common_colours = panels_share_colour_axis(figure);
   const auto figure_columns = static_cast<std::size_t>(grid.columns);
   DataBlocks blocks;
   std::string commands;
@@ -409,23 +414,25 @@ std::string figure_script(const Figure& figure, const std::string& file_stem, Fi
     if (is_last && !common_colours) place.right = grid.panel_box(0, grid.columns - 1).right;
     std::vector<std::string> plots;
     if (panel.map) {
-      plots.push_back(map_plot(*panel.map, blocks));
-      commands += colour_commands(*panel.map, place, grid.width,
-                                  is_last || (k + 1) % figure_columns == 0 || !common_colours);
+      plots.push_back(heat_map_plot_command(*panel.map, blocks));
+      commands +=
+          colour_scale_commands(*panel.map, place, grid.width,
+                                is_last || (k + 1) % figure_columns == 0 || !common_colours);
     }
     for (const auto& series : panel.series) {
       if (!has_points(series)) continue;
-      for (auto& plot : series_plots(series, panel, blocks)) plots.push_back(std::move(plot));
+      for (auto& plot : series_plot_commands(series, panel, blocks))
+        plots.push_back(std::move(plot));
     }
     if (plots.empty()) plots.push_back("NaN notitle");
     if (!panel.note.empty()) {
       commands += fmt::format("set label 1 {} at first 0, graph 0.94 offset character 1,0\n",
-                              gnuplot_literal(panel.note));
+                              literal_gnuplot_expression(panel.note));
     }
     commands += fmt::format(
         "set title {}\n{}{}{}plot {}\nunset label 1\n\n",
-        gnuplot_text(fmt::format("({}) {}", panel.letter.empty() ? panel_letter(k) : panel.letter,
-                                 panel.title)),
+        gnuplot_string_expression(fmt::format(
+            "({}) {}", panel.letter.empty() ? panel_letter(k) : panel.letter, panel.title)),
         panel_position_commands(place), axis_commands(panel.x, "x"), axis_commands(panel.y, "y"),
         fmt::join(plots, ", \\\n     "));
   }
@@ -438,7 +445,7 @@ std::string figure_script(const Figure& figure, const std::string& file_stem, Fi
          "set tics out nomirror\nset border 3\nset grid ytics linetype 1 dashtype solid linecolor "
          "rgb '#DDDDDD' linewidth 0.6\nunset key\n" +
          fmt::format("cells = format eq 'svg' ? '{}' : ''\n", few_cells ? "pixels" : "") +
-         PanelGrid::kLabels + title.command + commands +
+         PanelGrid::kLabelOffsetCommands + title.command + commands +
          (legend.entries.empty() ? ""
                                  : "unset object\n" + legend_strip_commands(legend, grid.size())) +
          "unset multiplot\nunset output\n";

@@ -11,8 +11,8 @@
 #include "report/figure/options.hpp"
 #include "transform/solution_identity.hpp"
 
-/// Data structures that describe a figure independently of its output. The function figure_script()
-/// converts a Figure to a gnuplot script. The function figure_plots() (report/page/plot.hpp)
+/// Data structures that describe a figure independently of its output. The function make_gnuplot_script()
+/// converts a Figure to a gnuplot script. The function make_page_plots() (report/page/page_plots.hpp)
 /// converts a Figure to plots of the report page.
 namespace fpkcheck::report {
 
@@ -52,7 +52,7 @@ struct FigureSeries {
 };
 
 /// Returns a series without points, with the colour, dash type and symbol of a plot style.
-FigureSeries make_series(const std::string& name, const transform::PlotStyle& plot_style);
+FigureSeries make_empty_series(const std::string& name, const transform::PlotStyle& plot_style);
 
 struct FigureTic {
   std::string label;  ///< label in gnuplot's enhanced text
@@ -141,7 +141,7 @@ struct Figure {
 /// Returns a gnuplot script with data that draws the panels of a figure row by row, with a common
 /// legend. A single panel in the last row fills the width of the picture.
 /// @pre the figure has at least one panel
-std::string figure_script(const Figure& figure, const std::string& file_stem,
-                          FigureWidth width = FigureWidth::screen);
+std::string make_gnuplot_script(const Figure& figure, const std::string& file_stem,
+                                FigureWidth width = FigureWidth::screen);
 
 }  // namespace fpkcheck::report

@@ -132,7 +132,8 @@ std::optional<int> wait_for_exit(pid_t child, Clock::time_point deadline) {
   }
 }
 
-// A null-terminated array of strings for the C interface of posix_spawn.
+// Returns pointers to the texts and a final null pointer, as the C interface of posix_spawn
+// requires.
 std::vector<char*> null_terminated_pointers(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (auto& text : texts) pointers.push_back(text.data());
@@ -140,10 +141,10 @@ std::vector<char*> null_terminated_pointers(std::vector<std::string>& texts) {
   return pointers;
 }
 
-std::vector<std::string> environment_without(std::string_view start) {
+std::vector<std::string> environment_without_prefix(std::string_view prefix) {
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
-    if (!std::string_view(*entry).starts_with(start)) all.emplace_back(*entry);
+    if (!std::string_view(*entry).starts_with(prefix)) all.emplace_back(*entry);
   }
   return all;
 }
@@ -153,14 +154,14 @@ std::vector<std::string> environment_without(std::string_view start) {
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
                            const std::filesystem::path& script,
                            std::chrono::milliseconds time_limit) {
-  std::string before;
-  for (const auto& assignment : assignments) before += assignment + "; ";
+  std::string commands;
+  for (const auto& assignment : assignments) commands += assignment + "; ";
   // The process is started without a shell, so that paths need no quotes. The path is absolute,
   // since gnuplot would run a file name that begins with '<' as a command.
-  std::vector<std::string> arguments{program, "-d", "-e", before,
+  std::vector<std::string> arguments{program, "-d", "-e", commands,
                                      std::filesystem::absolute(script).string()};
   auto argv = null_terminated_pointers(arguments);
-  auto environment = environment_without("GNUTERM=");
+  auto environment = environment_without_prefix("GNUTERM=");
   auto envp = null_terminated_pointers(environment);
 
   OutputPipe error_pipe;
@@ -183,7 +184,7 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
   return {true, *exit_code, *std::move(message)};
 }
 
-std::string gnuplot_string(const std::string& text) {
+std::string quote_for_gnuplot(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
     if (std::iscntrl(static_cast<unsigned char>(c))) {

@@ -23,9 +23,10 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
                            std::chrono::milliseconds time_limit = std::chrono::minutes(1));
 
 /// Converts a text to a string constant in a gnuplot script. Control characters become blanks.
-std::string gnuplot_string(const std::string& text);
+std::string quote_for_gnuplot(const std::string& text);
 
-/// Escapes the control characters of gnuplot's enhanced text, so that the text appears literally.
+/// Escapes the control characters of gnuplot's enhanced text. A picture then shows the text
+/// literally.
 std::string escape_enhanced_text(const std::string& text);
 
 }  // namespace fpkcheck::report

@@ -8,10 +8,10 @@ namespace fpkcheck::report {
 
 using transform::GridDensity;
 
-CellWindow cells_above_fraction(const GridDensity& density, double part) {
+CellIndexWindow cells_above_peak_fraction(const GridDensity& density, double part) {
   const double peak = *std::ranges::max_element(density.averages);
   if (!(peak > 0)) return {density.ny(), 0, density.nv()};
-  CellWindow window{1, density.nv() - 1, 1};
+  CellIndexWindow window{1, density.nv() - 1, 1};
   if (density.y_edges.front() != 0) window.y_begin = density.ny() - 1;
   for (std::size_t i = 0; i < density.ny(); ++i) {
     for (std::size_t j = 0; j < density.nv(); ++j) {
@@ -26,7 +26,7 @@ CellWindow cells_above_fraction(const GridDensity& density, double part) {
 }
 
 std::vector<double> rows_of_constant_velocity(const GridDensity& density,
-                                              const CellWindow& window) {
+                                              const CellIndexWindow& window) {
   std::vector<double> values;
   for (std::size_t j = window.v_begin; j < window.v_end; ++j) {
     for (std::size_t i = window.y_begin; i < window.y_end; ++i)
@@ -35,8 +35,8 @@ std::vector<double> rows_of_constant_velocity(const GridDensity& density,
   return values;
 }
 
-SignedRoots quantise_signed_roots(std::span<const double> values, int levels) {
-  SignedRoots result{.largest = 0, .levels = levels, .roots = {}};
+QuantisedSignedRoots quantise_signed_roots(std::span<const double> values, int levels) {
+  QuantisedSignedRoots result{.largest = 0, .levels = levels, .roots = {}};
   for (const double x : values) result.largest = std::max(result.largest, std::abs(x));
   for (const double x : values) {
     const double root = result.largest > 0 ? std::sqrt(std::abs(x) / result.largest) : 0;

@@ -14,23 +14,23 @@ namespace fpkcheck::report {
 /// samples.
 inline constexpr double kLogarithmicFraction = 1e-5, kLinearFraction = 1.0 / 500;
 
-struct CellWindow {
+struct CellIndexWindow {
   std::size_t y_end, v_begin, v_end, y_begin = 0;
 };
 /// Returns the window of the cells with a density above `part` times the peak. The window includes
 /// y = 0 if the cells begin at y = 0. If the density is nowhere positive, the window contains all
 /// cells.
-CellWindow cells_above_fraction(const transform::GridDensity& density, double part);
+CellIndexWindow cells_above_peak_fraction(const transform::GridDensity& density, double part);
 
 /// Returns the cell averages in a window as rows of constant y', shape (nv, ny), the order of heat
 /// maps.
 std::vector<double> rows_of_constant_velocity(const transform::GridDensity& density,
-                                              const CellWindow& window);
+                                              const CellIndexWindow& window);
 
 /// Signed numbers, quantised to integers q from -levels to levels. The integer q represents the
 /// number sign(q) (q / levels)^2 times the largest magnitude. This square-root scale resolves small
 /// values in the tails of a density.
-struct SignedRoots {
+struct QuantisedSignedRoots {
   double largest;  ///< largest magnitude of the numbers
   int levels;
   std::vector<int> roots;  ///< quantised numbers, from -levels to levels
@@ -39,7 +39,7 @@ struct SignedRoots {
 /// Quantises signed numbers to integers by the signed square root.
 /// @param levels number of steps on each side of 0; magnitudes below the largest magnitude / (4
 ///        levels^2) become 0
-SignedRoots quantise_signed_roots(std::span<const double> values, int levels);
+QuantisedSignedRoots quantise_signed_roots(std::span<const double> values, int levels);
 
 /// Returns the first number, followed by the differences of successive numbers. Small differences
 /// of smooth data compress well.

@@ -53,27 +53,28 @@ std::string cairo_scale(const FigureSize& size) {
 }
 
 // Left margin, in pixels, of a panel with tics and axis label.
-constexpr int kLeft = 92;
+constexpr int kPanelLeftMargin = 92;
 
 // Letter width and line height, in pixels, that gnuplot assumes for the larger font, which is the
 // font of the SVG.
-constexpr double kLetter = 10.5, kLine = 25.2;
-constexpr double kMargin = 16;
+constexpr double kLetterWidth = 10.5, kLineHeight = 25.2;
+constexpr double kLegendMargin = 16;
 constexpr double kStripLeft = 0.02,
                  kStripRight = 0.98;  // ends of the legend strip, as fractions of the picture width
-constexpr int kMostColumns = 4;
+constexpr int kMaxLegendColumns = 4;
 
-int columns(const Legend& legend, int width) {
+int legend_column_count(const Legend& legend, int width) {
   std::size_t longest = 0;
   for (const auto& entry : legend.entries) longest = std::max(longest, entry.label.size());
-  const double entry_width = kLetter * (static_cast<double>(longest) + legend.sample_length + 1);
+  const double entry_width =
+      kLetterWidth * (static_cast<double>(longest) + legend.sample_length + 1);
   return std::clamp(static_cast<int>((kStripRight - kStripLeft) * width / entry_width), 1,
-                    kMostColumns);
+                    kMaxLegendColumns);
 }
 
 }  // namespace
 
-int figure_width(FigureWidth medium, int screen_width_pixels) {
+int layout_width_in_pixels(FigureWidth medium, int screen_width_pixels) {
   if (medium == FigureWidth::screen) return screen_width_pixels;
   return static_cast<int>(printed_width_mm(medium) / kMillimetresPerInch * kPointsPerInch /
                           kPointsPerPixel);
@@ -122,11 +123,12 @@ std::string gnuplot_output_commands(const std::string& file_stem, const FigureSi
       "  }}\n"
       "}}\n"
       "set output target\n\n",
-      file_stem, gnuplot_string(file_stem), svg_terminal(size), cairo_scale(size), kPointsPerPixel,
-      kLetterPoints, png_terminal(size), size.width, size.height, 1.2 * kLetterPoints);
+      file_stem, quote_for_gnuplot(file_stem), svg_terminal(size), cairo_scale(size),
+      kPointsPerPixel, kLetterPoints, png_terminal(size), size.width, size.height,
+      1.2 * kLetterPoints);
 }
 
-FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size) {
+FigureTitle make_figure_title(const std::vector<std::string>& parts, const FigureSize& size) {
   constexpr int kTitleLine = 24, kFirstLine = 36;
   // The font is smaller on paper, to save space.
   const int points = size.medium == FigureWidth::screen ? 14 : 11;
@@ -137,11 +139,12 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
     if (!lines.back().empty() && letters * letter > size.width) lines.emplace_back();
     lines.back() += part;
   }
-  // The title is in double quotes, since only within these gnuplot reads \n as a line break.
+  // The title is in double quotes, since gnuplot reads \n as a line break only within double
+  // quotes.
   std::vector<std::string> shown;
   for (auto& line : lines) {
     line.erase(line.find_last_not_of(' ') + 1);
-    shown.push_back(gnuplot_literal(line));
+    shown.push_back(literal_gnuplot_expression(line));
   }
   return {
       fmt::format("set multiplot title {} font ',{}'\n\n", fmt::join(shown, ".\"\\n\"."), points),
@@ -150,7 +153,7 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
 
 // All text is upright, without italics, since viewers of SVG drop the spaces beside a change of
 // font.
-std::vector<std::string> problem_title(const problem::Problem& problem) {
+std::vector<std::string> problem_title_parts(const problem::Problem& problem) {
   std::vector<std::string> parts{problem.name + ": "};
   const std::string parameters = problem::parameters_text(problem, true);
   for (std::size_t from = 0; from < parameters.size();) {
@@ -169,16 +172,16 @@ FigureSize PanelGrid::size() const {
 
 PanelBox PanelGrid::panel_box(int row, int column) const {
   const double height = size().height;
-  const double of_a_column = static_cast<double>(width - right_margin) / columns;
+  const double column_width = static_cast<double>(width - right_margin) / columns;
   const double top = title_height + row * (above + panel_height + below) + above;
-  return {.left = (column * of_a_column + kLeft) / width,
-          .right = ((column + 1) * of_a_column - panel_right_margin) / width,
+  return {.left = (column * column_width + kPanelLeftMargin) / width,
+          .right = ((column + 1) * column_width - panel_right_margin) / width,
           .top = 1 - top / height,
           .bottom = 1 - (top + panel_height) / height};
 }
 
-PanelGrid panel_grid(FigureWidth medium, int screen_width_pixels) {
-  PanelGrid grid{.medium = medium, .width = figure_width(medium, screen_width_pixels)};
+PanelGrid make_panel_grid(FigureWidth medium, int screen_width_pixels) {
+  PanelGrid grid{.medium = medium, .width = layout_width_in_pixels(medium, screen_width_pixels)};
   if (medium == FigureWidth::one_column) {
     grid.above = 36;
     grid.below = 62;
@@ -187,16 +190,18 @@ PanelGrid panel_grid(FigureWidth medium, int screen_width_pixels) {
 }
 
 int legend_height(const Legend& legend, int width) {
-  const auto rows = std::ceil(static_cast<double>(legend.entries.size()) / columns(legend, width));
-  return static_cast<int>(std::ceil(kMargin + kLine * rows));
+  const auto rows =
+      std::ceil(static_cast<double>(legend.entries.size()) / legend_column_count(legend, width));
+  return static_cast<int>(std::ceil(kLegendMargin + kLineHeight * rows));
 }
 
 std::string legend_strip_commands(const Legend& legend, const FigureSize& size) {
   std::vector<std::string> plots;
   for (const auto& [plot, label] : legend.entries) {
-    plots.push_back(fmt::format("{} title {}", plot, gnuplot_literal(label)));
+    plots.push_back(fmt::format("{} title {}", plot, literal_gnuplot_expression(label)));
   }
-  const double top = legend_height(legend, size.width) - kMargin / 4, bottom = kMargin / 4;
+  const double top = legend_height(legend, size.width) - kLegendMargin / 4,
+               bottom = kLegendMargin / 4;
   return fmt::format(
       "unset title\nunset xlabel\nunset ylabel\nunset border\nunset tics\nunset grid\n"
       "unset logscale\n"
@@ -204,8 +209,9 @@ std::string legend_strip_commands(const Legend& legend, const FigureSize& size) 
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
       "set key center center horizontal maxcols {} Left reverse samplen {} spacing (format eq 'tex' ? 1.8 : 1.2)\n"
       "plot [0:1] [0:1] {}\n",
-      kStripLeft, kStripRight, top / size.height, bottom / size.height, columns(legend, size.width),
-      legend.sample_length, fmt::join(plots, ", \\\n     "));
+      kStripLeft, kStripRight, top / size.height, bottom / size.height,
+      legend_column_count(legend, size.width), legend.sample_length,
+      fmt::join(plots, ", \\\n     "));
 }
 
 }  // namespace fpkcheck::report

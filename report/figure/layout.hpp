@@ -10,9 +10,9 @@
 /// Size, output commands, title, panels and legend that all pictures share.
 namespace fpkcheck::report {
 
-/// Size of the layout of a picture in pixels. Letters are 14 or 15 pixels high for every picture
-/// width: a narrow picture therefore has fewer panels side by side. Letters of a printed picture
-/// have a size of 7.5 pt.
+/// Size of the layout of a picture in pixels. The letters are 14 or 15 pixels high for every
+/// picture width. A narrow picture therefore has fewer panels side by side. Letters of a printed
+/// picture have a size of 7.5 pt.
 struct FigureSize {
   int width;
   int height;
@@ -21,7 +21,7 @@ struct FigureSize {
 
 /// Returns the width of the layout of a figure in pixels.
 /// @param screen_width_pixels width of the picture on a screen, in pixels
-int figure_width(FigureWidth medium, int screen_width_pixels);
+int layout_width_in_pixels(FigureWidth medium, int screen_width_pixels);
 
 /// Returns the printed width of a figure in mm; 0 for a figure on a screen.
 double printed_width_mm(FigureWidth medium);
@@ -38,10 +38,10 @@ struct FigureTitle {
 
 /// @param parts parts of the title in plain text, between which lines may break: "case1: c = 0.1,
 ///        ", "r = 0.98"
-FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size);
+FigureTitle make_figure_title(const std::vector<std::string>& parts, const FigureSize& size);
 
 /// Returns the name and the parameters of a problem as parts of the title of a figure.
-std::vector<std::string> problem_title(const problem::Problem& problem);
+std::vector<std::string> problem_title_parts(const problem::Problem& problem);
 
 /// The layout of a figure in pixels: panels of equal size in rows and columns between title and
 /// legend.
@@ -60,7 +60,7 @@ struct PanelGrid {
   /// Commands that shift labels and titles, so that neighbouring rows of panels do not overlap. The
   /// label offset for LaTeX is fixed, since gnuplot cannot compute the width of tic labels set by
   /// LaTeX.
-  static constexpr const char* kLabels =
+  static constexpr const char* kLabelOffsetCommands =
       "set xlabel offset 0,0.3\nset ylabel offset (format eq 'tex' ? -2.5 : 0),0\n"
       "set title offset 0,-0.4\nset cblabel offset 0.8,0\n";
   FigureSize size() const;
@@ -74,7 +74,7 @@ struct PanelGrid {
 /// Makes the panel grid of a figure for a medium. A figure for a single journal column has less
 /// space between rows.
 /// @param screen_width_pixels width of the picture on a screen, in pixels
-PanelGrid panel_grid(FigureWidth medium, int screen_width_pixels);
+PanelGrid make_panel_grid(FigureWidth medium, int screen_width_pixels);
 
 /// A legend entry: gnuplot's plot specification ("NaN with lines ..") and the label.
 struct LegendEntry {
@@ -82,7 +82,7 @@ struct LegendEntry {
   std::string label;
 };
 
-/// The legend of a figure, in a strip below all panels, so that the legend covers no curve.
+/// The legend of a figure. The legend is in a strip below all panels and covers no curve.
 struct Legend {
   std::vector<LegendEntry> entries;
   int sample_length;  ///< length of the line sample beside each label, in units of the letter width

@@ -6,7 +6,7 @@
 
 #include "base/files/file_transaction.hpp"
 #include "base/process/stop_request.hpp"
-#include "report/budget/figure.hpp"
+#include "report/budget/budget_figure.hpp"
 #include "report/figure/convergence_figure.hpp"
 #include "report/figure/curve_selection.hpp"
 #include "report/figure/density_figure.hpp"
@@ -18,17 +18,19 @@ namespace fpkcheck::report {
 namespace fs = std::filesystem;
 namespace {
 
-std::string budget_stem(const std::string& stem) { return stem + "-budget"; }
-std::string sources_stem(const std::string& stem) { return stem + "-sources"; }
-std::string order_stem(const std::string& stem) { return stem + "-order"; }
+std::string budget_file_stem(const std::string& stem) { return stem + "-budget"; }
+std::string error_source_file_stem(const std::string& stem) { return stem + "-sources"; }
+std::string convergence_file_stem(const std::string& stem) { return stem + "-order"; }
 
 // @param warnings list to which a line is added for each case that has no density to draw
-std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOptions& options,
-                                       std::vector<std::string>& warnings) {
+std::vector<PictureScript> make_picture_scripts(const results::Run& run,
+                                                const FigureOptions& options,
+                                                std::vector<std::string>& warnings) {
   std::vector<PictureScript> pictures;
   for (const auto& case_result : run.cases) {
-    FigureContent content = figure_content(case_result, select_curves(case_result, options.curves));
-    const std::string stem = results::file_stem(case_result.name());
+    DensityFigureContent content = density_content_for_picture(
+        case_result, select_solutions_to_draw(case_result, options.curves));
+    const std::string stem = results::case_file_stem(case_result.name());
     if (content.marginals.empty()) {
       warnings.push_back(fmt::format(
           "no picture of {}: no solution {}", case_result.name(),
@@ -38,15 +40,19 @@ std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOpti
     if (!options.curves.empty()) content.hidden_count = 0;  // the user selected the curves
     const auto width = options.width;
     pictures.push_back(
-        {stem, figure_script(density_figure(case_result.problem, content, width), stem, width)});
+        {stem,
+         make_gnuplot_script(density_figure(case_result.problem, content, width), stem, width)});
     if (const Figure budget = budget_figure(case_result, width); !budget.panels.empty()) {
-      pictures.push_back({budget_stem(stem), figure_script(budget, budget_stem(stem), width)});
+      pictures.push_back(
+          {budget_file_stem(stem), make_gnuplot_script(budget, budget_file_stem(stem), width)});
     }
     if (const Figure sources = error_source_figure(case_result, width); !sources.panels.empty()) {
-      pictures.push_back({sources_stem(stem), figure_script(sources, sources_stem(stem), width)});
+      pictures.push_back({error_source_file_stem(stem),
+                          make_gnuplot_script(sources, error_source_file_stem(stem), width)});
     }
     if (const Figure convergence = convergence_figure(case_result); !convergence.panels.empty()) {
-      pictures.push_back({order_stem(stem), figure_script(convergence, order_stem(stem), width)});
+      pictures.push_back({convergence_file_stem(stem),
+                          make_gnuplot_script(convergence, convergence_file_stem(stem), width)});
     }
   }
   return pictures;
@@ -54,32 +60,33 @@ std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOpti
 
 }  // namespace
 
-void remove_pictures(const fs::path& directory, const results::Run& run) {
+void remove_pictures_of_cases(const fs::path& directory, const results::Run& run) {
   for (const auto& case_result : run.cases) {
-    const auto stem = results::file_stem(case_result.name());
-    for (const auto& each : {stem, budget_stem(stem), sources_stem(stem), order_stem(stem)}) {
+    const auto stem = results::case_file_stem(case_result.name());
+    for (const auto& each : {stem, budget_file_stem(stem), error_source_file_stem(stem),
+                             convergence_file_stem(stem)}) {
       remove_script_and_pictures(directory / "figures", each);
     }
   }
 }
 
-std::vector<std::string> draw_pictures(const fs::path& directory, const results::Run& run,
-                                       const FigureOptions& options, const std::string& gnuplot,
-                                       const std::vector<PictureScript>& others) {
+std::vector<std::string> draw_pictures_of_cases(
+    const fs::path& directory, const results::Run& run, const FigureOptions& options,
+    const std::string& gnuplot, const std::vector<PictureScript>& additional_pictures) {
   const fs::path figures = directory / "figures";
   std::vector<std::string> warnings;
-  auto pictures = pictures_of(run, options, warnings);
-  pictures.insert(pictures.end(), others.begin(), others.end());
+  auto pictures = make_picture_scripts(run, options, warnings);
+  pictures.insert(pictures.end(), additional_pictures.begin(), additional_pictures.end());
   fs::create_directories(figures);
-  remove_pictures(directory, run);
-  for (const auto& picture : others) remove_script_and_pictures(figures, picture.stem);
+  remove_pictures_of_cases(directory, run);
+  for (const auto& picture : additional_pictures) remove_script_and_pictures(figures, picture.stem);
   std::vector<std::string> stems;
   for (const auto& [stem, script] : pictures) {
     base::write_file_atomically(figures / (stem + ".gp"), script);
     stems.push_back(stem);
   }
   try {
-    for (auto& warning : draw_formats(gnuplot, figures, stems, options)) {
+    for (auto& warning : draw_scripts_in_all_formats(gnuplot, figures, stems, options)) {
       warnings.push_back(std::move(warning));
     }
   } catch (const GnuplotMissing& missing) {

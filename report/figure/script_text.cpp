@@ -36,7 +36,7 @@ std::string_view latex_escape(char c) {
 
 // Returns the text within the braces at a position, or the letter at the position if there are no
 // braces. Advances the position behind the returned text.
-std::string_view argument(std::string_view text, std::size_t& position) {
+std::string_view take_argument(std::string_view text, std::size_t& position) {
   const bool in_braces = position < text.size() && text[position] == '{';
   const auto from = in_braces ? position + 1 : position;
   const auto to = in_braces ? std::min(text.find('}', from), text.size()) : from + 1;
@@ -57,7 +57,7 @@ std::string gnuplot_data_block(const std::string& name, const std::string& rows)
   return fmt::format("${} << EOD\n{}EOD\n", name, rows);
 }
 
-double tic_step(double from, double to, int max_steps) {
+double choose_tic_step(double from, double to, int max_steps) {
   const double least = (to - from) / max_steps;
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double digit : {1.0, 2.0, 5.0}) {
@@ -66,15 +66,15 @@ double tic_step(double from, double to, int max_steps) {
   return 10 * power;
 }
 
-std::string density_symbol(transform::StateVariable variable) {
+std::string density_in_enhanced_text(transform::StateVariable variable) {
   return variable == transform::StateVariable::y ? "{/:Italic p}({/:Italic y})"
                                                  : "{/:Italic p}({/:Italic y}')";
 }
 
-PointTypes point_types(const std::string& symbol) {
+PointTypes gnuplot_point_types(const std::string& symbol) {
   constexpr std::string_view kOpen = "-open";
   if (symbol.ends_with(kOpen)) {
-    const int open = point_types(symbol.substr(0, symbol.size() - kOpen.size())).open;
+    const int open = gnuplot_point_types(symbol.substr(0, symbol.size() - kOpen.size())).open;
     return {open, open};
   }
   constexpr std::pair<std::string_view, PointTypes> kShapes[] = {
@@ -88,7 +88,7 @@ PointTypes point_types(const std::string& symbol) {
   return {kCross, kPlus};
 }
 
-int fill_pattern(const std::string& hatch) {
+int gnuplot_fill_pattern(const std::string& hatch) {
   constexpr std::pair<std::string_view, int> kPatterns[] = {
       {"x", 1}, {".", 2}, {"/", 4}, {"\\", 5}, {"|", 6}};
   for (const auto& [name, pattern] : kPatterns) {
@@ -102,16 +102,16 @@ std::string valid_dash_type(const std::string& dash) {
   return lengths && !dash.empty() ? dash : "solid";
 }
 
-std::string with_minus_signs(std::string number) {
+std::string replace_hyphens_by_minus_signs(std::string number) {
   boost::algorithm::replace_all(number, "-", kMinus);
   return number;
 }
 
-std::string scientific_text(double value) {
+std::string scientific_notation_text(double value) {
   if (value == 0) return "0";
   const std::string text = fmt::format("{:+.1e}", value);
   const auto e = text.find('e');
-  return with_minus_signs(
+  return replace_hyphens_by_minus_signs(
       fmt::format("{} × 10^{{{}}}", text.substr(0, e), std::stoi(text.substr(e + 1))));
 }
 
@@ -132,7 +132,7 @@ std::string enhanced_text_to_latex(const std::string& enhanced) {
       position += 2;
     } else if (rest[0] == '_' || rest[0] == '^') {
       ++position;
-      std::string argument_text(argument(text, position));
+      std::string argument_text(take_argument(text, position));
       boost::algorithm::replace_all(argument_text, kMinus, "-");
       latex += fmt::format("${}{{{}}}$", rest[0], argument_text);
     } else {
@@ -147,23 +147,23 @@ std::string enhanced_text_to_latex(const std::string& enhanced) {
   return latex;
 }
 
-std::string gnuplot_text(const std::string& enhanced) {
+std::string gnuplot_string_expression(const std::string& enhanced) {
   const std::string latex = enhanced_text_to_latex(enhanced);
   return latex == enhanced
-             ? gnuplot_string(enhanced)
-             : fmt::format("say({}, {})", gnuplot_string(enhanced), gnuplot_string(latex));
+             ? quote_for_gnuplot(enhanced)
+             : fmt::format("say({}, {})", quote_for_gnuplot(enhanced), quote_for_gnuplot(latex));
 }
 
-std::string gnuplot_literal(const std::string& text) {
-  return gnuplot_text(escape_enhanced_text(text));
+std::string literal_gnuplot_expression(const std::string& text) {
+  return gnuplot_string_expression(escape_enhanced_text(text));
 }
 
-std::string variable_text(transform::StateVariable variable) {
+std::string variable_in_plain_text(transform::StateVariable variable) {
   return variable == transform::StateVariable::y ? "y" : "y\u2032";
 }
 
-std::string density_text(transform::StateVariable variable) {
-  return fmt::format("p({})", variable_text(variable));
+std::string density_in_plain_text(transform::StateVariable variable) {
+  return fmt::format("p({})", variable_in_plain_text(variable));
 }
 
 }  // namespace fpkcheck::report

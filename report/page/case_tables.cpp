@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "report/page/family_tables.hpp"
 #include "report/page/html.hpp"
-#include "report/page/plot.hpp"
+#include "report/page/metric_tables.hpp"
+#include "report/page/page_plots.hpp"
 #include "report/solutions_of_full_problem.hpp"
 #include "report/status_reasons.hpp"
 #include "report/text/number_text.hpp"
@@ -32,9 +32,9 @@ constexpr std::pair<const char*, double Moments::*> kShownMoments[] = {
     {"E[y\u2074]", &Moments::y4},
     {"E[y\u2032\u2074]", &Moments::v4}};
 
-class SolutionsTable {
+class SolutionsHtmlTable {
  public:
-  explicit SolutionsTable(const results::CaseResult& case_result) : case_result_(case_result) {
+  explicit SolutionsHtmlTable(const results::CaseResult& case_result) : case_result_(case_result) {
     add_text("solution", &Solution::id);
   }
 
@@ -78,15 +78,15 @@ class SolutionsTable {
 
 // Returns a number from a part of a solution; empty if the solution lacks this part.
 template <class Part, class Number>
-std::optional<double> optional_member(const std::optional<Part>& part, const Number& number) {
+std::optional<double> optional_number(const std::optional<Part>& part, const Number& number) {
   if (!part) return std::nullopt;
   return std::invoke(number, *part);
 }
 
 }  // namespace
 
-std::string results_table(const results::CaseResult& case_result) {
-  SolutionsTable table(case_result);
+std::string solutions_table_html(const results::CaseResult& case_result) {
+  SolutionsHtmlTable table(case_result);
   table.add_text("solves", [](const Solution& s) { return equation_and_impact_text(s.identity); });
   table.add_status();
   for (const auto& [header, member] : kShownMoments) {
@@ -97,12 +97,13 @@ std::string results_table(const results::CaseResult& case_result) {
     table.add_density_number(rest_probability_header(case_result, wall), 4,
                              [wall](const Solution& s) { return rest_atom_probability(s, wall); });
   }
-  for (const Solution* measure : solutions_of_full_problem(case_result)) {
+  for (const Solution* reference : solutions_of_full_problem(case_result)) {
     for (const StateVariable variable : transform::kVariables) {
-      table.add_number(fmt::format("L1 to {}, {}", measure->id(), density_text(variable)),
-                       [&](const Solution& s) {
-                         return l1_cell_text(case_result.l1(s.id(), measure->id(), variable));
-                       });
+      table.add_number(
+          fmt::format("L1 to {}, {}", reference->id(), density_in_plain_text(variable)),
+          [&](const Solution& s) {
+            return l1_cell_text(case_result.l1_distance(s.id(), reference->id(), variable));
+          });
     }
   }
   table.add_mass_and_energy();
@@ -110,21 +111,21 @@ std::string results_table(const results::CaseResult& case_result) {
   return std::move(table).html("All solutions");
 }
 
-std::string residual_errors_table(const results::CaseResult& case_result) {
+std::string residual_errors_table_html(const results::CaseResult& case_result) {
   if (case_result.moment_error_estimates.empty()) return "";
-  SolutionsTable table(case_result);
+  SolutionsHtmlTable table(case_result);
   for (const auto& [header, member] : kShownMoments) {
     table.add_number(header, [&case_result, moment = member](const Solution& s) {
-      const auto* own = case_result.moment_error_estimate(s.id());
-      return own == nullptr ? std::string(kNoValue) : number_text(own->error.*moment, 2);
+      const auto* estimate = case_result.moment_error_estimate(s.id());
+      return estimate == nullptr ? std::string(kNoValue) : number_text(estimate->error.*moment, 2);
     });
   }
   return std::move(table).html("Errors of moments, estimated from residuals");
 }
 
-std::string bound_errors_table(const results::CaseResult& case_result) {
+std::string bound_errors_table_html(const results::CaseResult& case_result) {
   if (!case_result.bounds || case_result.bounds->each.empty()) return "";
-  SolutionsTable table(case_result);
+  SolutionsHtmlTable table(case_result);
   for (const auto& [header, member] : kShownMoments) {
     const compare::GuaranteedBound* bound = compare::find_moment_bound(*case_result.bounds, member);
     if (bound == nullptr) continue;
@@ -140,9 +141,9 @@ std::string bound_errors_table(const results::CaseResult& case_result) {
   return std::move(table).html("Errors of moments, from the guaranteed bounds");
 }
 
-std::string reasons_html(const results::CaseResult& case_result) {
+std::string status_reasons_html(const results::CaseResult& case_result) {
   std::string items;
-  for (const auto& [solutions, status, reason] : status_reasons(case_result)) {
+  for (const auto& [solutions, status, reason] : group_status_reasons(case_result)) {
     items += fmt::format("<li><strong>{} {}</strong>: {}.</li>\n",
                          escape_html(fmt::format("{}", fmt::join(solutions, ", "))), name(status),
                          escape_html(reason));
@@ -150,21 +151,21 @@ std::string reasons_html(const results::CaseResult& case_result) {
   return items.empty() ? "" : "<ul class=\"reasons\">\n" + items + "</ul>\n";
 }
 
-std::string diagnostics_tables(const results::CaseResult& case_result) {
+std::string diagnostics_tables_html(const results::CaseResult& case_result) {
   using transform::StandardErrors;
-  SolutionsTable table(case_result);
+  SolutionsHtmlTable table(case_result);
   table.add_status();
   table.add_density_number("minimum density / peak", 1,
                            [](const Solution& s) { return s.min_density; });
   table.add_mass_and_energy();
   table.add_number("standard error of the energy residual", [](const Solution& s) {
-    return number_text(optional_member(s.standard_errors, &StandardErrors::energy_residual), 1);
+    return number_text(optional_number(s.standard_errors, &StandardErrors::energy_residual), 1);
   });
   table.add_number("error estimate of p(y), L1", [](const Solution& s) {
-    return l1_cell_text(optional_member(s.error, &transform::ErrorEstimate::y_l1));
+    return l1_cell_text(optional_number(s.error, &transform::ErrorEstimate::y_l1));
   });
   table.add_number("error estimate of p(y\u2032), L1", [](const Solution& s) {
-    return l1_cell_text(optional_member(s.error, &transform::ErrorEstimate::ydot_l1));
+    return l1_cell_text(optional_number(s.error, &transform::ErrorEstimate::ydot_l1));
   });
   table.add_number("sampling error of p(y), L1", [](const Solution& s) {
     return l1_cell_text(s.sampling ? s.sampling->y : std::nullopt);
@@ -180,13 +181,14 @@ std::string diagnostics_tables(const results::CaseResult& case_result) {
   });
   table.add_number("standard error of E[y\u00b2]", [](const Solution& s) {
     return number_text(
-        optional_member(s.standard_errors, [](const auto& e) { return e.moments.y2; }), 2);
+        optional_number(s.standard_errors, [](const auto& e) { return e.moments.y2; }), 2);
   });
   table.add_number("standard error of E[y\u2032\u00b2]", [](const Solution& s) {
     return number_text(
-        optional_member(s.standard_errors, [](const auto& e) { return e.moments.v2; }), 2);
+        optional_number(s.standard_errors, [](const auto& e) { return e.moments.v2; }), 2);
   });
-  return std::move(table).html("Mass, energy and error estimates") + family_tables(case_result);
+  return std::move(table).html("Mass, energy and error estimates") +
+         metric_tables_html(case_result);
 }
 
 }  // namespace fpkcheck::report

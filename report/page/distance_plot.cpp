@@ -41,7 +41,7 @@ class DistancePlot {
     return fmt::format(
         "<svg viewBox=\"0 0 {} {:.0f}\" role=\"img\" aria-label=\"Distances of all solutions to the "
         "reference, on a logarithmic axis\">\n{}{}{}</svg>\n",
-        kWidth, height(), reference_error_rectangle(), axis(), rows());
+        kWidth, svg_height(), reference_error_rectangle(), axis_elements(), row_elements());
   }
 
  private:
@@ -52,51 +52,52 @@ class DistancePlot {
     any_ = true;
   }
 
-  double bottom() const { return kTop + kRow * static_cast<double>(all_.size()); }
-  double height() const { return bottom() + kBottom; }
-  double x_of(double l1) const {
+  double bottom_of_rows() const { return kTop + kRow * static_cast<double>(all_.size()); }
+  double svg_height() const { return bottom_of_rows() + kBottom; }
+  double x_position(double l1) const {
     const double share = (std::log10(std::max(l1, kLeast)) - from_) / std::max(1.0, to_ - from_);
     return kNames + share * (kWidth - kNames - kRight);
   }
 
-  static std::string text(double x, double y, const char* anchor, std::string_view words) {
+  static std::string text_element(double x, double y, const char* anchor, std::string_view words) {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y,
                        anchor, escape_html(words));
   }
-  std::string vertical_line(double x, const char* look) const {
+  std::string vertical_line_element(double x, const char* css_class) const {
     return fmt::format(
-        "<line class=\"{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2}\" y2=\"{3}\"/>\n", look, x,
-        kTop, bottom());
+        "<line class=\"{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2}\" y2=\"{3}\"/>\n", css_class, x,
+        kTop, bottom_of_rows());
   }
 
   // Draws the rectangle of the distances that are below the error estimate of the references.
   std::string reference_error_rectangle() const {
     if (!(reference_error_ > 0)) return "";
-    const double end = x_of(reference_error_);
+    const double end = x_position(reference_error_);
     return fmt::format("<rect class=\"known\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\"/>\n",
-                       kNames, kTop, end - kNames, bottom() - kTop) +
-           (end - kNames > 60 ? text((kNames + end) / 2, kTop - 7, "middle", "reference error")
-                              : "");
+                       kNames, kTop, end - kNames, bottom_of_rows() - kTop) +
+           (end - kNames > 60
+                ? text_element((kNames + end) / 2, kTop - 7, "middle", "reference error")
+                : "");
   }
 
-  std::string axis() const {
+  std::string axis_elements() const {
     std::string svg;
     for (double decade = from_; decade <= to_ + 0.5; ++decade) {
-      const double x = x_of(std::pow(10, decade));
-      svg += vertical_line(x, "grid");
+      const double x = x_position(std::pow(10, decade));
+      svg += vertical_line_element(x, "grid");
       svg += fmt::format(
           "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">10<tspan dy=\"-5\" "
           "font-size=\"9\">{}</tspan></text>\n",
-          x, bottom() + 16, with_minus_signs(fmt::format("{:.0f}", decade)));
+          x, bottom_of_rows() + 16, replace_hyphens_by_minus_signs(fmt::format("{:.0f}", decade)));
     }
-    svg += vertical_line(x_of(compare::kCloseL1), "close") +
-           text(x_of(compare::kCloseL1), kTop - 7, "middle",
-                fmt::format("close: {}", compare::kCloseL1));
-    return svg + text((kNames + kWidth - kRight) / 2, bottom() + 36, "middle",
-                      "L1 distance to the reference, the larger of p(y) and p(y\u2032)");
+    svg += vertical_line_element(x_position(compare::kCloseL1), "close") +
+           text_element(x_position(compare::kCloseL1), kTop - 7, "middle",
+                        fmt::format("close: {}", compare::kCloseL1));
+    return svg + text_element((kNames + kWidth - kRight) / 2, bottom_of_rows() + 36, "middle",
+                              "L1 distance to the reference, the larger of p(y) and p(y\u2032)");
   }
 
-  std::string rows() const {
+  std::string row_elements() const {
     std::string svg;
     for (std::size_t k = 0; k < all_.size(); ++k) {
       const SolutionAgreements& row = all_[k];
@@ -104,11 +105,11 @@ class DistancePlot {
       svg +=
           fmt::format("<line class=\"row\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n",
                       kNames, kWidth - kRight, y);
-      svg += text(kNames - 6, y + 4, "end", row.identity->id);
-      for (std::size_t c = 0; c < row.entries.size(); ++c) svg += mark(row, c, y);
+      svg += text_element(kNames - 6, y + 4, "end", row.identity->id);
+      for (std::size_t c = 0; c < row.entries.size(); ++c) svg += mark_element(row, c, y);
       if (std::ranges::none_of(row.entries,
                                [](const AgreementInCase& s) { return bool(s.largest_l1()); })) {
-        svg += text(kNames + 6, y + 4, "start", text_without_distance(row));
+        svg += text_element(kNames + 6, y + 4, "start", text_without_distance(row));
       }
     }
     return svg;
@@ -126,11 +127,11 @@ class DistancePlot {
 
   // A filled circle marks status ok, an open circle another status with a density, and a cross a
   // solution without an admissible density.
-  std::string mark(const SolutionAgreements& row, std::size_t c, double y) const {
+  std::string mark_element(const SolutionAgreements& row, std::size_t c, double y) const {
     const AgreementInCase& entry = row.entries[c];
     const auto l1 = entry.largest_l1();
     if (!l1) return "";
-    const double x = x_of(*l1);
+    const double x = x_position(*l1);
     const std::string title = fmt::format(
         "<title>{}, {}: {}{}</title>", escape_html(row.identity->id),
         escape_html(run_.cases[c].name()), number_text(l1, 2),

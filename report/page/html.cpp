@@ -64,7 +64,8 @@ std::string html_element(std::string_view tag, std::string_view text) {
   return fmt::format("<{0}>{1}</{0}>\n", tag, escape_html(text));
 }
 
-std::string details_html(std::string_view id, std::string_view summary, const std::string& html) {
+std::string collapsible_html(std::string_view id, std::string_view summary,
+                             const std::string& html) {
   if (html.empty()) return "";
   return fmt::format("<details id=\"{}\">\n<summary>{}</summary>\n{}</details>\n", escape_html(id),
                      escape_html(summary), html);
@@ -110,15 +111,15 @@ std::string encode_base64(std::span<const std::byte> bytes) {
 std::string gzip_base64(std::string_view text) {
   constexpr int kGzip = 16, kWindowBits = 15, kMemoryLevel = 9;
   z_stream stream{};
-  // The only possible error is a lack of memory, since the parameters are valid and the buffer is
-  // large enough.
-  // The best compression of plotly.js would be 3 % smaller and take five times as long.
+  // Since the parameters are valid and the buffer is large enough, a lack of memory is the only
+  // possible error. The best compression of plotly.js would be 3 % smaller and take five times as
+  // long.
   if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kWindowBits + kGzip, kMemoryLevel,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();
   }
   std::vector<std::byte> bytes(deflateBound(&stream, text.size()));
-  // zlib does not modify the input.
+  // The function deflate() of zlib does not modify the input, although `next_in` is not const.
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
   stream.avail_in = static_cast<uInt>(text.size());
   stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
@@ -132,7 +133,7 @@ std::string gzip_base64(std::string_view text) {
 
 static_assert(std::endian::native == std::endian::little, "plotly.js reads little-endian numbers");
 
-TypedArray float_array(std::span<const double> values) {
+TypedArray encode_float_array(std::span<const double> values) {
   const std::vector<float> rounded(values.begin(), values.end());
   return {"f4", encode_base64(std::as_bytes(std::span(rounded)))};
 }

@@ -17,7 +17,8 @@ std::string escape_html(std::string_view text);
 std::string html_element(std::string_view tag, std::string_view text);
 
 /// Returns a closed <details> element; the text is empty if `html` is empty.
-std::string details_html(std::string_view id, std::string_view summary, const std::string& html);
+std::string collapsible_html(std::string_view id, std::string_view summary,
+                             const std::string& html);
 
 enum class Align { left, right };
 
@@ -49,9 +50,9 @@ struct TypedArray {
   std::string bdata;
 };
 
-/// Converts numbers to an array of 32-bit floating-point numbers. Encoded numbers keep seven digits
-/// and need a third of the length of decimal text.
-TypedArray float_array(std::span<const double> values);
+/// Converts numbers to an array of 32-bit floating-point numbers. The encoded numbers have seven
+/// significant digits and a third of the length of decimal text.
+TypedArray encode_float_array(std::span<const double> values);
 
 /// Converts an array to the JSON object {"dtype", "bdata"}; nlohmann::json calls this function.
 template <class Json>

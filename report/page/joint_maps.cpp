@@ -35,8 +35,8 @@ double l1_distance(const GridDensity& a, const GridDensity& b) {
   return sum;
 }
 
-JointDifference difference(const JointDensity& joint, const JointDensity& reference,
-                           const CellWindow& window) {
+JointDifference joint_difference(const JointDensity& joint, const JointDensity& reference,
+                                 const CellIndexWindow& window) {
   auto values = rows_of_constant_velocity(joint.density, window);
   const auto subtracted = rows_of_constant_velocity(reference.density, window);
   std::ranges::transform(values, subtracted, values.begin(), std::minus{});
@@ -44,18 +44,19 @@ JointDifference difference(const JointDensity& joint, const JointDensity& refere
           quantise_signed_roots(values, kLevels)};
 }
 
-const JointDensity* find(const results::CaseResult& one, const std::string& solution) {
-  const auto found = std::ranges::find(one.joints, solution, &JointDensity::solution);
-  return found == one.joints.end() ? nullptr : &*found;
+const JointDensity* find_joint_density(const results::CaseResult& case_result,
+                                       const std::string& solution) {
+  const auto found = std::ranges::find(case_result.joints, solution, &JointDensity::solution);
+  return found == case_result.joints.end() ? nullptr : &*found;
 }
 
 // Returns the ids of the `ok` closures, the closest closure first, then the ids of all other `ok`
 // solutions.
-std::vector<std::string> compared_solutions(const results::CaseResult& one,
+std::vector<std::string> compared_solutions(const results::CaseResult& case_result,
                                             const std::string& reference) {
   std::vector<std::string> ids;
-  for (const auto* closure : one.assessment.ranked_closures()) ids.push_back(closure->id);
-  for (const auto& solution : one.solutions) {
+  for (const auto* closure : case_result.assessment.ranked_closures()) ids.push_back(closure->id);
+  for (const auto& solution : case_result.solutions) {
     const bool ranked = std::ranges::find(ids, solution.id()) != ids.end();
     if (!ranked && solution.is_ok() && solution.id() != reference) ids.push_back(solution.id());
   }
@@ -70,10 +71,10 @@ bool has_same_cells(const GridDensity& a, const GridDensity& b) {
 // reference has no joint density or is a simulation with control variates, another solution of the
 // full problem is preferred. Control variates reduce the sampling error of smooth bins, but not of
 // cells.
-const transform::Solution* joint_reference(const results::CaseResult& one) {
+const transform::Solution* joint_reference(const results::CaseResult& case_result) {
   const transform::Solution* selected = nullptr;
-  for (const auto* solution : solutions_of_full_problem(one)) {
-    if (find(one, solution->id()) == nullptr) continue;
+  for (const auto* solution : solutions_of_full_problem(case_result)) {
+    if (find_joint_density(case_result, solution->id()) == nullptr) continue;
     if (selected == nullptr || (selected->smooth_sampling && !solution->smooth_sampling))
       selected = solution;
   }
@@ -82,13 +83,15 @@ const transform::Solution* joint_reference(const results::CaseResult& one) {
 
 }  // namespace
 
-std::optional<JointMaps> joint_maps(const results::CaseResult& one) {
-  const auto* measure = joint_reference(one);
-  const JointDensity* reference = measure != nullptr ? find(one, measure->id()) : nullptr;
+std::optional<JointMaps> make_joint_maps(const results::CaseResult& case_result) {
+  const auto* reference_solution = joint_reference(case_result);
+  const JointDensity* reference = reference_solution != nullptr
+                                      ? find_joint_density(case_result, reference_solution->id())
+                                      : nullptr;
   if (reference == nullptr) return std::nullopt;
   const GridDensity& density = reference->density;
-  const CellWindow window = cells_above_fraction(density, kLogarithmicFraction),
-                   bulk = cells_above_fraction(density, kLinearFraction);
+  const CellIndexWindow window = cells_above_peak_fraction(density, kLogarithmicFraction),
+                        bulk = cells_above_peak_fraction(density, kLinearFraction);
   JointMaps maps{
       reference->solution,
       {density.y_edges.begin() + window.y_begin, density.y_edges.begin() + window.y_end + 1},
@@ -97,14 +100,14 @@ std::optional<JointMaps> joint_maps(const results::CaseResult& one) {
       {density.y_edges[bulk.y_begin], density.y_edges[bulk.y_end]},
       {density.v_edges[bulk.v_begin], density.v_edges[bulk.v_end]},
       {}};
-  for (const auto& id : compared_solutions(one, reference->solution)) {
-    const JointDensity* joint = find(one, id);
+  for (const auto& id : compared_solutions(case_result, reference->solution)) {
+    const JointDensity* joint = find_joint_density(case_result, id);
     if (joint == nullptr || !has_same_cells(joint->density, density)) continue;
-    maps.differences.push_back(difference(*joint, *reference, window));
+    maps.differences.push_back(joint_difference(*joint, *reference, window));
     // Rest atoms are points of the phase plane, which the integral over the cells does not include.
     maps.differences.back().l1 +=
-        compare::rest_atom_l1_distance(transform::find_solution(one.solutions, id)->atoms,
-                                       measure->atoms, transform::StateVariable::y);
+        compare::rest_atom_l1_distance(transform::find_solution(case_result.solutions, id)->atoms,
+                                       reference_solution->atoms, transform::StateVariable::y);
   }
   if (maps.differences.empty()) return std::nullopt;
   return maps;
@@ -112,9 +115,9 @@ std::optional<JointMaps> joint_maps(const results::CaseResult& one) {
 
 std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
   std::string options;
-  for (const auto& one : maps.differences) {
-    options += fmt::format("<option value=\"{0}\">{0} (L1 {1})</option>", escape_html(one.solution),
-                           l1_cell_text(one.l1));
+  for (const auto& difference : maps.differences) {
+    options += fmt::format("<option value=\"{0}\">{0} (L1 {1})</option>",
+                           escape_html(difference.solution), l1_cell_text(difference.l1));
   }
   const std::string reference = escape_html(maps.reference);
   const std::string first = escape_html(maps.differences.front().solution);
@@ -148,19 +151,19 @@ std::string joint_maps_json(const JointMaps& maps, const std::string& prefix) {
   Json json{{"id", prefix + "-joint"},
             {"prefix", prefix},
             {"reference", maps.reference},
-            {"y_edges", float_array(maps.y_edges)},
-            {"v_edges", float_array(maps.v_edges)},
+            {"y_edges", encode_float_array(maps.y_edges)},
+            {"v_edges", encode_float_array(maps.v_edges)},
             {"decades", -std::log10(kLogarithmicFraction)},
             {"colours", kDivergingColours},
             {"y_bulk", maps.y_bulk},
             {"v_bulk", maps.v_bulk},
-            {"density", float_array(maps.reference_density)},
+            {"density", encode_float_array(maps.reference_density)},
             {"differences", Json::array()}};
-  for (const auto& one : maps.differences) {
-    json["differences"].push_back({{"solution", one.solution},
-                                   {"largest", one.values.largest},
-                                   {"levels", one.values.levels},
-                                   {"steps", successive_differences(one.values.roots)}});
+  for (const auto& difference : maps.differences) {
+    json["differences"].push_back({{"solution", difference.solution},
+                                   {"largest", difference.values.largest},
+                                   {"levels", difference.values.levels},
+                                   {"steps", successive_differences(difference.values.roots)}});
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

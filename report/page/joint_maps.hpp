@@ -14,7 +14,7 @@ namespace fpkcheck::report {
 struct JointDifference {
   std::string solution;  ///< id of the solution
   double l1;             ///< L1 distance from the reference over all common cells, including atoms
-  SignedRoots values;    ///< cell differences in the order of JointMaps::reference_density
+  QuantisedSignedRoots values;  ///< cell differences in the order of JointMaps::reference_density
 };
 
 /// The joint densities of a case on those common cells in which the reference density is large
@@ -29,8 +29,9 @@ struct JointMaps {
   std::vector<JointDifference> differences;  ///< closures (closest first), then all other solutions
 };
 
-/// @return nothing if the case has no reference, or no `ok` solution besides the reference
-std::optional<JointMaps> joint_maps(const results::CaseResult& case_result);
+/// @return the joint densities on the common cells; empty if the case has no reference, or no `ok`
+/// solution besides the reference
+std::optional<JointMaps> make_joint_maps(const results::CaseResult& case_result);
 
 /// Returns the HTML elements in which page.js draws the heat maps of joint densities.
 std::string joint_maps_html(const JointMaps& maps, const std::string& prefix);

@@ -215,7 +215,7 @@ function mapDrawables(maps) {
   return [{element: part('reference'), fit, draw: drawAll}];
 }
 
-// The heat maps of a figure (report/page/figure_maps.hpp); a control selects the drawn maps.
+// The heat maps of a figure (report/page/heat_maps.hpp); a control selects the drawn maps.
 function choiceDrawables({control, choices}) {
   const select = document.getElementById(control);
   const maps = () => choices[select.selectedIndex];

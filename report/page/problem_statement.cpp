@@ -72,7 +72,8 @@ class FormulaTypesetter {
     }
     return text_.substr(begin, at_ - begin);
   }
-  // Typesets the contents of the parentheses that open here, without the parentheses.
+  // Typesets the text within the parentheses that open at the current position. The result excludes
+  // the parentheses.
   std::string take_parenthesised() {
     std::size_t end = ++at_;
     for (int depth = 1; end < text_.size(); ++end) {
@@ -138,71 +139,77 @@ class ProblemStatement {
   explicit ProblemStatement(std::span<const Problem* const> problems) : problems_(problems) {}
 
   std::string html() const {
-    const bool impulses = any([](const Problem& p) { return p.impulses.is_present(); });
-    const bool noise = any([](const Problem& p) { return p.noise.is_present(); });
+    const bool impulses = any_problem_has([](const Problem& p) { return p.impulses.is_present(); });
+    const bool noise = any_problem_has([](const Problem& p) { return p.noise.is_present(); });
     std::vector<std::string> excitation;
-    const bool parametric = any([](const Problem& p) { return p.impulse_factor.has_value(); });
+    const bool parametric =
+        any_problem_has([](const Problem& p) { return p.impulse_factor.has_value(); });
     if (impulses) {
       excitation.push_back(fmt::format("{}Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>)",
                                        parametric ? "b(y) " : ""));
     }
-    const bool factor = any([](const Problem& p) { return p.noise_factor.has_value(); });
+    const bool factor =
+        any_problem_has([](const Problem& p) { return p.noise_factor.has_value(); });
     if (noise) excitation.emplace_back(factor ? "√(2D) g(y, y′) W(t)" : "√(2D) W(t)");
     return fmt::format(
         "<p>An oscillator {}, {}:</p>\n<p class=\"formula\">y″{}{} = {}{}</p>\n{}<p>{}{}{}</p>\n",
-        walls_in_words(), excitation_in_words(impulses, noise), damping(), force(),
-        fmt::join(excitation, " + "), walls(), definitions(), impulses ? kImpulses : "",
-        noise ? kNoise : "", kUnknownText);
+        walls_in_words(), excitation_in_words(impulses, noise), damping_terms_html(),
+        force_terms_html(), fmt::join(excitation, " + "), wall_conditions_html(),
+        factor_and_restitution_html(), impulses ? kImpulses : "", noise ? kNoise : "",
+        kUnknownText);
   }
 
  private:
   template <class Has>
-  bool any(const Has& has) const {
+  bool any_problem_has(const Has& has) const {
     return std::ranges::any_of(problems_, [&](const Problem* p) { return has(*p); });
   }
   template <std::size_t N>
-  std::vector<std::string> present(const EquationTerm (&terms)[N]) const {
+  std::vector<std::string> present_term_symbols(const EquationTerm (&terms)[N]) const {
     std::vector<std::string> symbols;
     for (const EquationTerm& term : terms) {
-      if (any([&](const Problem& p) { return p.system.coefficients().*term.coefficient != 0; })) {
+      if (any_problem_has(
+              [&](const Problem& p) { return p.system.coefficients().*term.coefficient != 0; })) {
         symbols.emplace_back(term.symbol);
       }
     }
     return symbols;
   }
-  // The text of a formula, if all problems have the same one.
+  // Returns the text of a formula if all problems have the same formula; otherwise the result is
+  // empty.
   template <class Text>
-  std::optional<std::string> common(const Text& text) const {
+  std::optional<std::string> common_formula_text(const Text& text) const {
     const std::optional<std::string> first = text(*problems_.front());
     const bool same = first && std::ranges::all_of(
                                    problems_, [&](const Problem* p) { return text(*p) == first; });
     return same ? first : std::nullopt;
   }
-  std::optional<std::string> formula() const {
-    return common([](const Problem& p) { return p.system.coefficients().force; });
+  std::optional<std::string> common_force_formula() const {
+    return common_formula_text([](const Problem& p) { return p.system.coefficients().force; });
   }
   bool has_restitution_formula(std::optional<Wall> Walls::*side) const {
-    return any([&](const Problem& p) {
+    return any_problem_has([&](const Problem& p) {
       const auto& wall = p.system.walls().*side;
       return wall && !wall->has_constant_restitution();
     });
   }
-  std::string impact(std::optional<Wall> Walls::*side, const char* position) const {
+  std::string impact_condition_html(std::optional<Wall> Walls::*side, const char* position) const {
     return fmt::format("y′<sub>+</sub> = −r<sub>{0}</sub>{1} y′<sub>−</sub> &nbsp; at y = {0}",
                        position, has_restitution_formula(side) ? "(u)" : "");
   }
-  // The formulas of the factors and of the restitution coefficients, one in each line.
-  std::string definitions() const {
+  // Returns the formulas of the noise factor, the impulse factor and the restitution coefficients,
+  // one formula in each line.
+  std::string factor_and_restitution_html() const {
     std::string html;
     const auto add = [&](const std::string& definition) {
       html += fmt::format("<p class=\"formula\">{}</p>\n", definition);
     };
     if (const auto factor =
-            common([](const Problem& p) { return p.impulses.parameters().factor; })) {
+            common_formula_text([](const Problem& p) { return p.impulses.parameters().factor; })) {
       add(fmt::format("b(y) = {}", formula_html(*factor)));
     }
-    if (const auto factor = common([](const Problem& p) { return p.noise.factor; })) {
-      const auto sense = common([](const Problem& p) -> std::optional<std::string> {
+    if (const auto factor = common_formula_text([](const Problem& p) { return p.noise.factor; })) {
+      const auto sense = common_formula_text([](const Problem& p) -> std::optional<std::string> {
         if (!p.noise.interpretation) return std::nullopt;
         return *p.noise.interpretation == problem::NoiseInterpretation::ito ? "Itô"
                                                                             : "Stratonovich";
@@ -211,11 +218,12 @@ class ProblemStatement {
                       sense ? fmt::format(" &emsp; (in the sense of {})", *sense) : ""));
     }
     const auto add_restitution = [&](std::optional<Wall> Walls::*side, const char* subscript) {
-      const auto restitution = common([&](const Problem& p) -> std::optional<std::string> {
-        const auto& wall = p.system.walls().*side;
-        if (!wall || wall->has_constant_restitution()) return std::nullopt;
-        return wall->restitution_formula->text();
-      });
+      const auto restitution =
+          common_formula_text([&](const Problem& p) -> std::optional<std::string> {
+            const auto& wall = p.system.walls().*side;
+            if (!wall || wall->has_constant_restitution()) return std::nullopt;
+            return wall->restitution_formula->text();
+          });
       if (!restitution) return;
       add(fmt::format("r<sub>{}</sub>(u) = {} &emsp; with the impact speed u = |y′<sub>−</sub>|",
                       subscript, formula_html(*restitution, "u")));
@@ -224,50 +232,52 @@ class ProblemStatement {
     add_restitution(&Walls::right, "b");
     return html;
   }
-  std::string damping() const {
-    if (const auto text = formula()) return " + " + formula_html(*text);
-    if (any([](const Problem& p) { return !p.system.has_polynomial_force(); }))
+  std::string damping_terms_html() const {
+    if (const auto text = common_force_formula()) return " + " + formula_html(*text);
+    if (any_problem_has([](const Problem& p) { return !p.system.has_polynomial_force(); }))
       return " + f(y, y′)";
-    const auto terms = present(kDamping);
+    const auto terms = present_term_symbols(kDamping);
     if (terms.empty()) return "";
     if (terms.size() == 1) return fmt::format(" + {} y′", terms.front());
     return fmt::format(" + ({}) y′", fmt::join(terms, " + "));
   }
-  std::string force() const {
-    if (formula() || any([](const Problem& p) { return !p.system.has_polynomial_force(); })) {
+  std::string force_terms_html() const {
+    if (common_force_formula() ||
+        any_problem_has([](const Problem& p) { return !p.system.has_polynomial_force(); })) {
       return "";
     }
     std::string text;
-    for (const std::string& term : present(kForce)) text += " + " + term;
+    for (const std::string& term : present_term_symbols(kForce)) text += " + " + term;
     return text;
   }
-  bool left() const {
-    return any([](const Problem& p) { return p.system.left_wall().has_value(); });
+  bool has_left_wall() const {
+    return any_problem_has([](const Problem& p) { return p.system.left_wall().has_value(); });
   }
-  bool right() const {
-    return any([](const Problem& p) { return p.system.right_wall().has_value(); });
+  bool has_right_wall() const {
+    return any_problem_has([](const Problem& p) { return p.system.right_wall().has_value(); });
   }
   // A problem without wall parameters has the single wall of the paper's oscillator, at y = 0 with
   // the restitution coefficient r.
-  bool only_at_zero() const {
-    return !right() && !any([](const Problem& p) { return !p.system.wall_parameters().empty(); });
+  bool has_only_wall_at_zero() const {
+    return !has_right_wall() &&
+           !any_problem_has([](const Problem& p) { return !p.system.wall_parameters().empty(); });
   }
-  std::string walls() const {
-    if (only_at_zero()) {
+  std::string wall_conditions_html() const {
+    if (has_only_wall_at_zero()) {
       return " &nbsp; for y &gt; 0, &emsp; y′<sub>+</sub> = −r y′<sub>−</sub> &nbsp; at y = 0.";
     }
     std::vector<std::string> text;
-    if (left()) text.push_back(impact(&Walls::left, "a"));
-    if (right()) text.push_back(impact(&Walls::right, "b"));
+    if (has_left_wall()) text.push_back(impact_condition_html(&Walls::left, "a"));
+    if (has_right_wall()) text.push_back(impact_condition_html(&Walls::right, "b"));
     if (text.empty()) return ".";
-    const char* domain = !right()  ? " &nbsp; for y &gt; a"
-                         : !left() ? " &nbsp; for y &lt; b"
-                                   : " &nbsp; for a &lt; y &lt; b";
+    const char* domain = !has_right_wall()  ? " &nbsp; for y &gt; a"
+                         : !has_left_wall() ? " &nbsp; for y &lt; b"
+                                            : " &nbsp; for a &lt; y &lt; b";
     return fmt::format("{}, &emsp; {}.", domain, fmt::join(text, ", &emsp; "));
   }
   std::string walls_in_words() const {
-    if (left() && right()) return "between walls";
-    return left() || right() ? "with a wall" : "without walls";
+    if (has_left_wall() && has_right_wall()) return "between walls";
+    return has_left_wall() || has_right_wall() ? "with a wall" : "without walls";
   }
   static std::string excitation_in_words(bool impulses, bool noise) {
     if (impulses && noise) return "under random impulses and white noise";

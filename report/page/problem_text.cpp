@@ -19,21 +19,21 @@ using problem::DisplayedParameter;
 using problem::Problem;
 using transform::Solution;
 
-constexpr const char* kColumns =
+constexpr const char* kColumnDefinitions =
     R"html(<dt>L1</dt>
 <dd>Integral of the absolute difference of two densities: 0 for equal, 2 for disjoint densities.</dd>
 <dt>energy residual</dt>
 <dd>Residual of the power balance of impulses, damping and impacts, relative to the input.</dd>
 )html";
 
-constexpr const char* kUncertainty =
+constexpr const char* kUncertaintyDefinition =
     R"html(<dt>±</dt><dd>Sum of the discretisation errors of both ends of a step: a smaller part may be
 zero. The step to a simulation is sampling error alone if all else is exact; the last columns have the
 mean and the 99 % quantile of this L1. The step to a simulation with control variates is the measured
 discretisation error over smooth bins.</dd>
 )html";
 
-std::string term(std::string_view name, const std::string& meaning) {
+std::string definition_html(std::string_view name, const std::string& meaning) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(name), escape_html(meaning));
 }
 
@@ -50,27 +50,29 @@ std::vector<const Solution*> distinct_solutions(const results::Run& run) {
   return all;
 }
 
-std::string families_html(const std::vector<const Solution*>& solutions) {
+std::string solution_families_html(const std::vector<const Solution*>& solutions) {
   std::string html;
   for (const auto& [name, members] : group_by_family(solutions)) {
     std::vector<std::string> ids;
     for (const Solution* member : members) ids.push_back(member->id());
-    html += term(fmt::format("{}", fmt::join(ids, ", ")), members.front()->identity.meaning);
+    html +=
+        definition_html(fmt::format("{}", fmt::join(ids, ", ")), members.front()->identity.meaning);
   }
   return html;
 }
 
 template <class Enum>
-std::string solves_html(const std::vector<const Solution*>& solutions,
-                        std::optional<Enum> transform::SolutionIdentity::*member, const char* form,
-                        const char* what) {
+std::string model_terms_html(const std::vector<const Solution*>& solutions,
+                             std::optional<Enum> transform::SolutionIdentity::*member,
+                             const char* form, const char* what) {
   std::string html;
   for (const auto& [value, name, meaning] : enumerator_names(Enum{})) {
     const bool there = std::ranges::any_of(solutions, [&, sought = value](const Solution* s) {
       return s->identity.*member == sought;
     });
     if (there) {
-      html += term(fmt::format(fmt::runtime(form), name), fmt::format("{}: {}.", what, meaning));
+      html += definition_html(fmt::format(fmt::runtime(form), name),
+                              fmt::format("{}: {}.", what, meaning));
     }
   }
   return html;
@@ -85,16 +87,17 @@ std::string statuses_html() {
   return html + ".</dd>\n";
 }
 
-std::string parts_html() {
+std::string budget_parts_html() {
   std::string html = "<p id=\"budget-terms\">Parts of an error budget:</p>\n<dl>\n";
   for (const auto& [approximation, name, meaning] : compare::kApproximationNames) {
-    html += term(name, fmt::format("{}.", meaning));
+    html += definition_html(name, fmt::format("{}.", meaning));
   }
-  return html + kUncertainty + "</dl>\n";
+  return html + kUncertaintyDefinition + "</dl>\n";
 }
 
 // Returns the value of a parameter in another problem; empty if this problem lacks the parameter.
-std::optional<base::Value> value_in(const Problem& other, const DisplayedParameter& parameter) {
+std::optional<base::Value> value_in_problem(const Problem& other,
+                                            const DisplayedParameter& parameter) {
   for (const auto& candidate : problem::displayed_parameters(other)) {
     if (candidate.section == parameter.section && candidate.name == parameter.name) {
       return candidate.value;
@@ -103,35 +106,37 @@ std::optional<base::Value> value_in(const Problem& other, const DisplayedParamet
   return std::nullopt;
 }
 
-bool varies(const results::Run& run, const DisplayedParameter& parameter) {
+bool varies_between_cases(const results::Run& run, const DisplayedParameter& parameter) {
   return std::ranges::any_of(run.cases, [&](const results::CaseResult& case_result) {
-    return value_in(case_result.problem, parameter) != parameter.value;
+    return value_in_problem(case_result.problem, parameter) != parameter.value;
   });
 }
 
 // Returns the symbol and the meaning of a parameter, "λ, impulses per unit of time", or only the
 // meaning.
-std::string label(const DisplayedParameter& parameter) {
+std::string parameter_label(const DisplayedParameter& parameter) {
   return parameter.typeset.empty() ? parameter.meaning
                                    : parameter.typeset + ", " + parameter.meaning;
 }
 
 }  // namespace
 
-std::string problem_html(const results::Run& run) {
+std::string problem_description_html(const results::Run& run) {
   std::vector<HtmlColumn> columns{{"parameter", Align::left}};
   for (const auto& case_result : run.cases) columns.push_back({case_result.name()});
   std::vector<std::string> same;
   if (!run.cases.empty()) {
     for (const auto& parameter : problem::displayed_parameters(run.cases.front().problem)) {
-      if (!varies(run, parameter)) {
-        same.push_back(fmt::format("{} = {}", label(parameter), value_text(parameter.value)));
+      if (!varies_between_cases(run, parameter)) {
+        same.push_back(fmt::format("{} = {}", parameter_label(parameter),
+                                   parameter_value_text(parameter.value)));
         continue;
       }
-      columns.front().cells.push_back(label(parameter));
+      columns.front().cells.push_back(parameter_label(parameter));
       for (std::size_t k = 0; k < run.cases.size(); ++k) {
-        const auto value = value_in(run.cases[k].problem, parameter);
-        columns[k + 1].cells.push_back(value ? value_text(*value) : std::string(kNoValue));
+        const auto value = value_in_problem(run.cases[k].problem, parameter);
+        columns[k + 1].cells.push_back(value ? parameter_value_text(*value)
+                                             : std::string(kNoValue));
       }
     }
   }
@@ -146,12 +151,13 @@ std::string problem_html(const results::Run& run) {
   return html + table_html("Parameters that differ between cases", std::move(columns));
 }
 
-std::string varying_parameters(const results::Run& run, const results::CaseResult& case_result) {
+std::string varying_parameters_text(const results::Run& run,
+                                    const results::CaseResult& case_result) {
   std::vector<std::string> parts;
   for (const auto& parameter : problem::displayed_parameters(case_result.problem)) {
-    if (!varies(run, parameter)) continue;
+    if (!varies_between_cases(run, parameter)) continue;
     const std::string& symbol = parameter.typeset.empty() ? parameter.meaning : parameter.typeset;
-    parts.push_back(fmt::format("{} = {}", symbol, value_text(parameter.value)));
+    parts.push_back(fmt::format("{} = {}", symbol, parameter_value_text(parameter.value)));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -159,19 +165,20 @@ std::string varying_parameters(const results::Run& run, const results::CaseResul
 std::string glossary_html(const results::Run& run) {
   using transform::SolutionIdentity;
   const auto solutions = distinct_solutions(run);
-  std::string html = "<dl>\n" + families_html(solutions);
-  html += solves_html(solutions, &SolutionIdentity::equation, "solves {}/\u2026", "Excitation");
-  html += solves_html(solutions, &SolutionIdentity::impact, "solves \u2026/{}", "Impact");
+  std::string html = "<dl>\n" + solution_families_html(solutions);
+  html +=
+      model_terms_html(solutions, &SolutionIdentity::equation, "solves {}/\u2026", "Excitation");
+  html += model_terms_html(solutions, &SolutionIdentity::impact, "solves \u2026/{}", "Impact");
   const auto given = std::ranges::find_if(
       solutions, [](const Solution* s) { return !s->identity.equation || !s->identity.impact; });
   if (given != solutions.end()) {
-    html += term("solves " + equation_and_impact_text((*given)->identity),
-                 "The equation or the impact is unknown.");
+    html += definition_html("solves " + equation_and_impact_text((*given)->identity),
+                            "The equation or the impact is unknown.");
   }
-  return html + kColumns + statuses_html() + "</dl>\n" + parts_html();
+  return html + kColumnDefinitions + statuses_html() + "</dl>\n" + budget_parts_html();
 }
 
-std::string timings_table(const results::Run& run) {
+std::string timings_table_html(const results::Run& run) {
   std::vector<HtmlColumn> columns{{"solution", Align::left}};
   for (const Solution* solution : distinct_solutions(run)) {
     columns.front().cells.push_back(solution->id());

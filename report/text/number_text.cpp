@@ -41,7 +41,7 @@ std::string number_text(const std::optional<double>& value, int digits) {
       without_bare_point(fmt::format("{:#.{}g}", *value, digits), digits));
 }
 
-std::string value_text(const base::Value& value, int digits) {
+std::string parameter_value_text(const base::Value& value, int digits) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
   if (const auto* count = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *count);
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
@@ -58,7 +58,7 @@ std::string seconds_text(const std::optional<double>& seconds) {
   return fmt::format("{:.{}f}", *seconds, *seconds < 100 ? 1 : 0);
 }
 
-std::string l1_text(double l1) {
+std::string l1_distance_text(double l1) {
   constexpr double kTwoDigits = 1e-4;
   if (l1 == 0) return "0";
   return l1 < kTwoDigits ? fmt::format("{:.1e}", l1) : fmt::format("{:.5f}", l1);

@@ -13,12 +13,12 @@ namespace fpkcheck::report {
 inline constexpr std::string_view kNoValue = "\u2013";
 
 /// Returns the text of a number with exactly `digits` significant digits, including trailing zeros:
-/// 0.4450, 1.2e-5. If `digits` is 1, as for residuals, the text always has a power of ten: 4e-4.
+/// 0.4450, 1.2e-5. If `digits` is 1, the text always has a power of ten: 4e-4.
 std::string number_text(const std::optional<double>& value, int digits);
 
 /// Returns the text of a parameter or metric. An integer has all digits, any other number at
 /// most `digits` significant digits. A Boolean becomes yes or no, and a text is unchanged.
-std::string value_text(const base::Value& value, int digits = 6);
+std::string parameter_value_text(const base::Value& value, int digits = 6);
 
 /// Returns the text of an L1 distance for a table cell: 0.0044, 6.0e-6.
 std::string l1_cell_text(const std::optional<double>& l1);
@@ -28,7 +28,7 @@ std::string seconds_text(const std::optional<double>& seconds);
 
 /// Returns the text of an L1 distance with five decimals, or with two significant digits below
 /// 1e-4.
-std::string l1_text(double l1);
+std::string l1_distance_text(double l1);
 
 struct IntervalText {
   std::string lower, upper;

@@ -35,8 +35,8 @@ std::string_view status_meaning(Status status) {
 
 // Returns a text on the largest L1 distances over the cases with a given agreement: "L1 distance up
 // to .. in 2 of 4 cases".
-std::string distance_text(const SolutionAgreements& row, Agreement agreement, const char* how,
-                          int cases) {
+std::string largest_distance_text(const SolutionAgreements& row, Agreement agreement,
+                                  const char* how, int cases) {
   MarginalDistances most{};
   for (const auto& entry : row.entries) {
     if (entry.agreement == agreement) most.update_maximum_distances(entry.y, entry.ydot);
@@ -75,7 +75,8 @@ std::string case_count_phrase(int count, int cases) {
   return fmt::format(" in {} of {} cases", count, cases);
 }
 
-std::string outcome_text(const SolutionAgreements& row, const std::string& reference, int cases) {
+std::string solution_outcome_text(const SolutionAgreements& row, const std::string& reference,
+                                  int cases) {
   const int close = row.case_count_with_agreement(Agreement::close);
   const int same = row.case_count_with_agreement(Agreement::indistinguishable) +
                    row.case_count_with_agreement(Agreement::reference);
@@ -84,9 +85,9 @@ std::string outcome_text(const SolutionAgreements& row, const std::string& refer
     parts.push_back(fmt::format("within the error estimate of {}{}", reference,
                                 same == cases ? "" : case_count_phrase(same, cases)));
   }
-  if (close > 0) parts.push_back(distance_text(row, Agreement::close, "at most ", cases));
+  if (close > 0) parts.push_back(largest_distance_text(row, Agreement::close, "at most ", cases));
   if (row.case_count_with_agreement(Agreement::distant) > 0) {
-    parts.push_back(distance_text(row, Agreement::distant, "up to ", cases));
+    parts.push_back(largest_distance_text(row, Agreement::distant, "up to ", cases));
   }
   if (const int no_reference = row.case_count_with_agreement(Agreement::no_reference);
       no_reference > 0) {

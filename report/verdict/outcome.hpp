@@ -23,7 +23,8 @@ std::string case_count_phrase(int count, int cases);
 /// distances, or "not reproduced: .." with the reason.
 /// @param reference name of the reference, or several names if the references of the cases differ
 /// @param cases number of cases of the run
-std::string outcome_text(const SolutionAgreements& row, const std::string& reference, int cases);
+std::string solution_outcome_text(const SolutionAgreements& row, const std::string& reference,
+                                  int cases);
 
 /// Returns the outcome of a solution without distances: "not_converged in all 4 cases: no solution
 /// found".

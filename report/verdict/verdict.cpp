@@ -12,9 +12,9 @@
 namespace fpkcheck::report {
 namespace {
 
-using results::case_count;
 using results::CaseNamesBySolution;
 using results::RunAssessment;
+using results::total_case_count;
 using transform::SolutionRole;
 
 using Words = std::vector<std::string>;
@@ -25,7 +25,7 @@ std::string comma_separated(const Words& words) {
 
 // Returns the ids of solutions: "mcs", or "mcs (fd-kf in case2)" if the cases have different
 // solutions.
-std::string ids_text(const CaseNamesBySolution& solutions) {
+std::string solution_ids_text(const CaseNamesBySolution& solutions) {
   const auto most = std::ranges::max_element(solutions, {},
                                              [](const auto& entry) { return entry.second.size(); });
   std::string text = most->first;
@@ -41,8 +41,8 @@ std::string reference_sentence(const RunAssessment& assessed, int cases) {
            "estimate of each solution is available.";
   }
   std::string text = fmt::format("The reference{} is {}",
-                                 case_count_phrase(case_count(assessed.references), cases),
-                                 ids_text(assessed.references));
+                                 case_count_phrase(total_case_count(assessed.references), cases),
+                                 solution_ids_text(assessed.references));
   const double y = assessed.reference_y_l1, ydot = assessed.reference_ydot_l1;
   if (std::isfinite(y + ydot)) {
     text += fmt::format(", with L1 error estimates of {:.1g} in p(y) and {:.1g} in p(y')", y, ydot);
@@ -52,12 +52,13 @@ std::string reference_sentence(const RunAssessment& assessed, int cases) {
     for (const auto& [id, names] : assessed.contradicting)
       independent[id].insert(independent[id].end(), names.begin(), names.end());
     text += fmt::format(". The L1 distance of the independent solution {} to the reference is {}",
-                        ids_text(independent), l1_distances_text(assessed.confirmation_distances));
+                        solution_ids_text(independent),
+                        l1_distances_text(assessed.confirmation_distances));
   }
   return text + '.';
 }
 
-std::string orders_text(const std::vector<const SolutionAgreements*>& members) {
+std::string closure_orders_text(const std::vector<const SolutionAgreements*>& members) {
   Words orders;
   for (const SolutionAgreements* row : members) {
     orders.push_back(fmt::format("{}", *row->identity->order));
@@ -69,7 +70,7 @@ bool differs_by_order_in_family(const SolutionAgreements& row) {
   return transform::differs_by_order_in_family(*row.identity);
 }
 
-int order_of(const SolutionAgreements* row) { return *row->identity->order; }
+int closure_order(const SolutionAgreements* row) { return *row->identity->order; }
 
 std::vector<std::vector<const SolutionAgreements*>> closure_families(
     const std::vector<SolutionAgreements>& all) {
@@ -86,7 +87,7 @@ std::vector<std::vector<const SolutionAgreements*>> closure_families(
       same->push_back(&row);
     }
   }
-  for (auto& members : families) std::ranges::stable_sort(members, {}, order_of);
+  for (auto& members : families) std::ranges::stable_sort(members, {}, closure_order);
   return families;
 }
 
@@ -113,9 +114,9 @@ std::string reproducing_orders_text(const std::vector<const SolutionAgreements*>
   const std::string subject =
       fmt::format("{}{}", members.front()->identity->family,
                   is_paper_closure(*members.front()) ? " (the paper's closure)" : "");
-  if (good.empty()) return fmt::format("{} at n = {}", subject, orders_text(members));
-  return fmt::format("{} at n = {}{}", subject, orders_text(good),
-                     bad.empty() ? "" : fmt::format(", not at n = {}", orders_text(bad)));
+  if (good.empty()) return fmt::format("{} at n = {}", subject, closure_orders_text(members));
+  return fmt::format("{} at n = {}{}", subject, closure_orders_text(good),
+                     bad.empty() ? "" : fmt::format(", not at n = {}", closure_orders_text(bad)));
 }
 
 std::string reproduction_sentence(const std::vector<SolutionAgreements>& all, int cases) {
@@ -139,7 +140,7 @@ std::string reproduction_sentence(const std::vector<SolutionAgreements>& all, in
 
 VerdictLine verdict_line(const SolutionAgreements& row, const std::string& reference, int cases) {
   return {row.identity->id, row.reproduced_case_count() == row.case_count(),
-          outcome_text(row, reference, cases)};
+          solution_outcome_text(row, reference, cases)};
 }
 
 // Returns the line with the largest distance for each order of a formulation: "n = 4 has L1
@@ -163,7 +164,7 @@ VerdictLine verdict_line(const std::vector<const SolutionAgreements*>& members, 
 
 std::vector<VerdictLine> verdict_lines(const RunAssessment& assessed, int cases) {
   const auto& all = assessed.rows;
-  const std::string reference = ids_text(assessed.references);
+  const std::string reference = solution_ids_text(assessed.references);
   std::vector<VerdictLine> lines;
   for (const auto& row : all) {
     if (is_single_external_density(row)) lines.push_back(verdict_line(row, reference, cases));
@@ -191,20 +192,20 @@ std::string confirmation_text(const RunAssessment& assessed, int cases) {
   const auto &confirming = assessed.confirming, &contradicting = assessed.contradicting;
   if (!contradicting.empty()) {
     return fmt::format("{} differs by more than the errors of both explain{}",
-                       ids_text(contradicting),
-                       case_count_phrase(case_count(contradicting), cases));
+                       solution_ids_text(contradicting),
+                       case_count_phrase(total_case_count(contradicting), cases));
   }
   if (confirming.empty()) return "no independent solution in this run confirms these values";
-  std::string text = fmt::format("{} confirms these values", ids_text(confirming));
-  if (case_count(confirming) == cases) return text;
+  std::string text = fmt::format("{} confirms these values", solution_ids_text(confirming));
+  if (total_case_count(confirming) == cases) return text;
   std::vector<std::string> names;
   for (const auto& [id, of_this] : confirming)
     names.insert(names.end(), of_this.begin(), of_this.end());
   return text + fmt::format(" in {} only", comma_separated(names));
 }
 
-Words recommendation(const RunAssessment& assessed, int cases) {
-  if (const int judged = case_count(assessed.references); judged < cases) {
+Words recommendation_sentences(const RunAssessment& assessed, int cases) {
+  if (const int judged = total_case_count(assessed.references); judged < cases) {
     return {fmt::format(
         "There is no reference{}: rely on the error estimate of each solution. Raise the "
         "limits of fd (--max-seconds) and mcs (--time), or compare both: fpkcheck run "
@@ -214,7 +215,7 @@ Words recommendation(const RunAssessment& assessed, int cases) {
   Words sentences{fmt::format(
       "For reference values use {}, the solution of the full problem (all jumps, exact impact) "
       "with the smallest error estimate; {}.",
-      ids_text(assessed.references), confirmation_text(assessed, cases))};
+      solution_ids_text(assessed.references), confirmation_text(assessed, cases))};
   Words parts;
   const SolutionAgreements* last = nullptr;
   for (const double accuracy : {0.01, 0.001}) {
@@ -254,7 +255,7 @@ Verdict make_verdict(const results::Run& run) {
       run_verdict.answer.push_back(text);
     run_verdict.lines = verdict_lines(assessed, cases);
   }
-  run_verdict.recommendation = recommendation(assessed, cases);
+  run_verdict.recommendation = recommendation_sentences(assessed, cases);
   run_verdict.agreement_rows = std::move(assessed.rows);
   return run_verdict;
 }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/text/columns.hpp"
+#include "report/text/text_columns.hpp"
 #include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::report {
@@ -42,7 +42,7 @@ std::pair<TextColumn, TextColumn> case_columns(const std::vector<SolutionAgreeme
   return {std::move(y), std::move(ydot)};
 }
 
-std::size_t total_width_of(const std::vector<TextColumn>& columns) {
+std::size_t matrix_width(const std::vector<TextColumn>& columns) {
   std::size_t total = 0;
   for (const auto& column : columns) total += column.width() + 1;
   return total - 1;
@@ -62,7 +62,7 @@ std::string matrix_blocks(const results::Run& run, const std::vector<SolutionAgr
     auto extended_block = block;
     extended_block.push_back(y);
     extended_block.push_back(ydot);
-    if (block.size() > 1 && total_width_of(extended_block) > format.width) flush_block();
+    if (block.size() > 1 && matrix_width(extended_block) > format.width) flush_block();
     block.push_back(std::move(y));
     block.push_back(std::move(ydot));
   }

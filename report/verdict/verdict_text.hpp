@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 #include "report/verdict/verdict.hpp"
 #include "results/run.hpp"
 

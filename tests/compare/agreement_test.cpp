@@ -65,16 +65,16 @@ TEST(Agreement, AcceptsADistanceAtThe99PercentQuantile) {
   Solution one = solution_named("a"), other = solution_named("b");
   one.error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
   other.sampling = {.y = 0.0013, .ydot = 0.0014, .y_99 = 0.0023, .ydot_99 = 0.0027};
-  EXPECT_TRUE(has_agreement(one, other, pairs_apart(0.0023, 0.0028)));
-  EXPECT_TRUE(has_agreement(other, one, pairs_apart(0.0023, 0.0028)));
-  EXPECT_FALSE(has_agreement(one, other, pairs_apart(0.0023, 0.0037)));
-  EXPECT_FALSE(has_agreement(one, other, pairs_apart(0.0032, 0.0028)));
+  EXPECT_TRUE(solutions_agree(one, other, pairs_apart(0.0023, 0.0028)));
+  EXPECT_TRUE(solutions_agree(other, one, pairs_apart(0.0023, 0.0028)));
+  EXPECT_FALSE(solutions_agree(one, other, pairs_apart(0.0023, 0.0037)));
+  EXPECT_FALSE(solutions_agree(one, other, pairs_apart(0.0032, 0.0028)));
 }
 
 TEST(Agreement, AddsTheErrorEstimatesOfBothSolutions) {
   Solution one = solution_named("a"), other = solution_named("b");
   EXPECT_FALSE(critical_l1_distance(one, other, StateVariable::y, false));
-  EXPECT_TRUE(has_agreement(one, other, pairs_apart(1, 1)));  // both without error estimates
+  EXPECT_TRUE(solutions_agree(one, other, pairs_apart(1, 1)));  // both without error estimates
   one.sampling = {.y = 3e-3, .ydot = 3e-3, .y_99 = 4e-3, .ydot_99 = 6e-3};
   other.sampling = {.y = 1e-3, .ydot = 4e-3, .y_99 = 3e-3};
   EXPECT_DOUBLE_EQ(*critical_l1_distance(one, other, StateVariable::y, false),
@@ -92,11 +92,11 @@ TEST(Agreement, OverSmoothBinsRequiresBothErrorEstimates) {
   measure.smooth_sampling = {.y = 3e-6, .ydot = 4e-6, .y_99 = 5e-6, .ydot_99 = 6e-6};
   auto pairs = pairs_apart(1e-4, 1e-4);
   for (auto& pair : pairs) pair.l1_standard_error = 1e-6;
-  EXPECT_TRUE(has_agreement(one, measure, pairs));
+  EXPECT_TRUE(solutions_agree(one, measure, pairs));
   one.error = {.y_l1 = 2e-5, .ydot_l1 = 2e-5};
-  EXPECT_FALSE(has_agreement(one, measure, pairs));
+  EXPECT_FALSE(solutions_agree(one, measure, pairs));
   one.error = {.y_l1 = 1e-4, .ydot_l1 = 1e-4};
-  EXPECT_TRUE(has_agreement(one, measure, pairs));
+  EXPECT_TRUE(solutions_agree(one, measure, pairs));
 }
 
 }  // namespace

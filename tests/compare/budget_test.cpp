@@ -270,7 +270,7 @@ TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
        .l1 = 1,
        .tail = 1},
       {.approximations = {Approximation::sampling}, .from = "", .to = "", .l1 = 1, .tail = 1}};
-  const auto closures = closure_error_budgets(budget, solutions);
+  const auto closures = group_budget_by_closure(budget, solutions);
   ASSERT_EQ(closures.size(), 2u);
   EXPECT_EQ(closures[0].rows().size(), 2u);
   EXPECT_EQ(closures[1].row(StateVariable::ydot), nullptr);

@@ -39,8 +39,8 @@ TEST(Comparison, ContainsEveryPairOfSolutionsWithADensity) {
   ASSERT_EQ(white.solution + kf.solution, "fd-whitefd-kf");
   const auto* pair = find_pair_distances(comparison.pairs, "fd-kf", "fd-white", StateVariable::y);
   ASSERT_NE(pair, nullptr);
-  EXPECT_EQ(pair->distances.kl, distances(white.marginal, kf.marginal).kl);
-  EXPECT_NE(pair->distances.kl, distances(kf.marginal, white.marginal).kl);
+  EXPECT_EQ(pair->distances.kl, compute_distances(white.marginal, kf.marginal).kl);
+  EXPECT_NE(pair->distances.kl, compute_distances(kf.marginal, white.marginal).kl);
 }
 
 TEST(Comparison, ContainsSolutionsThatAreNotOk) {
@@ -98,8 +98,8 @@ TEST(Comparison, UsesUniformBinsForDistances) {
       find_pair_distances(comparison.pairs, one.solution, other.solution, StateVariable::y);
   ASSERT_NE(pair, nullptr);
   EXPECT_EQ(pair->distances.l1,
-            transform::l1(merge_divided_bins(axes, StateVariable::y, one.marginal),
-                          merge_divided_bins(axes, StateVariable::y, other.marginal)));
+            transform::l1_distance(merge_divided_bins(axes, StateVariable::y, one.marginal),
+                                   merge_divided_bins(axes, StateVariable::y, other.marginal)));
 }
 
 TEST(Comparison, ComparesTheMarginalOfTheNamedVariable) {

@@ -34,7 +34,7 @@ constexpr double kBinning = 5e-5;  // (20/4000)^2, with a factor 2
 
 TEST(Distances, OfShiftedNormalsAreTheClosedForms) {
   const double shift = 0.3;
-  const auto d = distances(normal(shift, 1), normal(0, 1));
+  const auto d = compute_distances(normal(shift, 1), normal(0, 1));
   // The curves cross at shift/2: int |a-b| = 2 (2 Phi(shift/2) - 1).
   EXPECT_NEAR(d.l1, 2 * (2 * normal_cdf(shift / 2) - 1), kBinning);
   // int (a-b)^2 = (1 - exp(-shift^2/4)) / sqrt(pi).
@@ -55,19 +55,19 @@ TEST(Distances, TheDivergenceIsThatOfTheReferenceFromItsSubstitute) {
   };
   const auto wide = normal(0, 1.2), narrow = normal(0, 0.9);
   ASSERT_GT(std::abs(exact(0.9, 1.2) - exact(1.2, 0.9)), 100 * kBinning);
-  EXPECT_NEAR(distances(wide, narrow).kl, exact(0.9, 1.2), kBinning);
-  EXPECT_NEAR(distances(narrow, wide).kl, exact(1.2, 0.9), kBinning);
+  EXPECT_NEAR(compute_distances(wide, narrow).kl, exact(0.9, 1.2), kBinning);
+  EXPECT_NEAR(compute_distances(narrow, wide).kl, exact(1.2, 0.9), kBinning);
 }
 
 TEST(Distances, OfADensityFromItselfAreZero) {
-  const auto d = distances(normal(0.1, 1), normal(0.1, 1));
+  const auto d = compute_distances(normal(0.1, 1), normal(0.1, 1));
   for (const double value : {d.l1, d.l2, d.sup, d.hellinger, d.kl}) EXPECT_EQ(value, 0.0);
   for (const auto& tail : d.log10_tail) EXPECT_EQ(tail.mean_abs, 0.0);
 }
 
 TEST(Distances, OfDisjointDensitiesAreTheLargestPossible) {
   const Marginal left{{0, 1, 2}, {1, 0}, {}, {}}, right{{0, 1, 2}, {0, 1}, {}, {}};
-  const auto d = distances(left, right);
+  const auto d = compute_distances(left, right);
   EXPECT_EQ(d.l1, 2.0);
   EXPECT_EQ(d.hellinger, 1.0);
   EXPECT_EQ(d.kl, std::numeric_limits<double>::infinity());
@@ -75,28 +75,28 @@ TEST(Distances, OfDisjointDensitiesAreTheLargestPossible) {
 
 TEST(Distances, TheDivergenceIsFiniteWhereOnlyTheReferenceIsZero) {
   const Marginal spread{{0, 1, 2}, {0.5, 0.5}, {}, {}}, narrow{{0, 1, 2}, {1, 0}, {}, {}};
-  EXPECT_NEAR(distances(spread, narrow).kl, std::log(2.0), 1e-15);
-  EXPECT_EQ(distances(narrow, spread).kl, std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(compute_distances(spread, narrow).kl, std::log(2.0), 1e-15);
+  EXPECT_EQ(compute_distances(narrow, spread).kl, std::numeric_limits<double>::infinity());
 }
 
 TEST(Distances, UnequalBinsAreWeightedByTheirWidths) {
   const Marginal a{{0, 1, 4}, {0.4, 0.2}, {}, {}}, b{{0, 1, 4}, {0.1, 0.3}, {}, {}};
-  const auto d = distances(a, b);
+  const auto d = compute_distances(a, b);
   EXPECT_NEAR(d.l1, 0.3 + 3 * 0.1, 1e-15);
   EXPECT_NEAR(d.l2, std::sqrt(0.09 + 3 * 0.01), 1e-15);
 }
 
 TEST(Distances, ANegativeAverageCountsInL1AndIsZeroForTheDivergence) {
   const Marginal a{{0, 1, 2}, {1.1, -0.1}, {}, {}}, b{{0, 1, 2}, {1, 0}, {}, {}};
-  const auto d = distances(a, b);
+  const auto d = compute_distances(a, b);
   EXPECT_NEAR(d.l1, 0.2, 1e-15);
   EXPECT_NEAR(d.kl, std::log(1 / 1.1) - 1 + 1.1, 1e-15);
-  EXPECT_NEAR(distances(b, a).kl, 1.1 * std::log(1.1) - 1.1 + 1, 1e-15);
+  EXPECT_NEAR(compute_distances(b, a).kl, 1.1 * std::log(1.1) - 1.1 + 1, 1e-15);
 }
 
 TEST(Distances, OfNonFiniteDensitiesAreNaN) {
   const Marginal broken{{0, 1, 2}, {1, std::nan("")}, {}, {}}, b{{0, 1, 2}, {1, 0}, {}, {}};
-  for (const auto& d : {distances(broken, b), distances(b, broken)}) {
+  for (const auto& d : {compute_distances(broken, b), compute_distances(b, broken)}) {
     for (const double value : {d.l1, d.l2, d.sup, d.hellinger, d.kl}) {
       EXPECT_TRUE(std::isnan(value));
     }
@@ -106,16 +106,16 @@ TEST(Distances, OfNonFiniteDensitiesAreNaN) {
 
 TEST(Distances, ThrowForDifferentBinsOrSizes) {
   const Marginal a{{0, 1, 2}, {1, 0}, {}, {}};
-  EXPECT_THROW(distances(a, {{0, 1, 3}, {1, 0}, {}, {}}), std::invalid_argument);
-  EXPECT_THROW(distances(a, {{0, 1, 2}, {1}, {}, {}}), std::invalid_argument);
-  EXPECT_THROW(distances(a, {{0, 1, 2}, {1, 0}, {1}, {1}}), std::invalid_argument);
+  EXPECT_THROW(compute_distances(a, {{0, 1, 3}, {1, 0}, {}, {}}), std::invalid_argument);
+  EXPECT_THROW(compute_distances(a, {{0, 1, 2}, {1}, {}, {}}), std::invalid_argument);
+  EXPECT_THROW(compute_distances(a, {{0, 1, 2}, {1, 0}, {1}, {1}}), std::invalid_argument);
 }
 
 TEST(TailDistance, IsTheMeanLogarithmByDecadesOfTheReference) {
   // Bins of b in two decades; a / b is 10, 100 and 1/10.
   const Marginal b{{0, 1, 2, 3, 4}, {0.5, 2e-3, 5e-3, 3e-8}, {}, {}};
   const Marginal a{{0, 1, 2, 3, 4}, {5, 2e-1, 5e-4, 1}, {}, {}};
-  const auto tail = distances(a, b).log10_tail;
+  const auto tail = compute_distances(a, b).log10_tail;
   ASSERT_EQ(tail.size(), 6u);
   EXPECT_NEAR(tail[0].mean_abs, 1, 1e-14);
   EXPECT_EQ(tail[0].bins, 1);
@@ -132,7 +132,7 @@ TEST(TailDistance, OmitsAndCountsNoisyAndNonpositiveBins) {
   const std::vector<double> edges{0, 1, 2, 3};
   // Half-widths of 40 %, 60 % and 40 % of the reference.
   const Marginal b{edges, {0.5, 0.5, 0.5}, {0.3, 0.2, 0.3}, {0.7, 0.8, 0.7}};
-  const auto tail = distances({edges, {0.05, 5, -1}, {}, {}}, b).log10_tail.front();
+  const auto tail = compute_distances({edges, {0.05, 5, -1}, {}, {}}, b).log10_tail.front();
   EXPECT_NEAR(tail.mean_abs, 1, 1e-14);
   EXPECT_EQ(tail.bins, 1);
   EXPECT_EQ(tail.bins_omitted, 2);

@@ -7,11 +7,12 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-/// Number of intervals of E[y^2] and E[y'^2] in `runs` runs that contain the exact value.
-int covered(const tests::PreparedCase& setup, int runs) {
+/// Returns the number of intervals of E[y^2] and E[y'^2] in `runs` runs that contain the exact
+/// value.
+int count_covering_intervals(const tests::PreparedCase& setup, int runs) {
   int count = 0;
   for (int seed = 1; seed <= runs; ++seed) {
-    const Result r = setup.run(1e4, static_cast<std::uint64_t>(seed), 32);
+    const Result r = setup.simulate_and_estimate(1e4, static_cast<std::uint64_t>(seed), 32);
     const auto holds = [&](const ControlledAndPlainEstimate& e, double truth) {
       return std::abs(e.controlled.mean - truth) <
              r.estimates.confidence_interval_factor * e.controlled.standard_error;
@@ -27,10 +28,13 @@ int covered(const tests::PreparedCase& setup, int runs) {
 // suites.
 constexpr int kRuns = 40, kFewest = 66;
 
-TEST(Coverage, OfTheIntervalsIsNominal) { EXPECT_GE(covered(tests::case_1(), kRuns), kFewest); }
+TEST(Coverage, OfTheIntervalsIsNominal) {
+  EXPECT_GE(count_covering_intervals(tests::prepared_case_1(), kRuns), kFewest);
+}
 
 TEST(Coverage, OfTheIntervalsIsNominalWithWrongControlFunctions) {
-  const int count = covered(tests::case_1().with_scaled_control(1.1), kRuns);
+  const int count =
+      count_covering_intervals(tests::prepared_case_1().with_scaled_control(1.1), kRuns);
   EXPECT_GE(count, kFewest);
   EXPECT_LT(count, 2 * kRuns);  // a coverage of 100 % would mean too wide intervals
 }

@@ -14,21 +14,22 @@ namespace {
 
 constexpr int kY2 = 1, kV1 = 3, kV2 = 4;  // indices in kMoments
 
-void expect_true(const ControlledAndPlainEstimate& e, double truth, double truth_error = 0) {
+void expect_covers_truth(const ControlledAndPlainEstimate& e, double truth,
+                         double truth_error = 0) {
   EXPECT_GT(e.controlled.standard_error, 0);
   EXPECT_NEAR(e.controlled.mean, truth, 4 * e.controlled.standard_error + truth_error);
 }
 
-double reduction(const ControlledAndPlainEstimate& e) {
+double standard_error_reduction(const ControlledAndPlainEstimate& e) {
   return std::pow(e.plain.standard_error / e.controlled.standard_error, 2);
 }
 
 TEST(ControlVariates, ReducesTheVarianceInCase1) {
-  const Result result = tests::case_1().run(2e5);
-  expect_true(result.estimates.moments[kY2], tests::kTrueY2, 1e-9);
-  expect_true(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
-  EXPECT_GT(reduction(result.estimates.moments[kY2]), 1e8);
-  EXPECT_GT(reduction(result.estimates.moments[kV2]), 1e8);
+  const Result result = tests::prepared_case_1().simulate_and_estimate(2e5);
+  expect_covers_truth(result.estimates.moments[kY2], tests::kTrueY2, 1e-9);
+  expect_covers_truth(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
+  EXPECT_GT(standard_error_reduction(result.estimates.moments[kY2]), 1e8);
+  EXPECT_GT(standard_error_reduction(result.estimates.moments[kV2]), 1e8);
   // L y = v: the controlled estimate has no sampling error.
   EXPECT_LT(std::abs(result.estimates.moments[kV1].controlled.mean), 1e-10);
   EXPECT_GT(
@@ -43,10 +44,11 @@ TEST(ControlVariates, IsUnbiasedWithControlFunctionsThatAreWrong) {
   // Control functions wrong by a tenth leave a tenth of the error; the factor 0 gives the plain
   // estimate.
   for (const double factor : {1.1, 0.9, 0.0}) {
-    const Result result = tests::case_1().with_scaled_control(factor).run(2e5);
+    const Result result =
+        tests::prepared_case_1().with_scaled_control(factor).simulate_and_estimate(2e5);
     const ControlledAndPlainEstimate& e = result.estimates.moments[kY2];
-    expect_true(e, tests::kTrueY2, 1e-9);
-    expect_true(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
+    expect_covers_truth(e, tests::kTrueY2, 1e-9);
+    expect_covers_truth(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
     EXPECT_NEAR(e.controlled.standard_error / e.plain.standard_error, std::abs(1 - factor), 1e-4);
   }
 }
@@ -55,17 +57,17 @@ TEST(ControlVariates, AgreesWithTheExactLinearOscillator) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     SCOPED_TRACE(law);
     const tests::PreparedCase linear(tests::linear_problem({.law = law}));
-    const Result result = linear.run(1e5);
+    const Result result = linear.simulate_and_estimate(1e5);
     const auto exact = exact::linear_moments_at(linear.problem, {}, 1e4);
-    expect_true(result.estimates.moments[kY2], exact.zz, 1e-12);
-    expect_true(result.estimates.moments[kV2], exact.vv, 1e-12);
-    EXPECT_GT(reduction(result.estimates.moments[kY2]), 1e6);
+    expect_covers_truth(result.estimates.moments[kY2], exact.zz, 1e-12);
+    expect_covers_truth(result.estimates.moments[kV2], exact.vv, 1e-12);
+    EXPECT_GT(standard_error_reduction(result.estimates.moments[kY2]), 1e6);
   }
 }
 
 TEST(ControlVariates, SmoothBinsAgreeWithTheExactLinearDensity) {
   const tests::PreparedCase linear(tests::linear_problem());
-  const Result result = linear.run(2e5);
+  const Result result = linear.simulate_and_estimate(2e5);
   const exact::LinearDensity density(linear.problem);
   // Averages over fine bins, weighted by the spline at the bin centres, have an error of second
   // order.
@@ -100,9 +102,9 @@ TEST(ControlVariates, HoldsForLossesRareImpulsesAndAMean) {
        {tests::Parameters{.restitution = 0.5}, tests::Parameters{.rate = 0.3},
         tests::Parameters{.mean = 0.15}, tests::Parameters{.cubic = 1, .intensity = 1}}) {
     const tests::PreparedCase other(tests::make_problem(p));
-    const Result result = other.run(1e5);
+    const Result result = other.simulate_and_estimate(1e5);
     const ControlledAndPlainEstimate& e = result.estimates.moments[kY2];
-    EXPECT_GT(reduction(e), 1e4);
+    EXPECT_GT(standard_error_reduction(e), 1e4);
     EXPECT_NEAR(e.controlled.mean, result.backward_means[kY2], 1e-4 * e.controlled.mean);
     EXPECT_TRUE(result.checks.failed_checks().empty()) << result.checks.failed_checks().front();
   }
@@ -158,7 +160,7 @@ TEST(ControlVariates, ReportsProgressAfterTheFit) {
                                                 .threads = threads,
                                                 .streams = 8,
                                                 .progress =
-                                                    [&](const mcs::Progress& at) {
+                                                    [&](const mcs::SimulationProgress& at) {
                                                       fraction = std::max(fraction, at.fraction);
                                                     }},
                                  .cells = ControlSplineCells{60, 120}});
@@ -197,7 +199,7 @@ constexpr transform::SmoothBins kBins{.first = -0.2, .spacing = 0.2, .count = 8}
 
 TEST(EstimatedFunctionals, AreWhatTheDepositHolds) {
   const EstimatedFunctionals functionals{.y_bins = kBins, .v_bins = {-1, 0.5, 5}};
-  const auto functions = functionals.integrands();
+  const auto functions = functionals.functional_integrands();
   EXPECT_EQ(static_cast<int>(functions.size()), functionals.size());
   mcs::StreamDeposit stream;
   stream.samples = 4;

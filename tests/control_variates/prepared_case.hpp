@@ -17,20 +17,21 @@ struct PreparedCase {
             problem, control_variates::make_deposit_layout(problem, cells),
             mcs::make_simulation_plan(problem, mcs::Options{}).sampling_interval)) {}
 
-  mcs::Options options(double time, std::uint64_t seed = 1, int streams = 64) const {
+  mcs::Options simulation_options(double time, std::uint64_t seed = 1, int streams = 64) const {
     mcs::Options o{.time = time, .seed = seed, .streams = streams, .step = 0.5};
     o.deposit = setup.deposit_layout.grid;
     return o;
   }
   /// @param simulated simulated problem, which may differ from the problem of the control functions
-  control_variates::Result run(const problem::Problem& simulated,
-                               const mcs::Options& options) const {
-    return control_variates::estimate_and_check(setup, mcs::solve(simulated, options));
+  control_variates::Result simulate_and_estimate(const problem::Problem& simulated,
+                                                 const mcs::Options& options) const {
+    return control_variates::estimate_and_check_simulation(setup, mcs::solve(simulated, options));
   }
-  control_variates::Result run(double time, std::uint64_t seed = 1, int streams = 64) const {
-    return run(problem, options(time, seed, streams));
+  control_variates::Result simulate_and_estimate(double time, std::uint64_t seed = 1,
+                                                 int streams = 64) const {
+    return simulate_and_estimate(problem, simulation_options(time, seed, streams));
   }
-  /// A copy with all control functions multiplied by a factor.
+  /// Returns a copy with all control functions multiplied by a factor.
   PreparedCase with_scaled_control(double factor) const {
     PreparedCase other(*this);
     other.setup.control *= factor;
@@ -38,7 +39,7 @@ struct PreparedCase {
   }
 };
 
-inline const PreparedCase& case_1() {
+inline const PreparedCase& prepared_case_1() {
   static const PreparedCase setup(paper_case(1));
   return setup;
 }

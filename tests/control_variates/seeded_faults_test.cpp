@@ -16,68 +16,70 @@ using Names = std::vector<std::string>;
 constexpr double kTime = 2e5;
 
 /// Simulates a problem that differs from the problem of the control functions.
-Result faulty(const tests::Parameters& parameters, double time = kTime) {
-  const auto& setup = tests::case_1();
-  return setup.run(tests::make_problem(parameters), setup.options(time));
+Result simulate_faulty_problem(const tests::Parameters& parameters, double time = kTime) {
+  const auto& setup = tests::prepared_case_1();
+  return setup.simulate_and_estimate(tests::make_problem(parameters),
+                                     setup.simulation_options(time));
 }
 
-/// Distance of E[y^2] from the exact value, in standard errors.
-double distance(const Result& result) {
+/// Returns the error of E[y^2], in standard errors.
+double y2_error_in_standard_errors(const Result& result) {
   const auto& e = result.estimates.moments[1].controlled;
   return std::abs(e.mean - tests::kTrueY2) / e.standard_error;
 }
 
-bool has(const Names& names, const std::string& name) {
+bool contains_name(const Names& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
 TEST(Checks, PassWithoutFaults) {
-  const Result result = tests::case_1().run(kTime);
+  const Result result = tests::prepared_case_1().simulate_and_estimate(kTime);
   EXPECT_EQ(result.checks.failed_checks(), Names{});
-  EXPECT_LT(distance(result), 4);
+  EXPECT_LT(y2_error_in_standard_errors(result), 4);
 }
 
 TEST(Checks, FindFlightsWhoseDampingIsOffByAThousandth) {
-  const Result result = faulty({.damping = 0.1 * 1.001});
+  const Result result = simulate_faulty_problem({.damping = 0.1 * 1.001});
   EXPECT_EQ(result.checks.failed_checks(), Names{"flights"});
   EXPECT_EQ(result.checks.failed_deterministic_checks(), Names{"flights"});
   const auto solution = make_solution(Result(result));
   EXPECT_EQ(solution.status, transform::Status::failed);
   EXPECT_NE(solution.reason.find("flights"), std::string::npos);
   EXPECT_NEAR(result.checks.power, -1e-3, 1e-5);
-  EXPECT_GT(distance(result), 100);
+  EXPECT_GT(y2_error_in_standard_errors(result), 100);
 }
 
 TEST(Checks, FindARestitutionThatIsOffByAThousandth) {
-  const Result result = faulty({.restitution = 0.98 + 1e-3});
+  const Result result = simulate_faulty_problem({.restitution = 0.98 + 1e-3});
   EXPECT_EQ(result.checks.failed_checks(), Names{"restitution"});
   EXPECT_NEAR(result.checks.restitution, 1e-3, 1e-12);
-  EXPECT_GT(distance(result), 100);
+  EXPECT_GT(y2_error_in_standard_errors(result), 100);
 }
 
 TEST(Checks, DetectALawThatControlFunctionsCannotDetect) {
   // A fault of 0.02 in the deviation, for a short run; a run 400 times as long detects 0.001.
-  const Result result = faulty({.intensity = 0.1 * 1.02 * 1.02});
-  EXPECT_TRUE(has(result.checks.failed_checks(), "impulses"));
-  EXPECT_FALSE(has(result.checks.failed_checks(), "flights"));
+  const Result result = simulate_faulty_problem({.intensity = 0.1 * 1.02 * 1.02});
+  EXPECT_TRUE(contains_name(result.checks.failed_checks(), "impulses"));
+  EXPECT_FALSE(contains_name(result.checks.failed_checks(), "flights"));
   // A statistical check gives a note, not a failure.
   const auto solution = make_solution(Result(result));
   EXPECT_TRUE(solution.is_ok());
   EXPECT_NE(transform::metric_text(solution.metrics, "notes[0]")->find("impulses"),
             std::string::npos);
   EXPECT_GT(result.checks.mean_square, 4);
-  EXPECT_LT(distance(result), 4);
+  EXPECT_LT(y2_error_in_standard_errors(result), 4);
 }
 
 TEST(Checks, FindImpulsesThatComeTooOften) {
-  const Result result = faulty({.rate = 1.02, .intensity = 0.1 * 1.02});
-  EXPECT_TRUE(has(result.checks.failed_checks(), "impulses"));
+  const Result result = simulate_faulty_problem({.rate = 1.02, .intensity = 0.1 * 1.02});
+  EXPECT_TRUE(contains_name(result.checks.failed_checks(), "impulses"));
   EXPECT_GT(result.checks.rate, 4);
 }
 
 /// Simulates flights and impacts in a separate loop, in which every impact is located too late.
-mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Problem& problem,
-                                std::uint32_t s, double late, double time) {
+mcs::StreamDeposit deposit_late_impacts(const mcs::DepositPlan& plan,
+                                        const problem::Problem& problem, std::uint32_t s,
+                                        double late, double time) {
   const mcs::Oscillator oscillator = tests::oscillator_of(problem);
   mcs::ImpulseSource source(problem.impulses, 5, s);
   mcs::State state = mcs::folded_initial_state(source, 0.65, 0.65);
@@ -136,13 +138,13 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
 }
 
 TEST(Checks, FindImpactsLocatedLateByAMillionth) {
-  const auto& [problem, setup] = tests::case_1();
+  const auto& [problem, setup] = tests::prepared_case_1();
   const mcs::SimulationPlan plan =
-      mcs::make_simulation_plan(problem, tests::case_1().options(kTime));
+      mcs::make_simulation_plan(problem, tests::prepared_case_1().simulation_options(kTime));
   for (const double late : {0.0, 1e-6}) {
     std::vector<mcs::StreamDeposit> streams;
     for (std::uint32_t s = 0; s < 40; ++s) {
-      streams.push_back(late_impacts(*plan.deposit, problem, s, late, 2000));
+      streams.push_back(deposit_late_impacts(*plan.deposit, problem, s, late, 2000));
     }
     const Eigen::MatrixXd generator = generator_means(setup, streams);
     const FunctionalEstimates estimates = estimate_functionals(setup, generator, streams);

@@ -19,17 +19,18 @@ namespace {
 using transform::MetricBuilder;
 using transform::Metrics;
 
-const transform::SmoothDensity& density_in(const Result& result) {
+const transform::SmoothDensity& smooth_density_of(const Result& result) {
   return std::get<transform::SmoothDensity>(*result.solution.density);
 }
 
 // The closed form in files reproduces the solver's density inside and outside its support.
-void expect_the_same_density(const problem::Problem& problem, const Options& options) {
+void expect_closed_form_reproduces_density(const problem::Problem& problem,
+                                           const Options& options) {
   const Result result = solve(problem, options);
   ASSERT_TRUE(result.solution.density) << result.solution.reason;
   const auto form = read_closed_form(result.solution.metrics);
-  EXPECT_TRUE(is_normalised(form));
-  const auto& solver_density = density_in(result);
+  EXPECT_TRUE(can_be_normalised(form));
+  const auto& solver_density = smooth_density_of(result);
   const auto again = density_of_closed_form(form, &problem);
   EXPECT_EQ(again.y_max, solver_density.y_max);
   EXPECT_EQ(again.v_max, solver_density.v_max);
@@ -46,13 +47,16 @@ void expect_the_same_density(const problem::Problem& problem, const Options& opt
 }
 
 TEST(ClosedForm, EvaluatesToTheSolversDensity) {
-  expect_the_same_density(tests::paper_case(2), {.order = 6});
-  expect_the_same_density(tests::paper_case(1), {.order = 4, .monomials = MonomialSet::general});
-  expect_the_same_density(tests::paper_case(1), tests::closure(Formulation::moment, 4));
-  expect_the_same_density(tests::paper_case(1), tests::closure(Formulation::polar, 4));
-  auto cut = tests::closure(Formulation::moment, 4);
+  expect_closed_form_reproduces_density(tests::paper_case(2), {.order = 6});
+  expect_closed_form_reproduces_density(tests::paper_case(1),
+                                        {.order = 4, .monomials = MonomialSet::general});
+  expect_closed_form_reproduces_density(tests::paper_case(1),
+                                        tests::closure_options(Formulation::moment, 4));
+  expect_closed_form_reproduces_density(tests::paper_case(1),
+                                        tests::closure_options(Formulation::polar, 4));
+  auto cut = tests::closure_options(Formulation::moment, 4);
   cut.tail = TailTreatment::cut;
-  expect_the_same_density(tests::paper_case(1), cut);
+  expect_closed_form_reproduces_density(tests::paper_case(1), cut);
 }
 
 // Files store a solution in the coordinates of its frame, with the frame. The density read from
@@ -103,9 +107,9 @@ TEST(ClosedForm, EvaluatesOnThePhysicalAxesWhateverTheFrame) {
     }
   };
   for (const auto& physical : problems) {
-    expect_the_same_in_any_frame(physical, tests::closure(Formulation::gaussian, 2));
-    expect_the_same_in_any_frame(physical, tests::closure(Formulation::moment, 4));
-    expect_the_same_in_any_frame(physical, tests::closure(Formulation::polar, 4));
+    expect_the_same_in_any_frame(physical, tests::closure_options(Formulation::gaussian, 2));
+    expect_the_same_in_any_frame(physical, tests::closure_options(Formulation::moment, 4));
+    expect_the_same_in_any_frame(physical, tests::closure_options(Formulation::polar, 4));
   }
 }
 
@@ -115,8 +119,8 @@ TEST(ClosedForm, IsRefusedWithAnOscillatorThatHasNoWallAtItsOrigin) {
         problem::System({.damping = 0.1, .stiffness = 1}, {.left = wall, .left_restitution = 0.9}),
         tests::gaussian_impulses(1, 0.1));
   };
-  const Result result =
-      solve(tests::in_wall_coordinates(of_gap(-0.5)), tests::closure(Formulation::moment, 4));
+  const Result result = solve(tests::in_wall_coordinates(of_gap(-0.5)),
+                              tests::closure_options(Formulation::moment, 4));
   const auto form = read_closed_form(result.solution.metrics);
   const auto other = of_gap(-0.6);
   EXPECT_THROW(density_of_closed_form(form, &other), InputError);
@@ -124,7 +128,7 @@ TEST(ClosedForm, IsRefusedWithAnOscillatorThatHasNoWallAtItsOrigin) {
 
 // The density proportional to exp(-y^2/2a^2 - v^2/2b^2), a = 0.5, b = 0.8.
 constexpr double kA = 0.5, kB = 0.8;
-MetricBuilder gaussian_form(const char* coordinates) {
+MetricBuilder gaussian_form_metrics(const char* coordinates) {
   MetricBuilder builder;
   builder.add_text("coordinates", std::string(coordinates))
       .add_result("coefficients[0].x1", std::int64_t{2})
@@ -135,7 +139,7 @@ MetricBuilder gaussian_form(const char* coordinates) {
       .add_result("coefficients[1].a", -1 / (2 * kB * kB));
   return builder;
 }
-double exact_gaussian(double y, double v) {
+double exact_gaussian_density(double y, double v) {
   return std::exp(-y * y / (2 * kA * kA) - v * v / (2 * kB * kB)) / (M_PI * kA * kB);
 }
 
@@ -144,42 +148,45 @@ TEST(ClosedForm, OfAGaussianIsThatGaussian) {
     const auto p = density_of_closed_form(read_closed_form(builder.take_metrics()), nullptr);
     for (const double y : {0.0, 0.3, 1.1}) {
       for (const double v : {-2.0, 0.0, 0.7}) {
-        EXPECT_NEAR(p.value(y, v) / exact_gaussian(y, v), 1, relative) << y << ' ' << v;
+        EXPECT_NEAR(p.value(y, v) / exact_gaussian_density(y, v), 1, relative) << y << ' ' << v;
       }
     }
   };
   // Forms that the constant normalises: on the plane and on the half-plane.
-  expect_exact(gaussian_form("x1,x2").add_result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
-  expect_exact(gaussian_form("x1,x2").add_result("log_C", -std::log(2 * M_PI * kA * kB)), 1e-14);
-  expect_exact(gaussian_form("y,v").add_result("C", 1 / (M_PI * kA * kB)), 1e-14);
+  expect_exact(gaussian_form_metrics("x1,x2").add_result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
+  expect_exact(gaussian_form_metrics("x1,x2").add_result("log_C", -std::log(2 * M_PI * kA * kB)),
+               1e-14);
+  expect_exact(gaussian_form_metrics("y,v").add_result("C", 1 / (M_PI * kA * kB)), 1e-14);
   // Forms that are normalised over a support with nearly all of the probability.
-  expect_exact(
-      gaussian_form("x1,x2").add_result("support.sigma1", kA).add_result("support.sigma2", kB),
-      1e-12);
-  expect_exact(gaussian_form("x1,x2")
+  expect_exact(gaussian_form_metrics("x1,x2")
+                   .add_result("support.sigma1", kA)
+                   .add_result("support.sigma2", kB),
+               1e-12);
+  expect_exact(gaussian_form_metrics("x1,x2")
                    .add_result("support.y_max", 8 * kA)
                    .add_result("support.v_max", 8 * kB),
                1e-12);
-  expect_exact(
-      gaussian_form("y,v").add_result("support.y_max", 8 * kA).add_result("support.v_max", 8 * kB),
-      1e-12);
+  expect_exact(gaussian_form_metrics("y,v")
+                   .add_result("support.y_max", 8 * kA)
+                   .add_result("support.v_max", 8 * kB),
+               1e-12);
 }
 
 // A box that begins below 0 contains the whole Gaussian of the plane, with half the density.
 TEST(ClosedForm, MayBeginBelowZero) {
-  const auto p = density_of_closed_form(read_closed_form(gaussian_form("y,v")
+  const auto p = density_of_closed_form(read_closed_form(gaussian_form_metrics("y,v")
                                                              .add_result("support.y_max", 8 * kA)
                                                              .add_result("support.y_min", -8 * kA)
                                                              .add_result("support.v_max", 8 * kB)
                                                              .take_metrics()),
                                         nullptr);
-  EXPECT_NEAR(p.value(-0.3, 0.5) / (exact_gaussian(0.3, 0.5) / 2), 1, 1e-12);
+  EXPECT_NEAR(p.value(-0.3, 0.5) / (exact_gaussian_density(0.3, 0.5) / 2), 1, 1e-12);
   EXPECT_EQ(p.value(-8.1 * kA, 0), 0);
 }
 
 TEST(ClosedForm, WithoutConstantAndSupportIsNotNormalised) {
-  const auto form = read_closed_form(gaussian_form("y,v").take_metrics());
-  EXPECT_FALSE(is_normalised(form));
+  const auto form = read_closed_form(gaussian_form_metrics("y,v").take_metrics());
+  EXPECT_FALSE(can_be_normalised(form));
   EXPECT_DOUBLE_EQ(density_of_closed_form(form, nullptr).value(0, 0), 1);
 }
 
@@ -190,29 +197,29 @@ std::string error_message(MetricBuilder builder, const problem::Problem* problem
 
 TEST(ClosedForm, ThatIsIncompleteIsRefused) {
   EXPECT_NE(error_message(MetricBuilder()).find("no \"coordinates\""), std::string::npos);
-  EXPECT_NE(error_message(gaussian_form("q,p")).find("'q,p' (must be \"x1,x2\""),
+  EXPECT_NE(error_message(gaussian_form_metrics("q,p")).find("'q,p' (must be \"x1,x2\""),
             std::string::npos);
   EXPECT_NE(error_message(MetricBuilder().add_text("coordinates", std::string("y,v")))
                 .find("no coefficients"),
             std::string::npos);
-  EXPECT_EQ(error_message(gaussian_form("y,v").add_result("C", -1.0)),
+  EXPECT_EQ(error_message(gaussian_form_metrics("y,v").add_result("C", -1.0)),
             "\"C\" is -1 (must be positive)");
-  EXPECT_NE(error_message(gaussian_form("y,v")
+  EXPECT_NE(error_message(gaussian_form_metrics("y,v")
                               .add_result("support.y_max", 1.0)
                               .add_result("support.y_min", 2.0)
                               .add_result("support.v_max", 1.0))
                 .find("must be below"),
             std::string::npos);
-  EXPECT_NE(error_message(gaussian_form("y,v").add_result("support.y_max", 1.0))
+  EXPECT_NE(error_message(gaussian_form_metrics("y,v").add_result("support.y_max", 1.0))
                 .find("incomplete support"),
             std::string::npos);
-  EXPECT_NE(error_message(gaussian_form("y,v")
+  EXPECT_NE(error_message(gaussian_form_metrics("y,v")
                               .add_result("coefficients[2].x1", 0.5)
                               .add_result("coefficients[2].x2", 0.0)
                               .add_result("coefficients[2].a", 1.0))
                 .find("is 0.5 (must be an integer"),
             std::string::npos);
-  EXPECT_NE(error_message(gaussian_form("y,v")
+  EXPECT_NE(error_message(gaussian_form_metrics("y,v")
                               .add_result("coefficients[2].x1", 30.0)
                               .add_result("coefficients[2].x2", 0.0)
                               .add_result("coefficients[2].a", 1.0)
@@ -221,13 +228,13 @@ TEST(ClosedForm, ThatIsIncompleteIsRefused) {
                 .find("integral over the support is inf"),
             std::string::npos);
   // A form with amplitudes or energies needs an oscillator.
-  EXPECT_NE(error_message(gaussian_form("amplitude,phase")).find("name its case"),
+  EXPECT_NE(error_message(gaussian_form_metrics("amplitude,phase")).find("name its case"),
             std::string::npos);
-  EXPECT_NE(
-      error_message(gaussian_form("y,v").add_result("support.energy", 1.0)).find("name its case"),
-      std::string::npos);
+  EXPECT_NE(error_message(gaussian_form_metrics("y,v").add_result("support.energy", 1.0))
+                .find("name its case"),
+            std::string::npos);
   const auto problem = tests::paper_case(1);
-  EXPECT_EQ(error_message(gaussian_form("amplitude,phase"), &problem), "accepted");
+  EXPECT_EQ(error_message(gaussian_form_metrics("amplitude,phase"), &problem), "accepted");
 }
 
 }  // namespace

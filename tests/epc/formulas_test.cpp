@@ -20,14 +20,14 @@ using problem::Problem;
 using transform::Moments;
 using transform::Status;
 
-Problem read(const std::string& text) {
+Problem read_problem(const std::string& text) {
   std::istringstream ini(text);
   return tests::in_wall_coordinates(
       problem::read_case(ini, "test", "test.ini", {}, problem::CaseNaming::with_overrides));
 }
 
 transform::Solution solution_of(const std::string& text, Formulation formulation, int order) {
-  return solve(read(text), tests::closure(formulation, order)).solution;
+  return solve(read_problem(text), tests::closure_options(formulation, order)).solution;
 }
 
 const std::string kImpulses = "[impulse]\nrate = 1\nlaw = gaussian\nintensity = 0.3\nmean = 0.1\n";
@@ -55,7 +55,7 @@ TEST(ClosureOfFormula, IsThatOfTheHiddenPolynomialWithoutAWall) {
           return solution_of(system(f) + kNoWall + excitation, formulation, 4);
         };
         const auto polynomial = solve_force(force), formula = solve_force(force + " + 0*abs(y)");
-        // The branches of both start differently, and either may lack a root.
+        // The branches of the two problems start differently, and either branch may lack a root.
         if (!polynomial.is_ok()) continue;
         ++solved;
         ASSERT_EQ(formula.status, Status::ok) << formula.reason;
@@ -82,7 +82,7 @@ TEST(ClosureOfFormula, IsThatOfTheHiddenPolynomialBetweenWalls) {
   EXPECT_NEAR(polynomial.energy_residual, formula.energy_residual, 1e-6);
 }
 
-// At a wall on the right the frame is mirrored.
+// For a wall on the right the wall coordinates are mirrored.
 TEST(ClosureOfFormula, IsThatOfTheHiddenPolynomialAtAMirroredWall) {
   for (const auto formulation : {Formulation::gaussian, Formulation::moment}) {
     const auto solve_with = [&](const std::string& hidden) {
@@ -129,7 +129,7 @@ TEST(ClosureOfFormula, IsExactForNoiseWithAFactorOfTheState) {
   expect_exponential_law(text, Formulation::moment, 1e-6);
 }
 
-// At an elastic wall at y = 0 the law is that half of the symmetric law.
+// With an elastic wall at y = 0 the law is the half y >= 0 of the symmetric law.
 TEST(ClosureOfFormula, IsExactForNoiseWithAFactorAtAnElasticWall) {
   const std::string text =
       system("0.1*(v*(1 + 0.5*tanh(v)^2) - tanh(v)*(1 - tanh(v)^2)) + y + 0.1*y^3") +
@@ -144,7 +144,7 @@ TEST(ClosureOfFormula, IsExactForNoiseWithAFactorAtAnElasticWall) {
   }
 }
 
-// The same in Stratonovich's sense: the drift D G_v / 2 is then part of the equation.
+// In Stratonovich's sense the equation contains the additional drift D G_v / 2.
 TEST(ClosureOfFormula, IsExactForNoiseInStratonovichSense) {
   const std::string text =
       system("0.1*(v*(1 + 0.5*tanh(v)^2) - 0.5*tanh(v)*(1 - tanh(v)^2)) + y + 0.1*y^3") + kNoWall +
@@ -262,7 +262,7 @@ TEST(ClosureOfFormula, IsNotConvergedIfTheQuadratureIsNot) {
 
 TEST(ClosureOfFormula, IsNotOfferedWhereItsLawIsSingular) {
   const auto reason = [](const std::string& text, Formulation formulation) {
-    return unsupported_reason(read(text), tests::closure(formulation, 4));
+    return unsupported_reason(read_problem(text), tests::closure_options(formulation, 4));
   };
   const std::string friction = system("0.1*v + 0.2*sign(v) + y") + kNoWall;
   for (const auto formulation : {Formulation::gaussian, Formulation::moment}) {
@@ -298,8 +298,9 @@ TEST(ProjectedFormulas, EqualTheResidualOfAHiddenPolynomial) {
     return system(force) + "[wall]\nleft = 0.1\nleft_restitution = " + r + "\n" + kImpulses +
            kNoise;
   };
-  const Problem polynomial = read(text("0.2*v + y + 0.3*y^2 + 0.1*y^3", "0.8")),
-                formula = read(text("0.2*v + y + 0.3*y^2 + 0.1*y^3 + 0*abs(y-0.7)", "0.8 + 0*v"));
+  const Problem polynomial = read_problem(text("0.2*v + y + 0.3*y^2 + 0.1*y^3", "0.8")),
+                formula =
+                    read_problem(text("0.2*v + y + 0.3*y^2 + 0.1*y^3 + 0*abs(y-0.7)", "0.8 + 0*v"));
   const StandardDeviations sigma = gaussian_weight_deviations(polynomial);
   for (const auto set : {MonomialSet::point_symmetric, MonomialSet::general}) {
     const Basis basis(6, set, sigma);
@@ -315,9 +316,10 @@ TEST(ProjectedFormulas, EqualTheResidualOfAHiddenPolynomial) {
 }
 
 TEST(ProjectedFormulas, HaveTheirJacobian) {
-  const Problem p = read(system("0.2*v + 0.3*v*abs(v) + y + 2*max(y-0.3,0)") +
-                         "[wall]\nleft = 0\nleft_restitution = 1 - 0.2*tanh(v)\n" + kImpulses +
-                         kNoise + "factor = 1 + 0.3*tanh(y + v)\ninterpretation = stratonovich\n");
+  const Problem p =
+      read_problem(system("0.2*v + 0.3*v*abs(v) + y + 2*max(y-0.3,0)") +
+                   "[wall]\nleft = 0\nleft_restitution = 1 - 0.2*tanh(v)\n" + kImpulses + kNoise +
+                   "factor = 1 + 0.3*tanh(y + v)\ninterpretation = stratonovich\n");
   const Basis basis(4, MonomialSet::general, gaussian_weight_deviations(p));
   const auto f = residual_coefficients(p, problem::DensityEquation::km4, basis.sigma());
   const ProjectedEquations equations = with_formulas(basis, p, f);

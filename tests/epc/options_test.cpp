@@ -13,7 +13,7 @@
 namespace fpkcheck::epc {
 namespace {
 
-// Options of which every option differs from its default.
+// Returns options that all differ from their defaults.
 Options non_default_options() {
   return {.order = 10,
           .formulation = Formulation::moment,
@@ -26,7 +26,7 @@ Options non_default_options() {
           .max_seconds = 5};
 }
 
-// All options that an id with an order can express.
+// Returns all combinations of options that an id can express.
 std::vector<Options> named_options() {
   std::vector<Options> list;
   for (const int order : {2, 12}) {

@@ -12,8 +12,8 @@ namespace {
 using transform::Sensitivities;
 using transform::Status;
 
-std::vector<problem::ParameterDerivative> derivatives(const problem::Problem& problem,
-                                                      const std::vector<std::string>& keys) {
+std::vector<problem::ParameterDerivative> parameter_derivatives(
+    const problem::Problem& problem, const std::vector<std::string>& keys) {
   std::vector<problem::ParameterDerivative> all;
   for (const std::string& key : keys) {
     all.push_back(problem::parameter_derivative(problem, key, 1e-3));
@@ -30,7 +30,7 @@ TEST(ClosureSensitivities, AreExactForALinearOscillator) {
       .order = 4, .formulation = Formulation::moment, .equation = DensityEquation::white};
   const Sensitivities s = solve_sensitivities(
       problem, options,
-      derivatives(problem, {"system.damping", "system.stiffness", "impulse.intensity"}));
+      parameter_derivatives(problem, {"system.damping", "system.stiffness", "impulse.intensity"}));
   ASSERT_EQ(s.status, Status::ok) << s.reason;
   const double c = 0.2, k = 1.5, i = 0.1, y2 = i / (2 * c * k), v2 = i / (2 * c);
   // The quotients with steps of 1e-3 have relative errors of 1e-6 to 4e-6.
@@ -54,7 +54,7 @@ TEST(ClosureSensitivities, AgreeWithFiniteVolumesInCase1) {
   const auto problem = tests::paper_case(1);
   const Sensitivities s = solve_sensitivities(
       problem, {.order = 6, .formulation = Formulation::polar},
-      derivatives(problem, {"system.damping", "system.stiffness", "system.cubic"}));
+      parameter_derivatives(problem, {"system.damping", "system.stiffness", "system.cubic"}));
   ASSERT_EQ(s.status, Status::ok) << s.reason;
   const double elasticities[] = {-0.8053, -0.8647, -0.0943};
   for (std::size_t n = 0; n < 3; ++n) {
@@ -71,7 +71,7 @@ TEST(ClosureSensitivities, HaveNoErrorEstimateAtOrderTwo) {
   const auto problem = tests::paper_case(1);
   const Sensitivities s =
       solve_sensitivities(problem, {.order = 2, .formulation = Formulation::moment},
-                          derivatives(problem, {"system.damping"}));
+                          parameter_derivatives(problem, {"system.damping"}));
   ASSERT_EQ(s.status, Status::ok) << s.reason;
   EXPECT_TRUE(std::isnan(s.expectations.at(1).errors.at(0)));
 }
@@ -80,7 +80,7 @@ TEST(ClosureSensitivities, RefuseWhatTheClosureDoesNotSupport) {
   problem::Problem problem = tests::paper_case(1);
   problem.noise.intensity = 0.1;
   const Sensitivities s = solve_sensitivities(problem, {.formulation = Formulation::polar},
-                                              derivatives(problem, {"system.damping"}));
+                                              parameter_derivatives(problem, {"system.damping"}));
   EXPECT_EQ(s.status, Status::not_offered);
   EXPECT_FALSE(s.reason.empty());
 }

@@ -12,7 +12,7 @@ namespace {
 TEST(Closure, HasTheIdentityOfItsOptions) {
   const auto p = tests::paper_case(1);
   for (const auto& [formulation, name, meaning] : kFormulationNames) {
-    const Options options = tests::closure(formulation, 4);
+    const Options options = tests::closure_options(formulation, 4);
     const auto [solution, summary] = solve(p, options);
     EXPECT_EQ(solution.identity, identity(options)) << name;
     EXPECT_EQ(solution.id(), id(options));
@@ -33,7 +33,7 @@ TEST(Closure, NamesAProblemWithoutARoot) {
 TEST(Closure, EndsAtTheDeadline) {
   const auto p = tests::make_problem({.restitution = 0.6, .rate = 0.05});
   for (const auto formulation : {Formulation::moment, Formulation::polar}) {
-    Options options = tests::closure(formulation, 8);
+    Options options = tests::closure_options(formulation, 8);
     options.max_seconds = 1e-9;
     const auto solution = solve(p, options).solution;
     EXPECT_EQ(solution.status, transform::Status::not_converged);
@@ -50,7 +50,8 @@ TEST(Closure, RefusesOptionsThatAreNotValid) {
 using problem::System;
 
 std::string unsupported_reason_of(Formulation formulation, const problem::Problem& problem) {
-  return unsupported_reason(tests::in_wall_coordinates(problem), tests::closure(formulation, 4));
+  return unsupported_reason(tests::in_wall_coordinates(problem),
+                            tests::closure_options(formulation, 4));
 }
 
 TEST(Applicability, EveryFormulationTreatsThePapersClass) {
@@ -90,7 +91,7 @@ TEST(Applicability, GaussianNeedsOneWallOrNone) {
                      {.left = -0.5, .left_restitution = 0.9});
   EXPECT_NE(unsupported_reason_of(Formulation::gaussian, tests::with_impulses(cycle, impulses)),
             "");
-  const auto with_jumps = tests::closure(Formulation::gaussian, 4, DensityEquation::kf);
+  const auto with_jumps = tests::closure_options(Formulation::gaussian, 4, DensityEquation::kf);
   EXPECT_NE(unsupported_reason(tests::with_noise(well, 0.1), with_jumps), "");
 }
 

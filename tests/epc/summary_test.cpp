@@ -81,7 +81,7 @@ TEST(ClosureSummary, WithoutARootStatesTheEndOfTheBranch) {
 }
 
 TEST(ClosureSummary, OnTheHalfPlaneStatesTheTail) {
-  const Metrics seen = solved_metrics(1, tests::closure(Formulation::moment, 4));
+  const Metrics seen = solved_metrics(1, tests::closure_options(Formulation::moment, 4));
   EXPECT_EQ(
       top_level_names(seen),
       (std::vector<std::string>{"order", "formulation", "iterations", "residual", "condition",
@@ -97,7 +97,7 @@ TEST(ClosureSummary, OnTheHalfPlaneStatesTheTail) {
 }
 
 TEST(ClosureSummary, HowTheRootWasFoundIsWork) {
-  const Metrics seen = solved_metrics(1, tests::closure(Formulation::polar, 4));
+  const Metrics seen = solved_metrics(1, tests::closure_options(Formulation::polar, 4));
   for (const char* path :
        {"iterations", "residual", "condition", "support.worst_direction.x1",
         "support.worst_direction.x2", "quadrature_change", "homotopies", "relaxation_rate"}) {
@@ -110,7 +110,7 @@ TEST(ClosureSummary, HowTheRootWasFoundIsWork) {
 
 TEST(ClosureSummary, TheEdgeIsDelicateUnlessThePathDecides) {
   const auto edge = [](int order) {
-    const Metrics seen = solved_metrics(1, tests::closure(Formulation::moment, order));
+    const Metrics seen = solved_metrics(1, tests::closure_options(Formulation::moment, order));
     EXPECT_EQ(find_metric(seen, "support.cut_off")->kind,
               find_metric(seen, "support.edge_density")->kind);
     return *find_metric(seen, "support.edge_density");

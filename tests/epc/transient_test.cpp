@@ -18,7 +18,7 @@ using transform::Status;
 using transform::Transient;
 using transform::TransientRequest;
 
-problem::Problem read_text(const std::string& text) {
+problem::Problem read_problem_text(const std::string& text) {
   std::istringstream file(text);
   return problem::read_case(file, "text", "text.ini");
 }
@@ -29,7 +29,8 @@ std::vector<double> uniform_edges(double from, double to, int bins) {
   return edges;
 }
 
-TransientRequest request(double until, int snapshots, problem::InitialDensityOptions start = {}) {
+TransientRequest transient_request(double until, int snapshots,
+                                   problem::InitialDensityOptions start = {}) {
   return {.start = start,
           .until = until,
           .snapshots = snapshots,
@@ -37,22 +38,22 @@ TransientRequest request(double until, int snapshots, problem::InitialDensityOpt
           .v_edges = uniform_edges(-5, 5, 40)};
 }
 
-Options closure(Formulation formulation, int order,
-                std::optional<DensityEquation> equation = std::nullopt) {
+Options closure_options(Formulation formulation, int order,
+                        std::optional<DensityEquation> equation = std::nullopt) {
   return {.order = order, .formulation = formulation, .equation = equation};
 }
 
 // The density of a linear oscillator with an elastic wall at the equilibrium under white noise is
-// that of |z|, which is Gaussian at all times. It belongs to the closure of every order. Its
-// covariance rotates, since the initial density is narrow in y.
+// the density of |z|, where z is Gaussian at all times, and belongs to the closure of every order.
+// The covariance of (z, z') rotates, since the initial density is narrow in y.
 TEST(ClosureOverTime, IsExactForALinearOscillatorAtAnElasticWallUnderWhiteNoise) {
   const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
   const double s_y = 0.6, s_v = 0.9;
   for (const int order : {2, 4, 6}) {
     SCOPED_TRACE(order);
-    const Transient result =
-        solve_transient(problem, closure(Formulation::moment, order, DensityEquation::white),
-                        request(6, 6, {.displacement_deviation = s_y, .velocity_deviation = s_v}));
+    const Transient result = solve_transient(
+        problem, closure_options(Formulation::moment, order, DensityEquation::white),
+        transient_request(6, 6, {.displacement_deviation = s_y, .velocity_deviation = s_v}));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     ASSERT_EQ(result.snapshots.size(), 7u);
     for (const auto& s : result.snapshots) {
@@ -77,9 +78,9 @@ TEST(ClosureOverTime, HasTheExactSecondMomentsUnderARateThatChangesInTime) {
   problem.time = problem::TimeDependence({.rate = "1 + 0.8*sin(2*t)"}, {});
   const double s_y = 0.6, s_v = 0.9;
   for (const Formulation formulation : {Formulation::moment, Formulation::polar}) {
-    const Transient result =
-        solve_transient(problem, closure(formulation, 6),
-                        request(3, 3, {.displacement_deviation = s_y, .velocity_deviation = s_v}));
+    const Transient result = solve_transient(
+        problem, closure_options(formulation, 6),
+        transient_request(3, 3, {.displacement_deviation = s_y, .velocity_deviation = s_v}));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     // polar starts from the density of its form with nearly the same moments
     const double bar = formulation == Formulation::moment ? 1e-5 : 1e-3;
@@ -95,14 +96,14 @@ TEST(ClosureOverTime, HasTheExactSecondMomentsUnderARateThatChangesInTime) {
 
 // Without a wall the moment equations of a linear oscillator are closed.
 TEST(ClosureOverTime, HasTheExactMomentsUnderNoiseAndAForceThatChangeInTime) {
-  auto problem = read_text(
+  auto problem = read_problem_text(
       "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnone = true\n[noise]\nintensity = 0.1\n");
   problem.time =
       problem::TimeDependence({.intensity = "exp(-t)", .force = "0.5*cos(1.3*t) + 0.1*t"}, {});
   for (const int order : {2, 4}) {
-    const Transient result =
-        solve_transient(problem, closure(Formulation::moment, order),
-                        request(3, 3, {.displacement_deviation = 0.6, .velocity_deviation = 0.8}));
+    const Transient result = solve_transient(
+        problem, closure_options(Formulation::moment, order),
+        transient_request(3, 3, {.displacement_deviation = 0.6, .velocity_deviation = 0.8}));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     for (const auto& s : result.snapshots) {
       SCOPED_TRACE(s.time);
@@ -117,14 +118,15 @@ TEST(ClosureOverTime, HasTheExactMomentsUnderNoiseAndAForceThatChangeInTime) {
 }
 
 TEST(ClosureOverTime, FindsThePeriodicState) {
-  auto problem = read_text(
+  auto problem = read_problem_text(
       "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnone = true\n[noise]\nintensity = 0.1\n");
   problem.time =
       problem::TimeDependence({.intensity = "1 + 0.9*sin(2*t)", .force = "0.1*cos(t)"}, {});
   const double period = 2 * M_PI;
-  TransientRequest periodic = request(period, 3);
+  TransientRequest periodic = transient_request(period, 3);
   periodic.periodic = true;
-  const Transient result = solve_transient(problem, closure(Formulation::moment, 4), periodic);
+  const Transient result =
+      solve_transient(problem, closure_options(Formulation::moment, 4), periodic);
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   for (const auto& s : result.snapshots) {
     SCOPED_TRACE(s.time);
@@ -149,9 +151,10 @@ TEST(ClosureOverTime, SatisfiesTheBalanceOfPower) {
   const auto power = [&](const transform::Moments& m) {
     return problem.impulses.rate_times_moment(2) / 2 - system.damping() * m.v2;
   };
-  for (const auto& options : {closure(Formulation::moment, 6), closure(Formulation::polar, 4)}) {
+  for (const auto& options :
+       {closure_options(Formulation::moment, 6), closure_options(Formulation::polar, 4)}) {
     SCOPED_TRACE(name(options.formulation));
-    const Transient result = solve_transient(problem, options, request(0.4, 4));
+    const Transient result = solve_transient(problem, options, transient_request(0.4, 4));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     ASSERT_EQ(result.snapshots.size(), 5u);
     const auto& s = result.snapshots;
@@ -167,11 +170,12 @@ TEST(ClosureOverTime, SatisfiesTheBalanceOfPower) {
 
 TEST(ClosureOverTime, RelaxesToTheStationaryClosure) {
   const auto problem = tests::paper_case(1);
-  for (const auto& options : {closure(Formulation::moment, 2), closure(Formulation::polar, 4)}) {
+  for (const auto& options :
+       {closure_options(Formulation::moment, 2), closure_options(Formulation::polar, 4)}) {
     SCOPED_TRACE(name(options.formulation));
     const Result stationary = solve(problem, options);
     ASSERT_EQ(stationary.solution.status, Status::ok) << stationary.solution.reason;
-    const Transient result = solve_transient(problem, options, request(120, 12));
+    const Transient result = solve_transient(problem, options, transient_request(120, 12));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     EXPECT_NEAR(result.snapshots.back().moments.y2, stationary.solution.moments.y2, 2e-6);
     EXPECT_NEAR(result.snapshots.back().moments.v2, stationary.solution.moments.v2, 2e-6);
@@ -180,7 +184,7 @@ TEST(ClosureOverTime, RelaxesToTheStationaryClosure) {
 
 // The slowest decay rate of the density itself is 0.1186 in case 1 (docs/theory.md).
 TEST(ClosureOverTime, HasTheRelaxationRateOfTheDensity) {
-  const Result result = solve(tests::paper_case(1), closure(Formulation::polar, 6));
+  const Result result = solve(tests::paper_case(1), closure_options(Formulation::polar, 6));
   ASSERT_TRUE(result.summary.half_plane);
   EXPECT_NEAR(result.summary.half_plane->relaxation_rate, 0.1186, 5e-4);
   EXPECT_NEAR(result.summary.half_plane->relaxation_frequency, 0, 1e-6);
@@ -188,8 +192,8 @@ TEST(ClosureOverTime, HasTheRelaxationRateOfTheDensity) {
 
 // Values by finite volumes with a time tolerance of 1e-7 and by epc-polar-n8, which agree to 5e-5
 TEST(ClosureOverTime, HasTheMomentsOfCase1) {
-  const Transient result =
-      solve_transient(tests::paper_case(1), closure(Formulation::polar, 6), request(6, 2));
+  const Transient result = solve_transient(
+      tests::paper_case(1), closure_options(Formulation::polar, 6), transient_request(6, 2));
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   EXPECT_NEAR(result.snapshots[1].moments.y2, 0.18981, 2e-4);
   EXPECT_NEAR(result.snapshots[1].moments.v2, 0.20731, 2e-4);
@@ -202,20 +206,23 @@ TEST(ClosureOverTime, HasTheMomentsOfCase1) {
   }
 }
 
-// An initial mean beside the wall, mirrored: the densities in physical coordinates are mirrored.
+// If the problem and the initial mean are mirrored, the densities in physical coordinates are
+// mirrored.
 TEST(ClosureOverTime, IsMirroredWithTheProblem) {
-  const auto left = read_text(
+  const auto left = read_problem_text(
       "[system]\ndamping = 0.2\nstiffness = 1\n[wall]\nleft = -0.2\nleft_restitution = 0.9\n"
       "[noise]\nintensity = 0.2\n");
-  const auto right = read_text(
+  const auto right = read_problem_text(
       "[system]\ndamping = 0.2\nstiffness = 1\n[wall]\nright = 0.2\nright_restitution = 0.9\n"
       "[noise]\nintensity = 0.2\n");
-  TransientRequest from_left = request(1, 1, {.mean_displacement = 0.3, .mean_velocity = 0.2});
-  TransientRequest from_right = request(1, 1, {.mean_displacement = -0.3, .mean_velocity = -0.2});
+  TransientRequest from_left =
+      transient_request(1, 1, {.mean_displacement = 0.3, .mean_velocity = 0.2});
+  TransientRequest from_right =
+      transient_request(1, 1, {.mean_displacement = -0.3, .mean_velocity = -0.2});
   from_left.y_edges = uniform_edges(-0.2, 4.8, 20);
   from_right.y_edges = uniform_edges(-4.8, 0.2, 20);
-  const Transient a = solve_transient(left, closure(Formulation::moment, 4), from_left);
-  const Transient b = solve_transient(right, closure(Formulation::moment, 4), from_right);
+  const Transient a = solve_transient(left, closure_options(Formulation::moment, 4), from_left);
+  const Transient b = solve_transient(right, closure_options(Formulation::moment, 4), from_right);
   ASSERT_EQ(a.status, Status::ok) << a.reason;
   ASSERT_EQ(b.status, Status::ok) << b.reason;
   EXPECT_NEAR(a.snapshots[1].moments.y1, -b.snapshots[1].moments.y1, 1e-9);
@@ -228,20 +235,20 @@ TEST(ClosureOverTime, IsMirroredWithTheProblem) {
 TEST(ClosureOverTime, RefusesWhatNoClosureApproximates) {
   const auto problem = tests::paper_case(1);
   const auto status = [&](const Options& options, problem::InitialDensityOptions start) {
-    return solve_transient(problem, options, request(1, 1, start));
+    return solve_transient(problem, options, transient_request(1, 1, start));
   };
-  const auto polar = closure(Formulation::polar, 4);
+  const auto polar = closure_options(Formulation::polar, 4);
   EXPECT_EQ(status(polar, {.displacement_deviation = 0.1}).status, Status::not_offered);
   EXPECT_EQ(status(polar, {.velocity_deviation = 0.1}).status, Status::not_offered);
-  EXPECT_EQ(status(closure(Formulation::gaussian, 4), {}).status, Status::not_offered);
+  EXPECT_EQ(status(closure_options(Formulation::gaussian, 4), {}).status, Status::not_offered);
   EXPECT_FALSE(status(polar, {.velocity_deviation = 0.1}).reason.empty());
   EXPECT_THROW(status(polar, {.mean_displacement = -1}), InputError);
 }
 
 TEST(ClosureOverTime, StopsAtTheTimeLimit) {
-  Options options = closure(Formulation::polar, 8);
+  Options options = closure_options(Formulation::polar, 8);
   options.max_seconds = 1e-3;
-  const Transient result = solve_transient(tests::paper_case(1), options, request(30, 3));
+  const Transient result = solve_transient(tests::paper_case(1), options, transient_request(30, 3));
   EXPECT_EQ(result.status, Status::not_converged);
   EXPECT_LT(result.snapshots.size(), 4u);
 }

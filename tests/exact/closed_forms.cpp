@@ -55,7 +55,8 @@ double linear_cumulant(const problem::Problem& problem, int p, int q) {
   const double w2 = problem.system.stiffness() - c * c / 4;
   const bool has_wall = problem.system.left_wall() || problem.system.right_wall();
   const auto& impulses = problem.impulses;
-  const bool symmetric = impulses.rate_times_moment(1) == 0 && impulses.law().is_symmetric();
+  const bool symmetric =
+      impulses.rate_times_moment(1) == 0 && impulses.amplitude_law().is_symmetric();
   if (!problem.system.has_linear_force() || problem.system.stiffness() <= 0 ||
       (has_wall && !symmetric)) {
     throw InputError(

@@ -41,20 +41,20 @@ TEST(Exact, WhiteNoiseDensityMeetsTheEnergyBalance) {
   const double v2 =
       tests::trapezoid([&](double v) { return v * v * density.velocity_marginal(v); }, -9, 9, 400);
   EXPECT_NEAR(v2, mean_square_velocity(p), 1e-12);
-  EXPECT_NEAR(energy_residual(p, {.mean_velocity = 0,
-                                  .mean_square_velocity = v2,
-                                  .left_impact_loss =
-                                      impact_loss(p.system.left_wall(), ImpactCondition::map, 3)}),
+  EXPECT_NEAR(power_balance_residual(p, {.mean_velocity = 0,
+                                         .mean_square_velocity = v2,
+                                         .left_impact_loss = impact_energy_loss_rate(
+                                             p.system.left_wall(), ImpactCondition::map, 3)}),
               0.0, 1e-12);
 }
 
 TEST(Exact, EnergyResidualUsesTheImpactCondition) {
   const Problem p = tests::make_problem({.restitution = 0.8});
   const auto residual = [&](ImpactCondition impact) {
-    return energy_residual(p,
-                           {.mean_velocity = 0,
-                            .mean_square_velocity = 0.3,
-                            .left_impact_loss = impact_loss(p.system.left_wall(), impact, 0.05)});
+    return power_balance_residual(
+        p, {.mean_velocity = 0,
+            .mean_square_velocity = 0.3,
+            .left_impact_loss = impact_energy_loss_rate(p.system.left_wall(), impact, 0.05)});
   };
   // input 0.05; map: 0.03 + 0.18 * 0.05; delta: 0.03 + 0.2 * 0.05
   EXPECT_NEAR(residual(ImpactCondition::map), (0.05 - 0.039) / 0.05, 1e-14);

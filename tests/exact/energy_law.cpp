@@ -43,13 +43,13 @@ EnergyLaw::EnergyLaw(const problem::Problem& problem)
       problem.impulses.rate_times_moment(1) == 0;
   if (is_nonlinear && !depends_on_energy_only)
     throw InputError("the damping is not a function of the energy");
-  const double diffusion = total_intensity(problem) / 2;
+  const double diffusion = total_excitation_intensity(problem) / 2;
   linear_ = damping.coefficient(0) / diffusion;
   quadratic_ = system.rayleigh_coefficient() / diffusion;
 
   constexpr int kPanels = 40;
   constexpr double kMarginFraction = 0.3;
-  const problem::MotionScales scales = problem::scales(problem);
+  const problem::MotionScales scales = problem::motion_scales(problem);
   const double beyond = kMarginFraction * (scales.y_high - scales.y_low);
   y_low_ = system.left_wall() ? system.left_wall()->position : scales.y_low - beyond;
   y_high_ = system.right_wall() ? system.right_wall()->position : scales.y_high + beyond;

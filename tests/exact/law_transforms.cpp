@@ -44,7 +44,7 @@ Complex centred_transform(const ExponentialLaw& law, Complex s) {
 // large phases, and of two large exponents.
 Complex centred_transform(const GammaLaw& law, Complex s) {
   const Complex x = s * law.deviation * law.skewness / 2.0;
-  const double k = law.shape(), u = x.imag();
+  const double k = law.gamma_shape(), u = x.imag();
   if (u != 0) return std::polar(std::exp(-k * std::log1p(u * u) / 2), k * (std::atan(u) - u));
   return x.real() < 1 ? std::exp(-k * boost::math::log1pmx(-x.real())) : kInfinity;
 }
@@ -77,7 +77,8 @@ Complex centred_transform(const TabulatedLaw& law, Complex s) {
 }
 
 Complex transform(const ImpulseLaw& law, Complex s) {
-  return std::visit([&](const auto& kind) { return centred_transform(kind, s); }, law.kind());
+  return std::visit([&](const auto& kind) { return centred_transform(kind, s); },
+                    law.law_variant());
 }
 
 }  // namespace

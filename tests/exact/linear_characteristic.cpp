@@ -26,8 +26,10 @@ const problem::Problem& require_linear_and_symmetric(const problem::Problem& pro
   require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
   require(system.damping() * system.damping() < 4 * system.stiffness(), "system.damping",
           system.damping(), "less than critical damping, 2 sqrt(stiffness)");
-  require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
-  require(impulses.law().is_symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
+  require(impulses.amplitude_law().mean() == 0, "impulse.mean", impulses.amplitude_law().mean(),
+          "0");
+  require(impulses.amplitude_law().is_symmetric(), "impulse.skewness",
+          impulses.amplitude_law().skewness(), "0");
   return problem;
 }
 
@@ -54,7 +56,7 @@ double chebyshev_interpolant(const std::array<double, Points>& values, double x)
 LinearCharacteristicFunction::LinearCharacteristicFunction(const problem::Problem& problem)
     : system_(require_linear_and_symmetric(problem).system),
       impulses_(problem.impulses),
-      scale_(impulses_.law().deviation()) {
+      scale_(impulses_.amplitude_law().deviation()) {
   tabulate();
 }
 
@@ -88,7 +90,7 @@ double LinearCharacteristicFunction::max_beyond(double radius) const {
 // The integral lambda int_0^end ( M(wave(t)) - 1 ) dt.
 double LinearCharacteristicFunction::integrate_wave(const DecayingWave& wave, double end) const {
   const auto excess = [this](double u) {
-    return characteristic_function(impulses_.law(), u).real() - 1;
+    return characteristic_function(impulses_.amplitude_law(), u).real() - 1;
   };
   return impulses_.arrival_rate() * integrate_along_wave(wave, excess, scale_, end);
 }

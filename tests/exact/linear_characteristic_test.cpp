@@ -24,7 +24,8 @@ double log_phi(const Problem& problem, double u1, double u2) {
   const auto integrand = [&](double t) {
     const double decay = std::exp(-c * t / 2), sine = std::sin(w * t) / w;
     const double h = decay * sine, h_dot = decay * (std::cos(w * t) - c / 2 * sine);
-    return characteristic_function(problem.impulses.law(), u1 * h + u2 * h_dot).real() - 1;
+    return characteristic_function(problem.impulses.amplitude_law(), u1 * h + u2 * h_dot).real() -
+           1;
   };
   constexpr double kPanel = 0.02;
   double sum = 0;

@@ -27,7 +27,7 @@ constexpr double kMaxWaves = 5e4;  // a few seconds
 //     x = ( lambda int_0^inf [ E[exp(theta a(t) Y)] - 1 ] dt - log(probability / 2) ) / theta,
 //     a = u1 h + u2 h'.
 double range(const problem::Problem& problem, double u1, double u2, double probability) {
-  const auto& law = problem.impulses.law();
+  const auto& law = problem.impulses.amplitude_law();
   const double deviation = std::sqrt(mean_square_velocity(problem)) * std::hypot(u1, u2);
   double smallest = HUGE_VAL;
   for (double theta = 1 / deviation;; theta *= 1.02) {

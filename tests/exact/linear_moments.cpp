@@ -36,12 +36,14 @@ LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCo
   require(!system.right_wall(), "wall.right",
           system.right_wall() ? system.right_wall()->position : 0, "none");
   require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
-  require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
-  require(impulses.law().is_symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
+  require(impulses.amplitude_law().mean() == 0, "impulse.mean", impulses.amplitude_law().mean(),
+          "0");
+  require(impulses.amplitude_law().is_symmetric(), "impulse.skewness",
+          impulses.amplitude_law().skewness(), "0");
   require(std::isfinite(time) && time >= 0, "time", time, "a finite time, not negative");
 
   const double c = system.damping(), k = system.stiffness();
-  const double velocity_variance = problem::total_intensity(problem) / (2 * c);
+  const double velocity_variance = problem::total_excitation_intensity(problem) / (2 * c);
   Eigen::Matrix2d generator;
   generator << 0, 1, -k, -c;
   const Eigen::Matrix2d propagator = (generator * time).exp();

@@ -67,7 +67,8 @@ Solved stationary(const problem::Problem& p, DensityEquation equation, int order
                                     : white_noise_excitation(p.impulses);
   const auto op = fokker_planck_operator(p.system, excitation, ImpactCondition::map, grid, order);
   Preconditioner preconditioner(p, excitation, ImpactCondition::map, grid);
-  auto solution = null_vector(op, preconditioner, initial_gaussian(grid, problem::scales(p)));
+  auto solution =
+      find_null_vector(op, preconditioner, initial_gaussian(grid, problem::motion_scales(p)));
   EXPECT_TRUE(solution.averages.has_value()) << solution.failure;
   return {std::move(grid), *solution.averages};
 }
@@ -177,9 +178,9 @@ TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
       Preconditioner preconditioner(p, excitation, ImpactCondition::map, grid);
       EXPECT_TRUE(preconditioner.factorise_stationary());
       const auto correction =
-          gmres([&](const Eigen::VectorXd& q) { return op * q; },
-                [&](Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }, defect,
-                op.areas, 1e-9)
+          solve_by_gmres([&](const Eigen::VectorXd& q) { return op * q; },
+                         [&](Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); },
+                         defect, op.areas, 1e-9)
               .solution;
       EXPECT_TRUE(correction.has_value());
       return l1(grid, *correction) / l1(grid, density);

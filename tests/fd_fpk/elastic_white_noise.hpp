@@ -34,7 +34,7 @@ struct MarginalErrors {
 };
 inline MarginalErrors errors_of(const transform::Solution& solution, const problem::Problem& p) {
   using Rule = boost::math::quadrature::gauss<double, 10>;
-  const auto l1 = [](const transform::Marginal& marginal, const auto& exact) {
+  const auto l1_distance = [](const transform::Marginal& marginal, const auto& exact) {
     double sum = 0;
     for (std::size_t b = 0; b < marginal.size(); ++b) {
       sum += std::abs(marginal.density[b] * marginal.width(b) -
@@ -44,10 +44,10 @@ inline MarginalErrors errors_of(const transform::Solution& solution, const probl
   };
   const auto& grid = std::get<transform::GridDensity>(*solution.density);
   const exact::WhiteNoiseDensity exact(p);
-  return {l1(marginal(solution, transform::StateVariable::y, grid.y_edges),
-             [&](double y) { return exact.displacement_marginal(y); }),
-          l1(marginal(solution, transform::StateVariable::ydot, grid.v_edges),
-             [&](double v) { return exact.velocity_marginal(v); })};
+  return {l1_distance(marginal(solution, transform::StateVariable::y, grid.y_edges),
+                      [&](double y) { return exact.displacement_marginal(y); }),
+          l1_distance(marginal(solution, transform::StateVariable::ydot, grid.v_edges),
+                      [&](double v) { return exact.velocity_marginal(v); })};
 }
 
 }  // namespace fpkcheck::tests

@@ -208,14 +208,14 @@ TEST(Formula, KeepsTheBalanceOfPowerWithKinksWithinItsError) {
 TEST(Formula, HasABoxThatAFinerGridDoesNotWiden) {
   const auto p = tests::with_impulses(system_of("0.1*v + y + 4*max(y - 0.5, 0)"),
                                       tests::gaussian_impulses(1, 0.2));
-  const auto scales = problem::scales(p);
+  const auto scales = problem::motion_scales(p);
   Options options;
   options.order = kHighOrder;
   options.refinement = 0.6;
   options.wall_density *= box_edge_density_factor(p);
   const Box box = stationary_box(p, scales, options, base::Deadline::unlimited());
-  const DirectSolution direct =
-      solve_directly(p, {.scales = scales, .box = box}, options, base::Deadline::unlimited());
+  const DirectSolution direct = compute_direct_solution(p, {.scales = scales, .box = box}, options,
+                                                        base::Deadline::unlimited());
   ASSERT_TRUE(direct.averages) << direct.failure;
   const Grid& grid = direct.discretisation.grid;
   EXPECT_DOUBLE_EQ(grid.x1.faces().front(), box.x1_min);

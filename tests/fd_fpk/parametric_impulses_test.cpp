@@ -35,7 +35,7 @@ Eigen::VectorXd rate_of_jumps(const problem::Problem& problem, const Grid& grid,
                               const Eigen::VectorXd& averages) {
   FokkerPlanckOperator op{
       .local = SparseColumnMatrix(grid.size(), grid.size()),
-      .exchange = parametric_exchange({problem.impulses, *problem.impulse_factor}, grid, 5),
+      .exchange = parametric_exchange_terms({problem.impulses, *problem.impulse_factor}, grid, 5),
       .areas = grid.cell_areas()};
   EXPECT_LT(op.max_mass_loss_rate(), 1e-12);
   EXPECT_NEAR((op.assembled_matrix() * averages - op * averages).cwiseAbs().maxCoeff(), 0, 1e-12);
@@ -97,7 +97,7 @@ TEST(ParametricImpulses, OfNegativeFactorReverseTheLaw) {
   const Eigen::VectorXd p =
       cell_averages(grid, [](double y, double v) { return normal(y, 1) * normal(v, 1); });
   const Eigen::VectorXd rate = rate_of_jumps(problem, grid, p);
-  const double third = problem.impulses.law().moment(3);
+  const double third = problem.impulses.amplitude_law().moment(3);
   ASSERT_GT(third, 0.5);
   for (const int i : {16, 20, 24, 28}) {
     const double y = grid.x1.cell_centre(i), b = 1.1 * std::tanh(y) - 0.3;

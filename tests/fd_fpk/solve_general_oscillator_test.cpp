@@ -142,7 +142,8 @@ TEST(SolveGeneralOscillator, HasTheExactCumulantsOfTheLinearOscillatorUnderImpul
   for (const auto& impulses :
        {tests::gaussian_impulses(1, 0.1, 0.1), skew_impulses("exponential", 2, 0.1),
         skew_impulses("exponential", -2, 0.1), skew_impulses("gamma", 0.7, 0)}) {
-    SCOPED_TRACE(testing::Message() << impulses.law().name() << ' ' << impulses.law().skewness());
+    SCOPED_TRACE(testing::Message()
+                 << impulses.amplitude_law().name() << ' ' << impulses.amplitude_law().skewness());
     Problem p =
         tests::with_impulses(System({.damping = 0.2, .stiffness = 1}, {.none = true}), impulses);
     p.noise = {0.1};
@@ -152,7 +153,7 @@ TEST(SolveGeneralOscillator, HasTheExactCumulantsOfTheLinearOscillatorUnderImpul
     const auto v = [&](int n) { return exact::linear_cumulant(p, 0, n); };
     const auto& m = solution.moments;
     // Truncation by the box of a tail exp(-y): 2e-6 of E[v^2], 2e-5 of E[v^4].
-    const double tail = impulses.law().is_symmetric() ? 1 : 10;
+    const double tail = impulses.amplitude_law().is_symmetric() ? 1 : 10;
     EXPECT_NEAR(m.y1, y(1), 1e-6);
     EXPECT_NEAR(m.y2, y(2) + y(1) * y(1), 3e-7 * tail * y(2));
     EXPECT_NEAR(m.v1, 0, 1e-6);

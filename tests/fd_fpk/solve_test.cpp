@@ -173,8 +173,8 @@ TEST(Solve, TruncationErrorIsSmallAndWhiteNoiseErrorLarge) {
   const auto white = solve(p, direct(DensityEquation::white)).solution;
   const auto edges = uniform_edges(-4.5, 4.5, 120);
   const auto reference = marginal(kf, StateVariable::ydot, edges);
-  EXPECT_LT(l1(marginal(km4, StateVariable::ydot, edges), reference), 1.5e-3);
-  EXPECT_GT(l1(marginal(white, StateVariable::ydot, edges), reference), 2e-2);
+  EXPECT_LT(l1_distance(marginal(km4, StateVariable::ydot, edges), reference), 1.5e-3);
+  EXPECT_GT(l1_distance(marginal(white, StateVariable::ydot, edges), reference), 2e-2);
 }
 
 TEST(Solve, LiteralTruncationOnAFineGridIsIllPosedAndNotSolved) {

@@ -272,7 +272,8 @@ TEST(TransientGeneralOscillator, TendsToTheStationaryDensity) {
     EXPECT_NEAR(end.yv, 0, bar);
     const auto far = [&](StateVariable variable, const std::vector<double>& edges,
                          const std::vector<double>& density) {
-      return transform::l1(marginal(stationary, variable, edges), {edges, density, {}, {}});
+      return transform::l1_distance(marginal(stationary, variable, edges),
+                                    {edges, density, {}, {}});
     };
     EXPECT_LT(far(StateVariable::y, over_time.y_edges, end.y), bar);
     EXPECT_LT(far(StateVariable::ydot, over_time.v_edges, end.v), bar);

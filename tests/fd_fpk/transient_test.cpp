@@ -155,7 +155,7 @@ TEST(Transient, TendsToTheStationaryDensity) {
   EXPECT_NEAR(end.moments.v2, stationary.moments.v2, 5e-4 * stationary.moments.v2);
   EXPECT_NEAR(end.moments.v1, 0, 1e-4);
   const auto y = marginal(stationary, transform::StateVariable::y, transient.y_edges);
-  EXPECT_LT(transform::l1(y, {transient.y_edges, end.y, {}, {}}), 1e-3);
+  EXPECT_LT(transform::l1_distance(y, {transient.y_edges, end.y, {}, {}}), 1e-3);
 }
 
 TEST(Transient, BoxContainsTheStatesAccessibleFromAWideStart) {

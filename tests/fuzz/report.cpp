@@ -3,7 +3,7 @@
 
 #include "fuzz_helpers.hpp"
 #include "methods/builtin_solvers.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "results/run_json.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -13,6 +13,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::istringstream json{std::string(fuzz::as_text(data, size))};
     results::Run run = results::read_run_summary(json, "summary.json");
     registry.complete_solution_identities(run);
-    report::table(run);
+    report::terminal_tables_text(run);
   });
 }

@@ -21,7 +21,7 @@ namespace {
 using problem::Problem;
 using problem::System;
 using problem::WallParameters;
-using tests::expect_near;
+using tests::expect_within_four_errors;
 using tests::gaussian_impulses;
 using tests::with_impulses;
 using tests::with_noise;
@@ -32,7 +32,8 @@ WallParameters left_wall(double at, double r) { return {.left = at, .left_restit
 
 /// Simulates in wall coordinates and returns densities and atoms in physical coordinates. The tests
 /// judge L1 errors by standard errors, so the accuracy is low.
-Result simulated(const Problem& problem, double time, std::optional<double> white_step = {}) {
+Result simulate_problem(const Problem& problem, double time,
+                        std::optional<double> white_step = {}) {
   Result result =
       solve(tests::in_wall_coordinates(problem),
             {.time = time, .accuracy = 0.1, .seed = 20261123, .white_step = white_step});
@@ -41,17 +42,17 @@ Result simulated(const Problem& problem, double time, std::optional<double> whit
   return result;
 }
 
-void expect_the_law(const Problem& problem, const Result& result) {
+void expect_white_noise_law(const Problem& problem, const Result& result) {
   const exact::EnergyLaw law(problem);
   const auto& m = result.solution.moments;
   const auto& e = result.solution.standard_errors->moments;
   ASSERT_TRUE(result.solution.is_ok()) << result.solution.reason;
-  expect_near(m.y1, law.moment(1, 0), e.y1, "E[y]");
-  expect_near(m.y2, law.moment(2, 0), e.y2, "E[y^2]");
-  expect_near(m.y4, law.moment(4, 0), e.y4, "E[y^4]");
-  expect_near(m.v1, 0, e.v1, "E[v]");
-  expect_near(m.v2, law.moment(0, 2), e.v2, "E[v^2]");
-  expect_near(m.v4, law.moment(0, 4), e.v4, "E[v^4]");
+  expect_within_four_errors(m.y1, law.moment(1, 0), e.y1, "E[y]");
+  expect_within_four_errors(m.y2, law.moment(2, 0), e.y2, "E[y^2]");
+  expect_within_four_errors(m.y4, law.moment(4, 0), e.y4, "E[y^4]");
+  expect_within_four_errors(m.v1, 0, e.v1, "E[v]");
+  expect_within_four_errors(m.v2, law.moment(0, 2), e.v2, "E[v^2]");
+  expect_within_four_errors(m.v4, law.moment(0, 4), e.v4, "E[v^4]");
   for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
     const bool is_y = variable == transform::StateVariable::y;
     double distance = 0;
@@ -65,13 +66,14 @@ void expect_the_law(const Problem& problem, const Result& result) {
   }
 }
 
-void expect_balance(const Result& result) {
+void expect_power_balance(const Result& result) {
   const auto& [solution, summary] = result;
-  expect_near(solution.energy_residual, 0, solution.standard_errors->energy_residual, "power");
-  expect_near(summary.excess_power, 0, summary.excess_power_error, "excess power");
+  expect_within_four_errors(solution.energy_residual, 0, solution.standard_errors->energy_residual,
+                            "power");
+  expect_within_four_errors(summary.excess_power, 0, summary.excess_power_error, "excess power");
   const auto& [virial, momentum] = summary.balances;
-  expect_near(*virial, 0, *summary.balance_errors.virial, "virial");
-  expect_near(*momentum, 0, *summary.balance_errors.momentum, "momentum");
+  expect_within_four_errors(*virial, 0, *summary.balance_errors.virial, "virial");
+  expect_within_four_errors(*momentum, 0, *summary.balance_errors.momentum, "momentum");
 }
 
 TEST(AnyOscillator, UnderWhiteNoiseWithoutLossesHasItsExactLaw) {
@@ -99,9 +101,9 @@ TEST(AnyOscillator, UnderWhiteNoiseWithoutLossesHasItsExactLaw) {
   for (const auto& [name, system, intensity] : list) {
     SCOPED_TRACE(name);
     const Problem problem = with_noise(system, intensity);
-    const Result result = simulated(problem, 4e4, 0.4);
-    expect_the_law(problem, result);
-    expect_balance(result);
+    const Result result = simulate_problem(problem, 4e4, 0.4);
+    expect_white_noise_law(problem, result);
+    expect_power_balance(result);
   }
 }
 
@@ -110,9 +112,9 @@ TEST(AnyOscillator, UnderWhiteNoiseWithoutLossesHasItsExactLaw) {
 TEST(AnyOscillator, OnARingHasCaugheysLaw) {
   const System ring({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, kNoWall);
   const Problem problem = with_noise(ring, 0.4);
-  const Result result = simulated(problem, 4e4);
-  expect_the_law(problem, result);
-  expect_balance(result);
+  const Result result = simulate_problem(problem, 4e4);
+  expect_white_noise_law(problem, result);
+  expect_power_balance(result);
 }
 
 TEST(AnyOscillator, IsSimulatedUnderWhiteNoiseInPlaceOfItsImpulses) {
@@ -123,32 +125,32 @@ TEST(AnyOscillator, IsSimulatedUnderWhiteNoiseInPlaceOfItsImpulses) {
       solve(tests::in_wall_coordinates(problem), {.equation = DensityEquation::white, .time = 1e5});
   const exact::EnergyLaw law(problem);
   const auto& e = result.solution.standard_errors->moments;
-  expect_near(result.solution.moments.y1, law.moment(1, 0), e.y1, "E[y]");
-  expect_near(result.solution.moments.y2, law.moment(2, 0), e.y2, "E[y^2]");
-  expect_near(result.solution.moments.v4, law.moment(0, 4), e.v4, "E[v^4]");
-  expect_balance(result);
+  expect_within_four_errors(result.solution.moments.y1, law.moment(1, 0), e.y1, "E[y]");
+  expect_within_four_errors(result.solution.moments.y2, law.moment(2, 0), e.y2, "E[y^2]");
+  expect_within_four_errors(result.solution.moments.v4, law.moment(0, 4), e.v4, "E[v^4]");
+  expect_power_balance(result);
 }
 
-// Gaussian and Poisson excitation together: their cumulants add.
+// Under Gaussian and Poisson excitation the cumulants of both responses add.
 TEST(AnyOscillator, ThatIsLinearWithoutWallsHasItsExactCumulants) {
   Problem problem = with_impulses(System({.damping = 0.2, .stiffness = 1}, kNoWall),
                                   gaussian_impulses(1, 0.1, 0.1));
   for (const double intensity : {0.0, 0.1}) {
     SCOPED_TRACE(intensity);
     problem.noise.intensity = intensity;
-    const Result result = simulated(problem, 1e5, 0.2);
+    const Result result = simulate_problem(problem, 1e5, 0.2);
     const auto& m = result.solution.moments;
     const auto& e = result.solution.standard_errors->moments;
     const auto k = [&](int p, int q) { return exact::linear_cumulant(problem, p, q); };
     const double mean = k(1, 0), y2 = k(2, 0), v2 = k(0, 2);
-    expect_near(m.y1, mean, e.y1, "E[y]");
-    expect_near(m.y2, y2 + mean * mean, e.y2, "E[y^2]");
-    expect_near(m.v2, v2, e.v2, "E[v^2]");
-    expect_near(
+    expect_within_four_errors(m.y1, mean, e.y1, "E[y]");
+    expect_within_four_errors(m.y2, y2 + mean * mean, e.y2, "E[y^2]");
+    expect_within_four_errors(m.v2, v2, e.v2, "E[v^2]");
+    expect_within_four_errors(
         m.y4, k(4, 0) + 4 * k(3, 0) * mean + 3 * y2 * y2 + 6 * y2 * mean * mean + std::pow(mean, 4),
         e.y4, "E[y^4]");
-    expect_near(m.v4, k(0, 4) + 3 * v2 * v2, e.v4, "E[v^4]");
-    expect_balance(result);
+    expect_within_four_errors(m.v4, k(0, 4) + 3 * v2 * v2, e.v4, "E[v^4]");
+    expect_power_balance(result);
   }
 }
 
@@ -164,10 +166,10 @@ TEST(AnyOscillator, WithoutLossesHasTheMeanSquareVelocityOfItsPower) {
       SCOPED_TRACE(intensity);
       Problem problem = with_impulses(system, gaussian_impulses(1, 0.05, 0.02));
       problem.noise.intensity = intensity;
-      const Result result = simulated(problem, 4e4);
-      expect_near(result.solution.moments.v2, (0.05 + intensity) / 0.2,
-                  result.solution.standard_errors->moments.v2, "E[v^2]");
-      expect_balance(result);
+      const Result result = simulate_problem(problem, 4e4);
+      expect_within_four_errors(result.solution.moments.v2, (0.05 + intensity) / 0.2,
+                                result.solution.standard_errors->moments.v2, "E[v^2]");
+      expect_power_balance(result);
     }
   }
 }
@@ -188,7 +190,7 @@ TEST(AnyOscillator, WithLossesAndAMeanKeepsItsBalances) {
       Problem problem = with_impulses(system, gaussian_impulses(1, 0.2, 0.05));
       problem.noise.intensity = intensity;
       SCOPED_TRACE(problem::parameters_text(problem));
-      expect_balance(simulated(problem, 2e4));
+      expect_power_balance(simulate_problem(problem, 2e4));
     }
   }
 }
@@ -210,7 +212,7 @@ TEST(AnyOscillator, MirroredHasTheMirroredLaw) {
                                               {.right = 0, .right_restitution = 0.8}),
                                        gaussian_impulses(1, 0.1, 0.05));
   for (const auto& [a, b] : {std::pair{left, right}, std::pair{own, others}}) {
-    const Result here = simulated(a, 1e4), there = simulated(b, 1e4);
+    const Result here = simulate_problem(a, 1e4), there = simulate_problem(b, 1e4);
     const auto &m = here.solution.moments, &n = there.solution.moments;
     EXPECT_NEAR(m.y1, -n.y1, 1e-12);
     EXPECT_NEAR(m.v1, -n.v1, 1e-12);
@@ -233,23 +235,23 @@ TEST(AnyOscillator, MirroredHasTheMirroredLaw) {
 TEST(AnyOscillator, PassesLevelsAtTheRateOfItsLaw) {
   const Problem problem =
       with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, kNoWall), 0.2);
-  const Result result = simulated(problem, 4e4, 0.4);
+  const Result result = simulate_problem(problem, 4e4, 0.4);
   const exact::EnergyLaw law(problem);
   const double mean_speed = std::sqrt(0.5 / (2 * std::numbers::pi));  // E[v; v > 0]
   int looked = 0;
   for (const auto& [level, rate] : result.summary.crossings) {
     const double p = law.displacement_marginal(level);
     if (p < 0.05) continue;
-    expect_near(rate.mean, mean_speed * p, rate.standard_error, "crossings");
+    expect_within_four_errors(rate.mean, mean_speed * p, rate.standard_error, "crossings");
     ++looked;
   }
   EXPECT_GT(looked, 3);
   EXPECT_TRUE(result.summary.peaks.empty());
 }
 
-// A ball leaves the floor with the speed |Y| or r |Y| and then rests until the next impulse. Its
-// time aloft is (2/g) (1 + r + ..) times the first speed, so 1 - P0 = lambda E|Y| (1+r)/(g (1-r))
-// as lambda -> 0.
+// A ball leaves the floor with the speed |Y| or r |Y| and then rests until the next impulse. The
+// flight time of the ball is (2/g) (1 + r + ..) times the first speed, so 1 - P0 = lambda E|Y|
+// (1+r)/(g (1-r)) as lambda -> 0.
 TEST(AnyOscillator, RestsInContactBetweenRareImpulses) {
   const double r = 0.7, rate = 0.01, gravity = 1;
   const Problem problem = with_impulses(
@@ -263,14 +265,14 @@ TEST(AnyOscillator, RestsInContactBetweenRareImpulses) {
   const auto& atom = result.solution.atoms.at(0);
   EXPECT_EQ(result.solution.atoms.size(), 1u);
   EXPECT_EQ(atom.y, 0);
-  // Impulses during the time aloft are a second-order effect.
+  // Impulses during the flight have an effect of second order in lambda.
   const double aloft = rate * std::sqrt(2 / std::numbers::pi) * (1 + r) / (gravity * (1 - r));
   EXPECT_NEAR(1 - atom.probability, aloft, aloft * aloft + 4 * *atom.standard_error);
   EXPECT_LT(*atom.standard_error, 3e-4);
   EXPECT_NEAR(result.solution.mass, 1, 1e-3);
   EXPECT_LT(result.solution.mass - atom.probability, 0.06);
   EXPECT_TRUE(result.summary.y_quantiles.empty());
-  expect_balance(result);
+  expect_power_balance(result);
   for (const auto& observation : result.solution.metrics) {
     EXPECT_NE(observation.path, "impact_rate");  // the rate is infinite
   }
@@ -281,19 +283,19 @@ TEST(AnyOscillator, RestsAtBothStopsOfADoubleWellAlike) {
       System({.damping = 0.1, .stiffness = -1, .cubic = 1},
              {.left = -0.5, .left_restitution = 0.5, .right = 0.5, .right_restitution = 0.5}),
       gaussian_impulses(1, 0.1));
-  const auto result = simulated(problem, 1e5);
+  const auto result = simulate_problem(problem, 1e5);
   const auto& atoms = result.solution.atoms;
   ASSERT_EQ(atoms.size(), 2u);
   EXPECT_EQ(atoms[0].y, -0.5);
   EXPECT_EQ(atoms[1].y, 0.5);
   EXPECT_GT(atoms[0].probability, 20 * *atoms[0].standard_error);
-  expect_near(atoms[0].probability, atoms[1].probability,
-              std::hypot(*atoms[0].standard_error, *atoms[1].standard_error), "P0");
+  expect_within_four_errors(atoms[0].probability, atoms[1].probability,
+                            std::hypot(*atoms[0].standard_error, *atoms[1].standard_error), "P0");
   EXPECT_NEAR(result.solution.mass, 1, 1e-4);
   // Gaussian noise removes the atoms.
   Problem noisy = problem;
   noisy.noise.intensity = 1e-3;
-  const auto moving = simulated(noisy, 5e2);
+  const auto moving = simulate_problem(noisy, 5e2);
   EXPECT_TRUE(moving.solution.atoms.empty());
   EXPECT_NEAR(moving.solution.mass, 1, 1e-4);
 }
@@ -306,13 +308,14 @@ TEST(AnyOscillator, UnderNoiseAtAWallWithLossesDoesNotDependOnTheKicks) {
   const Problem pressed = with_noise(
       System({.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.5}), 0.3);
   for (const Problem& problem : {gap, pressed}) {
-    const Result coarse = simulated(problem, 8e4, 0.4), fine = simulated(problem, 4e4, 0.1);
+    const Result coarse = simulate_problem(problem, 8e4, 0.4),
+                 fine = simulate_problem(problem, 4e4, 0.1);
     const auto &m = coarse.solution.moments, &n = fine.solution.moments;
     const auto &e = coarse.solution.standard_errors->moments,
                &f = fine.solution.standard_errors->moments;
-    expect_near(m.y1, n.y1, std::hypot(e.y1, f.y1), "E[y]");
-    expect_near(m.v2, n.v2, std::hypot(e.v2, f.v2), "E[v^2]");
-    expect_near(m.v4, n.v4, std::hypot(e.v4, f.v4), "E[v^4]");
+    expect_within_four_errors(m.y1, n.y1, std::hypot(e.y1, f.y1), "E[y]");
+    expect_within_four_errors(m.v2, n.v2, std::hypot(e.v2, f.v2), "E[v^2]");
+    expect_within_four_errors(m.v4, n.v4, std::hypot(e.v4, f.v4), "E[v^4]");
   }
 }
 
@@ -321,7 +324,7 @@ TEST(AnyOscillator, UnderNoiseAtAWallWithLossesDoesNotDependOnTheKicks) {
 TEST(AnyOscillator, WithRareTransitionsIsNotConverged) {
   const Problem problem =
       with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, kNoWall), 0.006);
-  const auto solution = simulated(problem, 1e4).solution;
+  const auto solution = simulate_problem(problem, 1e4).solution;
   EXPECT_EQ(solution.status, transform::Status::not_converged);
   EXPECT_NE(solution.reason.find("wells"), std::string::npos) << solution.reason;
   // Both wells have equal initial masses.

@@ -17,7 +17,7 @@ using problem::System;
 using transform::StateVariable;
 using transform::Status;
 
-problem::Problem linear_oscillator() {
+problem::Problem linear_oscillator_problem() {
   return tests::with_impulses(System({.damping = 0.3, .stiffness = 1.44}, {.none = true}),
                               tests::gaussian_impulses(1, 0.1, 0.1));
 }
@@ -30,7 +30,7 @@ TEST(SimulatedSpectrum, IsThatOfTheLinearOscillator) {
   for (const StateVariable variable : {StateVariable::y, StateVariable::ydot}) {
     const std::vector<double> lags{0, 0.35, 2, 7};
     const auto s =
-        estimate_spectrum(linear_oscillator(), {.time = 4e5}, variable, frequencies, lags);
+        estimate_spectrum(linear_oscillator_problem(), {.time = 4e5}, variable, frequencies, lags);
     ASSERT_EQ(s.status, Status::ok) << s.reason;
     double squares = 0;
     for (std::size_t k = 0; k < frequencies.size(); ++k) {
@@ -58,7 +58,7 @@ TEST(SimulatedSpectrum, IsThatOfTheLinearOscillator) {
 }
 
 TEST(SimulatedSensitivities, AreThoseOfTheLinearOscillator) {
-  const problem::Problem p = linear_oscillator();
+  const problem::Problem p = linear_oscillator_problem();
   std::vector<problem::ParameterDerivative> parameters;
   for (const char* key : {"system.damping", "system.stiffness", "impulse.intensity"}) {
     parameters.push_back(problem::parameter_derivative(p, key, 0.02));

@@ -14,7 +14,7 @@ namespace fpkcheck::mcs {
 namespace {
 
 template <class Change>
-void expect_refused(Change change, const std::string& key) {
+void expect_options_refused(Change change, const std::string& key) {
   Options bad;
   change(bad);
   try {
@@ -28,32 +28,32 @@ void expect_refused(Change change, const std::string& key) {
 
 TEST(Options, OutOfRangeAreRefusedByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expect_refused([](auto& o) { o.equation = DensityEquation::km4; }, "equation");
-  expect_refused([](auto& o) { o.time = -1; }, "time");
-  expect_refused([](auto& o) { o.time = 0; }, "time");
-  expect_refused([&](auto& o) { o.time = nan; }, "time");
-  expect_refused([](auto& o) { o.seed = std::uint64_t{1} << 63; }, "seed");
-  expect_refused([](auto& o) { o.threads = -1; }, "threads");
-  expect_refused([](auto& o) { o.threads = 0; }, "threads");
-  expect_refused([](auto& o) { o.threads = 100000; }, "threads");
-  expect_refused([](auto& o) { o.streams = 0; }, "streams");
-  expect_refused([](auto& o) { o.streams = 7; }, "streams");
-  expect_refused([](auto& o) { o.streams = 1000000; }, "streams");
-  expect_refused([](auto& o) { o.step = -0.1; }, "step");
-  expect_refused([](auto& o) { o.step = 1.3; }, "step");
-  expect_refused([&](auto& o) { o.step = nan; }, "step");
-  expect_refused([](auto& o) { o.samples = -1; }, "samples");
-  expect_refused([&](auto& o) { o.samples = nan; }, "samples");
-  expect_refused([](auto& o) { o.target_error = 1; }, "target_error");
-  expect_refused([&](auto& o) { o.target_error = nan; }, "target_error");
-  expect_refused([](auto& o) { o.accuracy = 0; }, "accuracy");
-  expect_refused([&](auto& o) { o.accuracy = nan; }, "accuracy");
-  expect_refused([](auto& o) { o.white_step = 0.6; }, "white_step");
-  expect_refused([](auto& o) { o.y_edges = {0}; }, "y_edges");
-  expect_refused([](auto& o) { o.y_edges = {0, 1, 1}; }, "y_edges");
-  expect_refused([](auto& o) { o.y_edges = {0.1, 1}; }, "y_edges");
-  expect_refused([](auto& o) { o.v_edges = {1, 0}; }, "v_edges");
-  expect_refused([&](auto& o) { o.v_edges = {0, nan}; }, "v_edges");
+  expect_options_refused([](auto& o) { o.equation = DensityEquation::km4; }, "equation");
+  expect_options_refused([](auto& o) { o.time = -1; }, "time");
+  expect_options_refused([](auto& o) { o.time = 0; }, "time");
+  expect_options_refused([&](auto& o) { o.time = nan; }, "time");
+  expect_options_refused([](auto& o) { o.seed = std::uint64_t{1} << 63; }, "seed");
+  expect_options_refused([](auto& o) { o.threads = -1; }, "threads");
+  expect_options_refused([](auto& o) { o.threads = 0; }, "threads");
+  expect_options_refused([](auto& o) { o.threads = 100000; }, "threads");
+  expect_options_refused([](auto& o) { o.streams = 0; }, "streams");
+  expect_options_refused([](auto& o) { o.streams = 7; }, "streams");
+  expect_options_refused([](auto& o) { o.streams = 1000000; }, "streams");
+  expect_options_refused([](auto& o) { o.step = -0.1; }, "step");
+  expect_options_refused([](auto& o) { o.step = 1.3; }, "step");
+  expect_options_refused([&](auto& o) { o.step = nan; }, "step");
+  expect_options_refused([](auto& o) { o.samples = -1; }, "samples");
+  expect_options_refused([&](auto& o) { o.samples = nan; }, "samples");
+  expect_options_refused([](auto& o) { o.target_error = 1; }, "target_error");
+  expect_options_refused([&](auto& o) { o.target_error = nan; }, "target_error");
+  expect_options_refused([](auto& o) { o.accuracy = 0; }, "accuracy");
+  expect_options_refused([&](auto& o) { o.accuracy = nan; }, "accuracy");
+  expect_options_refused([](auto& o) { o.white_step = 0.6; }, "white_step");
+  expect_options_refused([](auto& o) { o.y_edges = {0}; }, "y_edges");
+  expect_options_refused([](auto& o) { o.y_edges = {0, 1, 1}; }, "y_edges");
+  expect_options_refused([](auto& o) { o.y_edges = {0.1, 1}; }, "y_edges");
+  expect_options_refused([](auto& o) { o.v_edges = {1, 0}; }, "v_edges");
+  expect_options_refused([&](auto& o) { o.v_edges = {0, nan}; }, "v_edges");
   Options one_stream;
   one_stream.streams = 1;
   EXPECT_THROW(solve(tests::paper_case(1), one_stream), InputError);

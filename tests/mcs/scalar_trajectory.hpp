@@ -11,9 +11,9 @@ namespace fpkcheck::tests {
 
 using Flight = mcs::DuffingFlight<double>;
 
-/// The oscillator of a problem, as mcs::make_simulation_plan() makes it.
+/// Returns the oscillator that mcs::make_simulation_plan() makes for a problem.
 inline mcs::Oscillator oscillator_of(const problem::Problem& problem) {
-  return mcs::make_oscillator(problem, problem::scales(problem));
+  return mcs::make_oscillator(problem, problem::motion_scales(problem));
 }
 
 /// Observer of a trajectory that ignores all events, for the burn-in. Other observers have the same
@@ -27,10 +27,11 @@ struct NullObserver {
 
 /// One realisation of paper (1)-(2) on y >= 0, advanced event by event: flights end exactly at
 /// impacts, at impulses and at the end of the duration. Scalar counterpart of
-/// mcs::advance().
+/// mcs::advance_all_streams().
 class Trajectory {
  public:
-  /// @param step longest flight, in radians of the local frequency, below pi (DuffingFlight::max_step)
+  /// @param step longest flight, in radians of the local frequency, below pi
+  /// (DuffingFlight::max_step)
   Trajectory(const mcs::Oscillator& oscillator, mcs::ImpulseSource source, const mcs::State& start,
              double step)
       : oscillator_(oscillator),
@@ -44,7 +45,7 @@ class Trajectory {
   /// Advances the state by a duration and passes every event to the observer.
   template <class Observer>
   void advance(double duration, Observer& observer) {
-    // Every iteration advances the time or ends at y = 0. There the impact makes v >= 0, so the
+    // Every iteration advances the time or ends at y = 0. At y = 0 the impact makes v >= 0, so the
     // next iteration advances the time. At rest (y = v = 0) the time advances to the next impulse.
     while (duration > 0) {
       if (state_.y <= 0 && state_.v < 0) apply_impact(observer);

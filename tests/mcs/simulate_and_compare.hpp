@@ -6,9 +6,10 @@
 
 namespace fpkcheck::tests {
 
-/// Expects agreement within four standard errors plus the error of the reference.
-inline void expect_near(double simulated, double exact, double standard_error, const char* what,
-                        double reference_error = 0) {
+/// Expects that a simulated and an exact value differ by at most four standard errors plus the
+/// error of the reference.
+inline void expect_within_four_errors(double simulated, double exact, double standard_error,
+                                      const char* what, double reference_error = 0) {
   EXPECT_GT(standard_error, 0.0) << what;
   EXPECT_NEAR(simulated, exact, 4 * standard_error + reference_error)
       << what << ": " << (simulated - exact) / standard_error << " standard errors";

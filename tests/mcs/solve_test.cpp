@@ -16,18 +16,18 @@ namespace {
 
 using transform::StateVariable;
 
-const transform::GridDensity& joint(const Result& result) {
+const transform::GridDensity& joint_density(const Result& result) {
   return std::get<transform::GridDensity>(*result.solution.density);
 }
 
-const transform::Marginal& estimated(const Result& result, StateVariable variable) {
+const transform::Marginal& estimated_marginal(const Result& result, StateVariable variable) {
   for (const auto& [which, marginal] : result.solution.estimated_marginals) {
     if (which == variable) return marginal;
   }
   throw std::logic_error("no such marginal");
 }
 
-double integral(const transform::Marginal& marginal) {
+double integral_of_marginal(const transform::Marginal& marginal) {
   double sum = 0;
   for (std::size_t b = 0; b < marginal.size(); ++b) sum += marginal.density[b] * marginal.width(b);
   return sum;
@@ -43,7 +43,7 @@ TEST(Solve, GivesTheSameResultForAnyNumberOfThreads) {
   for (const int threads : {2, 7}) {
     options.threads = threads;
     const Result many = solve(tests::paper_case(1), options);
-    EXPECT_EQ(joint(one).averages, joint(many).averages);
+    EXPECT_EQ(joint_density(one).averages, joint_density(many).averages);
     EXPECT_EQ(one.solution.moments.y4, many.solution.moments.y4);
     EXPECT_EQ(one.solution.energy_residual, many.solution.energy_residual);
     EXPECT_EQ(one.solution.standard_errors->moments.v2, many.solution.standard_errors->moments.v2);
@@ -68,13 +68,13 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
     options.v_edges.push_back(0.04 * k * k / 20 - 0.4);
   }
   const Result result = solve(tests::paper_case(1), options);
-  const double mass = transform::mass(joint(result));
+  const double mass = transform::mass(joint_density(result));
   EXPECT_NEAR(result.solution.mass, mass, 1e-15);
   EXPECT_NEAR(result.summary.outside_fraction, 1 - mass, 1e-15);
   EXPECT_GT(result.summary.outside_fraction, 0.1);
   // A marginal density counts all samples of its variable, for any value of the other variable.
-  const double inside_y = integral(estimated(result, StateVariable::y));
-  const double inside_v = integral(estimated(result, StateVariable::ydot));
+  const double inside_y = integral_of_marginal(estimated_marginal(result, StateVariable::y));
+  const double inside_v = integral_of_marginal(estimated_marginal(result, StateVariable::ydot));
   EXPECT_GT(inside_y, mass + 0.02);
   EXPECT_GT(inside_v, mass + 0.02);
   EXPECT_LT(std::max(inside_y, inside_v), 1.0);
@@ -88,13 +88,13 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
 
 TEST(Solve, HistogramMomentsAndMarginalsAgree) {
   const Result result = tests::simulate(tests::paper_case(4), 1e5);
-  const auto y =
-      transform::marginal(*result.solution.density, StateVariable::y, joint(result).y_edges);
-  const auto v =
-      transform::marginal(*result.solution.density, StateVariable::ydot, joint(result).v_edges);
-  EXPECT_LT(transform::l1(y, estimated(result, StateVariable::y)),
+  const auto y = transform::marginal(*result.solution.density, StateVariable::y,
+                                     joint_density(result).y_edges);
+  const auto v = transform::marginal(*result.solution.density, StateVariable::ydot,
+                                     joint_density(result).v_edges);
+  EXPECT_LT(transform::l1_distance(y, estimated_marginal(result, StateVariable::y)),
             1e-6);  // samples beyond the bins
-  EXPECT_LT(transform::l1(v, estimated(result, StateVariable::ydot)), 1e-6);
+  EXPECT_LT(transform::l1_distance(v, estimated_marginal(result, StateVariable::ydot)), 1e-6);
   double y1 = 0, v2 = 0;
   for (std::size_t b = 0; b < y.size(); ++b) {
     const double c = v.centre(b), w = v.width(b);
@@ -111,8 +111,8 @@ TEST(Solve, ElasticUnderFrequentSmallImpulsesApproachesTheWhiteNoiseDensity) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 1, .rate = 200});
   const Result result = tests::simulate(problem, 3e4);
   const exact::WhiteNoiseDensity exact(problem);
-  const auto& y = estimated(result, StateVariable::y);
-  const auto& v = estimated(result, StateVariable::ydot);
+  const auto& y = estimated_marginal(result, StateVariable::y);
+  const auto& v = estimated_marginal(result, StateVariable::ydot);
   double y_distance = 0, v_distance = 0;
   for (std::size_t b = 0; b < y.size(); ++b) {
     y_distance += std::abs(y.density[b] - exact.displacement_marginal(y.centre(b))) * y.width(b);
@@ -127,23 +127,24 @@ TEST(Solve, SamplingErrorPredictsTheDistanceOfTwoRuns) {
   const Result b = tests::simulate(tests::paper_case(1), 2e5, 12);
   // The distance of two runs is sqrt(2) times the error of one run. Errors of neighbouring bins are
   // correlated, so the distance scatters by some tens of per cent.
-  const double y = transform::l1(estimated(a, StateVariable::y), estimated(b, StateVariable::y));
-  const double v =
-      transform::l1(estimated(a, StateVariable::ydot), estimated(b, StateVariable::ydot));
+  const double y = transform::l1_distance(estimated_marginal(a, StateVariable::y),
+                                          estimated_marginal(b, StateVariable::y));
+  const double v = transform::l1_distance(estimated_marginal(a, StateVariable::ydot),
+                                          estimated_marginal(b, StateVariable::ydot));
   EXPECT_NEAR(y / (std::sqrt(2) * *a.solution.sampling->y), 1.0, 0.4);
   EXPECT_NEAR(v / (std::sqrt(2) * *a.solution.sampling->ydot), 1.0, 0.4);
 }
 
 TEST(Solve, AnEmptyBinHasAnUpperBound) {
   const Result result = tests::simulate(tests::paper_case(1), 1e4);
-  const auto& v = estimated(result, StateVariable::ydot);
+  const auto& v = estimated_marginal(result, StateVariable::ydot);
   EXPECT_EQ(v.density.front(), 0.0);
   EXPECT_EQ(v.lower.front(), 0.0);
   EXPECT_GT(v.upper.front(), 0.0);
   EXPECT_LT(v.upper.front(), 0.1);
 }
 
-// The stated error determines the status, as for other methods.
+// The error estimate of the simulation determines the status, as for other methods.
 TEST(Solve, IsOkWithinTheAccuracyAskedForAlone) {
   const auto problem = tests::paper_case(1);
   const auto by_default = solve(problem, {.time = 1e4}).solution;
@@ -178,8 +179,8 @@ TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
   options.time = 1e4;
   options.streams = 12;
   std::vector<double> fractions;
-  std::vector<Progress> all;
-  options.progress = [&](const Progress& at) {
+  std::vector<SimulationProgress> all;
+  options.progress = [&](const SimulationProgress& at) {
     fractions.push_back(at.fraction);
     all.push_back(at);
   };
@@ -193,7 +194,7 @@ TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
   EXPECT_GT(*all.front().y_l1, *all.back().y_l1);
 
   int calls = 0;
-  options.progress = [&](const Progress&) {
+  options.progress = [&](const SimulationProgress&) {
     ++calls;
     throw std::runtime_error("enough");
   };
@@ -234,7 +235,8 @@ TEST(Solve, RunsUntilTheRequestedSamplesOrErrorAreReached) {
   EXPECT_NEAR(too_short.summary.time, 1e4, 300);
 }
 
-// Three processes, simulated in sequence: each process simulates its groups of streams only.
+// The test runs the parts of three processes one after another. Each process simulates only its own
+// groups of streams.
 TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
   const auto problem = tests::paper_case(1);
   Options options{.time = 2e4, .streams = 43};

@@ -13,7 +13,7 @@ using transform::Metric;
 using transform::MetricKind;
 using transform::Metrics;
 
-Summary made_up() {
+Summary made_up_summary() {
   Summary summary;
   summary.excess_power = 1e-3;
   summary.excess_power_error = 2e-3;
@@ -27,30 +27,33 @@ Summary made_up() {
   return summary;
 }
 
-const Metric& at(const Metrics& all, const std::string& path) {
+const Metric& metric_at_path(const Metrics& all, const std::string& path) {
   const Metric* found = transform::find_metric(all, path);
   if (found == nullptr) throw std::logic_error("no " + path);
   return *found;
 }
 
-// Each such metric is a number with its standard error under the stated path.
+// Each metric with a standard_error_path is a number, and its standard error is a metric at this
+// path.
 TEST(Summary, RandomResultsHaveStandardErrors) {
-  const auto all = metrics(made_up());
+  const auto all = metrics(made_up_summary());
   int with_error = 0;
   for (const auto& observation : all) {
     if (observation.standard_error_path.empty()) continue;
     ++with_error;
     EXPECT_EQ(observation.kind, MetricKind::result) << observation.path;
-    EXPECT_EQ(at(all, observation.standard_error_path).kind, MetricKind::error) << observation.path;
+    EXPECT_EQ(metric_at_path(all, observation.standard_error_path).kind, MetricKind::error)
+        << observation.path;
     EXPECT_GT(transform::metric_number(all, observation.standard_error_path), 0)
         << observation.path;
   }
   EXPECT_EQ(with_error, 1 + 1 + static_cast<int>(kPowers.size()) + 1 + 1 + 2);
-  EXPECT_EQ(at(all, "excess_power.relative").standard_error_path, "excess_power.standard_error");
-  EXPECT_EQ(at(all, "impact_rate").standard_error_path, "impact_rate_error");
-  EXPECT_EQ(at(all, "joint_moments[13].mean").standard_error_path,
+  EXPECT_EQ(metric_at_path(all, "excess_power.relative").standard_error_path,
+            "excess_power.standard_error");
+  EXPECT_EQ(metric_at_path(all, "impact_rate").standard_error_path, "impact_rate_error");
+  EXPECT_EQ(metric_at_path(all, "joint_moments[13].mean").standard_error_path,
             "joint_moments[13].standard_error");
-  EXPECT_EQ(at(all, "peaks[1].rate").standard_error_path, "peaks[1].standard_error");
+  EXPECT_EQ(metric_at_path(all, "peaks[1].rate").standard_error_path, "peaks[1].standard_error");
   // A 95 % interval of a normal variable is 2 * 1.96 standard errors wide.
   EXPECT_NEAR(*transform::metric_number(all, "quantiles.y[0].standard_error"),
               0.03 / (2 * 1.959964), 1e-15);
@@ -58,7 +61,7 @@ TEST(Summary, RandomResultsHaveStandardErrors) {
 
 TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
   std::vector<std::string> fields;
-  for (const auto& observation : metrics(made_up())) {
+  for (const auto& observation : metrics(made_up_summary())) {
     const std::string field = observation.path.substr(0, observation.path.find_first_of(".["));
     if (fields.empty() || fields.back() != field) fields.push_back(field);
   }
@@ -88,28 +91,31 @@ TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
                                               "upcrossings",
                                               "peaks",
                                               "splitting_thresholds"}));
-  EXPECT_EQ(at(metrics(made_up()), "quantiles.ydot[]").kind, MetricKind::result);
-  EXPECT_EQ(at(metrics(made_up()), "joint_moments[7].y").value, transform::value_from_count(1));
-  EXPECT_EQ(at(metrics(made_up()), "joint_moments[7].v").value, transform::value_from_count(2));
+  EXPECT_EQ(metric_at_path(metrics(made_up_summary()), "quantiles.ydot[]").kind,
+            MetricKind::result);
+  EXPECT_EQ(metric_at_path(metrics(made_up_summary()), "joint_moments[7].y").value,
+            transform::value_from_count(1));
+  EXPECT_EQ(metric_at_path(metrics(made_up_summary()), "joint_moments[7].v").value,
+            transform::value_from_count(2));
 }
 
 TEST(Summary, HasTheKindsOfItsMetrics) {
-  const auto all = metrics(made_up());
+  const auto all = metrics(made_up_summary());
   for (const char* path : {"time", "samples", "threads", "seed", "impulses", "flights", "rounds",
                            "outside", "variance_reduction.y2", "variance_reduction.v2",
                            "splitting_thresholds[1]", "quantiles.y[0].lower"}) {
-    EXPECT_EQ(at(all, path).kind, MetricKind::work) << path;
+    EXPECT_EQ(metric_at_path(all, path).kind, MetricKind::work) << path;
   }
   for (const char* path : {"effective_samples", "effective_samples_y2", "impact_rate_error"}) {
-    EXPECT_EQ(at(all, path).kind, MetricKind::error) << path;
+    EXPECT_EQ(metric_at_path(all, path).kind, MetricKind::error) << path;
   }
   for (const char* path : {"streams", "step", "sampling_interval", "burn_in", "interrupted",
                            "kick_interval", "peaks[0].level", "quantiles.y[0].probability"}) {
-    EXPECT_EQ(at(all, path).kind, MetricKind::result) << path;
+    EXPECT_EQ(metric_at_path(all, path).kind, MetricKind::result) << path;
   }
   const auto without = metrics({});
-  EXPECT_TRUE(base::is_unset(at(without, "kick_interval").value));
-  EXPECT_EQ(at(without, "splitting_thresholds[]").kind, MetricKind::work);
+  EXPECT_TRUE(base::is_unset(metric_at_path(without, "kick_interval").value));
+  EXPECT_EQ(metric_at_path(without, "splitting_thresholds[]").kind, MetricKind::work);
 }
 
 }  // namespace

@@ -25,18 +25,18 @@ using tests::with_impulses;
 const problem::SystemCoefficients kLinear{.damping = 0.1, .stiffness = 1};
 
 // The problems of cases/gap.ini, two_walls.ini and preload.ini, in wall coordinates.
-Problem gap() {
+Problem problem_with_gap() {
   return tests::in_wall_coordinates(
       with_impulses(System(kLinear, WallParameters{.left = -0.5, .left_restitution = 0.9}),
                     gaussian_impulses(1, 0.1)));
 }
-Problem two_walls() {
+Problem problem_with_two_walls() {
   return tests::in_wall_coordinates(with_impulses(
       System(kLinear,
              {.left = -0.5, .left_restitution = 0.7, .right = 1, .right_restitution = 0.9}),
       gaussian_impulses(2, 0.2)));
 }
-Problem preload() {
+Problem problem_with_preload() {
   return with_impulses(
       System({.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.7}),
       gaussian_impulses(1, 0.5));
@@ -53,7 +53,7 @@ struct Seen {
 
 // Compares bins in which both simulations have approximately normal errors. The tail is the density
 // below 1e-2 of the peak.
-Seen expect_the_same(const transform::Marginal& plain, const transform::Marginal& split) {
+Seen expect_equal_marginals(const transform::Marginal& plain, const transform::Marginal& split) {
   constexpr double kWell = 0.15, kTail = 1e-2, kStandardErrors = 4;
   const double peak = *std::ranges::max_element(plain.density);
   Seen seen;
@@ -70,7 +70,7 @@ Seen expect_the_same(const transform::Marginal& plain, const transform::Marginal
 }
 
 TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
-  for (const Problem& problem : {gap(), two_walls()}) {
+  for (const Problem& problem : {problem_with_gap(), problem_with_two_walls()}) {
     SCOPED_TRACE(problem.system.right_wall() ? "two walls" : "gap");
     const auto plain = solve(problem, {.time = 2e6, .seed = 1}).solution;
     const Result split = solve(problem, {.time = 1e5, .seed = 2, .tails = true});
@@ -79,7 +79,7 @@ TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
     for (std::size_t k = 0; k < 2; ++k) {
       const auto& [variable, many] = plain.estimated_marginals[k];
       const auto& [same, few] = split.solution.estimated_marginals[k];
-      const Seen seen = expect_the_same(many, few);
+      const Seen seen = expect_equal_marginals(many, few);
       SCOPED_TRACE(transform::name(variable));
       EXPECT_GT(seen.bins, 60);
       // Between two walls y has no tail.
@@ -98,10 +98,10 @@ TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
     }
     const auto &m = plain.moments, &n = split.solution.moments;
     const auto &e = plain.standard_errors->moments, &f = split.solution.standard_errors->moments;
-    tests::expect_near(n.y1, m.y1, std::hypot(e.y1, f.y1), "E[y]");
-    tests::expect_near(n.y2, m.y2, std::hypot(e.y2, f.y2), "E[y^2]");
-    tests::expect_near(n.v2, m.v2, std::hypot(e.v2, f.v2), "E[v^2]");
-    tests::expect_near(n.v4, m.v4, std::hypot(e.v4, f.v4), "E[v^4]");
+    tests::expect_within_four_errors(n.y1, m.y1, std::hypot(e.y1, f.y1), "E[y]");
+    tests::expect_within_four_errors(n.y2, m.y2, std::hypot(e.y2, f.y2), "E[y^2]");
+    tests::expect_within_four_errors(n.v2, m.v2, std::hypot(e.v2, f.v2), "E[v^2]");
+    tests::expect_within_four_errors(n.v4, m.v4, std::hypot(e.v4, f.v4), "E[v^4]");
     const auto& power = split.solution;
     EXPECT_LT(std::abs(power.energy_residual), 4 * power.standard_errors->energy_residual);
   }
@@ -126,29 +126,31 @@ TEST(TailsOfAnyOscillator, OfALawWithLongTailsAreBoundedAndThoseOfAPlainSimulati
   // About one branch per threshold, with a few flights between impulses.
   EXPECT_LT(split.summary.flights, 150 * split.summary.impulses);
   for (std::size_t k = 0; k < 2; ++k) {
-    const Seen seen = expect_the_same(plain.estimated_marginals[k].second,
-                                      split.solution.estimated_marginals[k].second);
+    const Seen seen = expect_equal_marginals(plain.estimated_marginals[k].second,
+                                             split.solution.estimated_marginals[k].second);
     EXPECT_GT(seen.in_tail, 10);
     EXPECT_LT(seen.chi_square / seen.bins, 1.6);
   }
   const auto &m = plain.moments, &n = split.solution.moments;
   const auto &e = plain.standard_errors->moments, &f = split.solution.standard_errors->moments;
-  tests::expect_near(n.y2, m.y2, std::hypot(e.y2, f.y2), "E[y^2]");
-  tests::expect_near(n.v4, m.v4, std::hypot(e.v4, f.v4), "E[v^4]");
+  tests::expect_within_four_errors(n.y2, m.y2, std::hypot(e.y2, f.y2), "E[y^2]");
+  tests::expect_within_four_errors(n.v4, m.v4, std::hypot(e.v4, f.v4), "E[v^4]");
 }
 
 // Branches at rest contribute with their weights.
 TEST(TailsOfAnyOscillator, PreserveTheProbabilityOfRest) {
-  const auto plain = solve(preload(), {.time = 4e5, .seed = 1}).solution;
-  const auto split = solve(preload(), {.time = 1e5, .seed = 2, .tails = true}).solution;
+  const auto plain = solve(problem_with_preload(), {.time = 4e5, .seed = 1}).solution;
+  const auto split =
+      solve(problem_with_preload(), {.time = 1e5, .seed = 2, .tails = true}).solution;
   ASSERT_EQ(plain.atoms.size(), 1u);
   ASSERT_EQ(split.atoms.size(), 1u);
   const auto &p = plain.atoms.front(), &q = split.atoms.front();
-  tests::expect_near(q.probability, p.probability, std::hypot(*p.standard_error, *q.standard_error),
-                     "P(rest)");
+  tests::expect_within_four_errors(q.probability, p.probability,
+                                   std::hypot(*p.standard_error, *q.standard_error), "P(rest)");
   EXPECT_NEAR(split.mass, 1, 1e-2);  // the weights of branches sum to 1 on average only
   for (std::size_t k = 0; k < 2; ++k) {
-    expect_the_same(plain.estimated_marginals[k].second, split.estimated_marginals[k].second);
+    expect_equal_marginals(plain.estimated_marginals[k].second,
+                           split.estimated_marginals[k].second);
   }
 }
 
@@ -185,7 +187,9 @@ TEST(TailsOfAnyOscillator, DoNotDependOnThreadsAndGoOnFromACheckpoint) {
   const Options options{.time = 3e3, .threads = 1, .streams = 20, .tails = true};
   Options parallel = options, first = options, rest = options;
   parallel.threads = 3;
-  const auto moments = [](const Options& o) { return solve(preload(), o).solution.moments; };
+  const auto moments = [](const Options& o) {
+    return solve(problem_with_preload(), o).solution.moments;
+  };
   const auto one = moments(options);
   EXPECT_EQ(moments(parallel).v4, one.v4);
   int rounds = 0;
@@ -200,11 +204,12 @@ TEST(TailsOfAnyOscillator, DoNotDependOnThreadsAndGoOnFromACheckpoint) {
 
 TEST(TailsOfAnyOscillator, AreNotSupportedWhereTheEnergyRisesBetweenImpulses) {
   const Options tails{.tails = true};
-  for (const Problem& problem : {gap(), two_walls(), preload()}) {
+  for (const Problem& problem :
+       {problem_with_gap(), problem_with_two_walls(), problem_with_preload()}) {
     EXPECT_EQ(unsupported_reason(problem, tails), "");
     EXPECT_NE(unsupported_reason(problem, {.equation = DensityEquation::white, .tails = true}), "");
   }
-  Problem noisy = gap();
+  Problem noisy = problem_with_gap();
   noisy.noise.intensity = 0.1;
   EXPECT_NE(unsupported_reason(noisy, tails).find("noise"), std::string::npos);
   EXPECT_THROW(solve(noisy, {.time = 1e3, .tails = true}), InputError);

@@ -17,7 +17,7 @@ using transform::TransientRequest;
 
 constexpr double kStartY = 0.5, kStartV = 0.8;
 
-TransientRequest request(double until, int snapshots) {
+TransientRequest transient_request(double until, int snapshots) {
   return {.start = {.displacement_deviation = kStartY, .velocity_deviation = kStartV},
           .until = until,
           .snapshots = snapshots,
@@ -30,7 +30,7 @@ TransientRequest request(double until, int snapshots) {
 TEST(SimulationOverTime, HasTheExactMomentsOfTheLinearOscillator) {
   const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
   const transform::Transient result =
-      estimate_transient(problem, {.time = 2e5, .seed = 3}, request(4, 4));
+      estimate_transient(problem, {.time = 2e5, .seed = 3}, transient_request(4, 4));
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   ASSERT_EQ(result.snapshots.size(), 5u);
   EXPECT_TRUE(result.has_standard_errors);
@@ -62,7 +62,7 @@ TEST(SimulationOverTime, HasTheExactMomentsUnderAnExcitationThatChangesInTime) {
   problem.noise.intensity = 0.1;
   problem.time = problem::TimeDependence(
       {.rate = "1 + 0.8*sin(2*t)", .intensity = "exp(-t)", .force = "0.5*cos(1.3*t) + 0.2*t"}, {});
-  TransientRequest from_centre = request(4, 4);
+  TransientRequest from_centre = transient_request(4, 4);
   from_centre.start.mean_displacement = 0;
   const transform::Transient result =
       estimate_transient(problem, {.time = 4e5, .seed = 4}, from_centre);
@@ -79,12 +79,12 @@ TEST(SimulationOverTime, HasTheExactMomentsUnderAnExcitationThatChangesInTime) {
   }
 }
 
-// DuffingFlights with a rate of impulses that changes in time.
+// The test covers DuffingFlights under impulses with a time-dependent rate.
 TEST(SimulationOverTime, HasTheExactMomentsAtAWallUnderARateThatChangesInTime) {
   auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
   problem.time = problem::TimeDependence({.rate = "4*exp(-t)"}, {});
   const transform::Transient result =
-      estimate_transient(problem, {.time = 2e5, .seed = 5}, request(4, 2));
+      estimate_transient(problem, {.time = 2e5, .seed = 5}, transient_request(4, 2));
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   for (const auto& s : result.snapshots) {
     SCOPED_TRACE(s.time);
@@ -103,7 +103,7 @@ TEST(SimulationOverTime, HasFiniteMomentsWhereTheNoiseVanishes) {
                         0.2);
   problem.time = problem::TimeDependence({.intensity = "max(0, sin(t))"}, {});
   const transform::Transient result =
-      estimate_transient(problem, {.time = 2e4, .seed = 8}, request(6, 3));
+      estimate_transient(problem, {.time = 2e4, .seed = 8}, transient_request(6, 3));
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   for (const auto& s : result.snapshots) EXPECT_TRUE(std::isfinite(s.moments.v2)) << s.time;
 }
@@ -114,7 +114,7 @@ TEST(SimulationOverTime, FindsThePeriodicState) {
                            tests::gaussian_impulses(1, 0.4));
   problem.time = problem::TimeDependence({.rate = "1 + 0.9*sin(2*t)", .force = "0.3*cos(t)"}, {});
   const double period = 2 * M_PI;
-  TransientRequest periodic = request(period, 3);
+  TransientRequest periodic = transient_request(period, 3);
   periodic.periodic = true;
   const transform::Transient result =
       estimate_transient(problem, {.time = 1e6, .seed = 7}, periodic);
@@ -153,8 +153,10 @@ TEST(SimulationOverTime, LiftsTheMassOffTheWallWhenTheForceChangesItsSign) {
 
 TEST(SimulationOverTime, GivesTheSameResultForAnyNumberOfThreads) {
   const auto problem = tests::paper_case(1);
-  const auto one = estimate_transient(problem, {.time = 5e3, .threads = 1}, request(1, 2));
-  const auto three = estimate_transient(problem, {.time = 5e3, .threads = 3}, request(1, 2));
+  const auto one =
+      estimate_transient(problem, {.time = 5e3, .threads = 1}, transient_request(1, 2));
+  const auto three =
+      estimate_transient(problem, {.time = 5e3, .threads = 3}, transient_request(1, 2));
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_EQ(one.snapshots[k].moments.y2, three.snapshots[k].moments.y2);
     EXPECT_EQ(one.snapshots[k].ydot.density, three.snapshots[k].ydot.density);
@@ -162,7 +164,7 @@ TEST(SimulationOverTime, GivesTheSameResultForAnyNumberOfThreads) {
 }
 
 TEST(SimulationOverTime, RefusesAMeanBehindTheWall) {
-  TransientRequest behind = request(1, 1);
+  TransientRequest behind = transient_request(1, 1);
   behind.start.mean_displacement = -0.5;
   EXPECT_THROW(estimate_transient(tests::paper_case(1), {}, behind), InputError);
 }

@@ -60,7 +60,7 @@ TEST(BudgetOfARun, EndsWithTheMeasuredDiscretisation) {
     EXPECT_EQ(last.from, "fd-kf");
     EXPECT_LT(*last.standard_error, 0.1 * last.l1);
     // The error estimate of fd-kf, from the same grids and without simulation.
-    const double stated = transform::l1(*one.find("fd-kf")->error, row.variable);
+    const double stated = transform::l1_error_of_marginal(*one.find("fd-kf")->error, row.variable);
     EXPECT_NEAR(last.l1, stated, 0.15 * stated);
   }
 }

@@ -22,7 +22,7 @@ class Closures {
 
   bool is_ok(const std::string& id) const { return case_.find(id)->is_ok(); }
   double l1(const std::string& id, StateVariable variable) const {
-    return case_.l1(id, "fd-kf", variable).value_or(NAN);
+    return case_.l1_distance(id, "fd-kf", variable).value_or(NAN);
   }
   /// Mean difference of log10 p over reference densities 1e-5 .. 1e-4.
   double tail(const std::string& id, StateVariable variable) const {

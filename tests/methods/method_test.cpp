@@ -29,7 +29,7 @@ TEST(SolveInWallCoordinates, MarginalsOfASimulationHaveTheExactAxes) {
     all.push_back(between(at, at + 1.3));
   }
   const auto method =
-      builtin_registry().method_by_id("mcs", {{"time", 1.0}, {"streams", std::int64_t{8}}});
+      builtin_registry().find_method_by_id("mcs", {{"time", 1.0}, {"streams", std::int64_t{8}}});
   ASSERT_TRUE(method);
   for (const WallParameters& walls : all) {
     const auto problem =

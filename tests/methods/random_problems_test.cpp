@@ -47,8 +47,8 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
       ASSERT_TRUE(solution.error);
       const auto apart = [&](StateVariable variable) {
         const auto& edges = compare::comparison_bin_edges(axes, variable);
-        return transform::l1(transform::marginal(solution, variable, edges),
-                             transform::marginal(judge, variable, edges));
+        return transform::l1_distance(transform::marginal(solution, variable, edges),
+                                      transform::marginal(judge, variable, edges));
       };
       // Twice the error estimate, plus the 99 % quantile of the sampling error.
       EXPECT_LT(apart(StateVariable::y), 2 * solution.error->y_l1 + *judge.sampling->y_99);
@@ -86,8 +86,8 @@ TEST(RandomProblems, DividedBinsCloseToRestAreAccurate) {
     ASSERT_TRUE(solution.is_ok()) << solution.reason;
     const auto apart = [&](StateVariable variable) {
       const auto& edges = compare::comparison_bin_edges(axes, variable);
-      return transform::l1(transform::marginal(solution, variable, edges),
-                           transform::marginal(judge, variable, edges));
+      return transform::l1_distance(transform::marginal(solution, variable, edges),
+                                    transform::marginal(judge, variable, edges));
     };
     EXPECT_LT(apart(StateVariable::y), 2 * solution.error->y_l1 + *judge.sampling->y_99);
     EXPECT_LT(apart(StateVariable::ydot), 2 * solution.error->ydot_l1 + *judge.sampling->ydot_99);

@@ -73,7 +73,7 @@ TEST(SolverRegistry, SimulationUsesTheComparisonAxes) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
   const auto solution =
-      builtin_registry().method_by_id("mcs", {{"time", 5000.0}})->solve(problem, {axes, {}});
+      builtin_registry().find_method_by_id("mcs", {{"time", 5000.0}})->solve(problem, {axes, {}});
   const auto m = marginal(solution, transform::StateVariable::y, axes.y_edges);
   EXPECT_FALSE(m.lower.empty());  // estimated by the simulation, with intervals
 }
@@ -98,12 +98,12 @@ TEST(SolverRegistry, OverridesReplaceExistingOptions) {
   const base::Values given{{"time", 123.0}, {"seed", std::int64_t{9}}};
   const auto option = [&](const Method& method, const std::string& name) {
     const auto found = std::ranges::find(method.options, name, &base::NamedParameterValue::name);
-    return found == method.options.end() ? std::string("none") : base::text_of(found->value);
+    return found == method.options.end() ? std::string("none") : base::value_as_text(found->value);
   };
-  EXPECT_EQ(option(*builtin_registry().method_by_id("mcs", given), "time"), "123");
-  EXPECT_EQ(option(*builtin_registry().method_by_id("mcs", given), "seed"), "9");
-  EXPECT_EQ(option(*builtin_registry().method_by_id("fd-kf", given), "time"), "none");
-  EXPECT_EQ(option(*builtin_registry().method_by_id("fd-kf"), "error_estimate"), "true");
+  EXPECT_EQ(option(*builtin_registry().find_method_by_id("mcs", given), "time"), "123");
+  EXPECT_EQ(option(*builtin_registry().find_method_by_id("mcs", given), "seed"), "9");
+  EXPECT_EQ(option(*builtin_registry().find_method_by_id("fd-kf", given), "time"), "none");
+  EXPECT_EQ(option(*builtin_registry().find_method_by_id("fd-kf"), "error_estimate"), "true");
 }
 
 TEST(SolverRegistry, FindsTheMethodOfASolution) {

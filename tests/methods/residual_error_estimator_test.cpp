@@ -24,7 +24,7 @@ using transform::Status;
 Solution solved(const std::string& id, const base::Values& given = {}) {
   const auto p = tests::paper_case(1);
   const auto axes = compare::comparison_axes(p);
-  return solve_with_method(*builtin_registry().method_by_id(id, given), p, {axes, {}});
+  return solve_with_method(*builtin_registry().find_method_by_id(id, given), p, {axes, {}});
 }
 
 TEST(ResidualErrorEstimate, AgreesWithTheDistanceFromTheJumpEquation) {
@@ -38,9 +38,10 @@ TEST(ResidualErrorEstimate, AgreesWithTheDistanceFromTheJumpEquation) {
     ASSERT_TRUE(closure.error) << id;
     for (const auto variable : transform::kVariables) {
       const auto& edges = compare::comparison_bin_edges(axes, variable);
-      const double apart = transform::l1(transform::marginal(closure, variable, edges),
-                                         transform::marginal(reference, variable, edges));
-      EXPECT_NEAR(transform::l1(*closure.error, variable) / apart, 1.6, 0.3) << id << apart;
+      const double apart = transform::l1_distance(transform::marginal(closure, variable, edges),
+                                                  transform::marginal(reference, variable, edges));
+      EXPECT_NEAR(transform::l1_error_of_marginal(*closure.error, variable) / apart, 1.6, 0.3)
+          << id << apart;
     }
   }
 }

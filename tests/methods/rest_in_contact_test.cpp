@@ -53,8 +53,8 @@ TEST(RestInContact, AgreesWithFiniteVolumes) {
       EXPECT_LT(*distance, l1) << name;
       // The error estimate includes that of the reference.
       ASSERT_TRUE(closure.error);
-      EXPECT_NEAR(transform::l1(*closure.error, variable),
-                  *distance + transform::l1(*volumes.error, variable), 1e-12);
+      EXPECT_NEAR(transform::l1_error_of_marginal(*closure.error, variable),
+                  *distance + transform::l1_error_of_marginal(*volumes.error, variable), 1e-12);
     }
   }
 }

@@ -111,11 +111,11 @@ TEST_P(OtherSystems, AgreeBetweenFiniteVolumesAndSimulation) {
   const auto axes = compare::comparison_axes(problem);
   for (const auto variable : transform::kVariables) {
     const auto& bins = comparison_bin_edges(axes, variable);
-    const double l1 = transform::l1(transform::marginal(differences, variable, bins),
-                                    transform::marginal(simulated, variable, bins)) +
+    const double l1 = transform::l1_distance(transform::marginal(differences, variable, bins),
+                                             transform::marginal(simulated, variable, bins)) +
                       compare::rest_atom_l1_distance(differences.atoms, simulated.atoms, variable);
     EXPECT_LT(l1, 1.6 * transform::expected_l1_error(*simulated.sampling, variable).value() +
-                      transform::l1(*differences.error, variable))
+                      transform::l1_error_of_marginal(*differences.error, variable))
         << transform::name(variable);
   }
   EXPECT_NEAR(differences.moments.v2, simulated.moments.v2,

@@ -18,7 +18,7 @@ using transform::StateVariable;
 void expect_within_chance(const mcs::Result& simulated, const transform::Solution& other) {
   for (const auto& [variable, estimate] : simulated.solution.estimated_marginals) {
     const auto reference = transform::marginal(other, variable, estimate.edges);
-    const double l1 = transform::l1(estimate, reference);
+    const double l1 = transform::l1_distance(estimate, reference);
     const auto& sampling = simulated.solution.sampling;
     const double chance = (variable == StateVariable::y ? sampling->y : sampling->ydot).value();
     EXPECT_LT(l1, 1.6 * chance) << transform::name(variable);

@@ -19,7 +19,7 @@ using transform::SolutionRole;
 using transform::Status;
 
 Solution solution_without_estimate(const problem::Problem& problem) {
-  const Method method = *builtin_registry().method_by_id("epc-polar-n4", {});
+  const Method method = *builtin_registry().find_method_by_id("epc-polar-n4", {});
   const auto axes = compare::comparison_axes(problem);
   auto solution = solve_with_method(method, problem, {axes, {}});
   solution.error = {};
@@ -69,7 +69,7 @@ TEST(ErrorEstimates, FollowFromTheReferenceIfMissing) {
   const auto solutions = run_cases({tests::paper_case(1)},
                                    {method_without_estimate(SolutionRole::external, "one"),
                                     method_without_estimate(SolutionRole::closure, "another"),
-                                    *builtin_registry().method_by_id("fd-kf", {})},
+                                    *builtin_registry().find_method_by_id("fd-kf", {})},
                                    1, {})
                              .front()
                              .solutions;

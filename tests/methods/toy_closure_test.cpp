@@ -10,14 +10,14 @@
 #include "paper_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "report/report.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "results/limiting_errors_text.hpp"
 #include "results/saved_run.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "transform/marginal.hpp"
 #include "workflows/check/baseline.hpp"
-#include "workflows/check/check.hpp"
+#include "workflows/check/compare_runs.hpp"
 #include "workflows/study/closure_order.hpp"
 
 /// A method from outside the source tree. Its registry entry alone adds the method to every table,
@@ -133,7 +133,7 @@ TEST_F(ToyClosure, IsOrderedAmongTheClosures) {
 }
 
 TEST_F(ToyClosure, AppearsInTableFindingsAndErrorBudget) {
-  const std::string table = report::table(run_);
+  const std::string table = report::terminal_tables_text(run_);
   EXPECT_TRUE(contains(table, "toy-bell-n2")) << table;
   EXPECT_TRUE(contains(table, "kf/map")) << table;
   ASSERT_EQ(case_.budget.size(), 6u);
@@ -175,11 +175,11 @@ TEST_F(ToyClosure, IsCheckedForChanges) {
   files.commit();
   const auto baseline = check::load_baseline(directory.path(), registry_, {});
   auto again = check::repeat_run(baseline, "fpkcheck check", 1, {});
-  EXPECT_TRUE(check::check(baseline.run, again, {}).agrees_with_baseline());
+  EXPECT_TRUE(check::compare_runs(baseline.run, again, {}).agrees_with_baseline());
   auto& width = again.cases[0].solutions[1].metrics[0];
   ASSERT_EQ(width.path, "width.y");
   width.value = std::get<double>(width.value) * (1 + 1e-6);
-  const auto moved = check::check(baseline.run, again, {}).changed_quantities();
+  const auto moved = check::compare_runs(baseline.run, again, {}).changed_quantities();
   ASSERT_EQ(moved.size(), 1u);
   EXPECT_EQ(moved[0].solution, "toy-bell-n2");
   // Without the registry entry the solution cannot be solved again.

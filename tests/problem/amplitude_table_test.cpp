@@ -97,16 +97,16 @@ TEST_F(TableOfACase, IsReadBesideTheFileAndSetsMeanAndIntensity) {
   write("kicks.csv", "amplitude,probability\n-1,0.25\n3,0.75\n");
   write("mine.ini", std::string(kSystem) + "table = kicks.csv\n");
   const Problem p = load_case(file("mine.ini"));
-  EXPECT_EQ(p.impulses.law().mean(), 2);
+  EXPECT_EQ(p.impulses.amplitude_law().mean(), 2);
   EXPECT_NEAR(p.impulses.intensity(), 2 * 7, 1e-14);
-  EXPECT_NEAR(p.impulses.law().moment(3), 0.25 * -1 + 0.75 * 27, 1e-13);
+  EXPECT_NEAR(p.impulses.amplitude_law().moment(3), 0.25 * -1 + 0.75 * 27, 1e-13);
   // After the case was loaded, the problem no longer needs the CSV file.
   std::filesystem::remove(file("kicks.csv"));
-  const Problem again = problem_from_sections("again", sections(p));
-  EXPECT_EQ(again.impulses.law().moments(), p.impulses.law().moments());
-  ASSERT_EQ(sections(again).size(), sections(p).size());
-  for (std::size_t k = 0; k < sections(p).size(); ++k) {
-    EXPECT_EQ(sections(again)[k].values, sections(p)[k].values);
+  const Problem again = problem_from_sections("again", case_file_sections(p));
+  EXPECT_EQ(again.impulses.amplitude_law().moments(), p.impulses.amplitude_law().moments());
+  ASSERT_EQ(case_file_sections(again).size(), case_file_sections(p).size());
+  for (std::size_t k = 0; k < case_file_sections(p).size(); ++k) {
+    EXPECT_EQ(case_file_sections(again)[k].values, case_file_sections(p)[k].values);
   }
   EXPECT_EQ(parameters_text(p).find("0.25"), std::string::npos) << parameters_text(p);
 }
@@ -115,12 +115,13 @@ TEST_F(TableOfACase, IsShiftedAndScaledToWhatIsGiven) {
   write("kicks.csv", "amplitude,density\n0,2\n1,0\n");
   write("mine.ini", std::string(kSystem) + "table = kicks.csv\nmean = 0\n");
   const Problem shifted = load_case(file("mine.ini"));
-  EXPECT_EQ(shifted.impulses.law().mean(), 0);
-  EXPECT_NEAR(shifted.impulses.law().deviation(), std::sqrt(1 / 18.0), 1e-15);
+  EXPECT_EQ(shifted.impulses.amplitude_law().mean(), 0);
+  EXPECT_NEAR(shifted.impulses.amplitude_law().deviation(), std::sqrt(1 / 18.0), 1e-15);
   const Problem scaled =
       load_case(file("mine.ini"), {"impulse.intensity=8"}, CaseNaming::with_overrides);
-  EXPECT_NEAR(scaled.impulses.law().deviation(), 2, 1e-15);
-  EXPECT_NEAR(scaled.impulses.law().skewness(), shifted.impulses.law().skewness(), 1e-13);
+  EXPECT_NEAR(scaled.impulses.amplitude_law().deviation(), 2, 1e-15);
+  EXPECT_NEAR(scaled.impulses.amplitude_law().skewness(),
+              shifted.impulses.amplitude_law().skewness(), 1e-13);
   EXPECT_EQ(scaled.name, "mine, lambda E[Y^2] = 8");
   const Problem other = load_case(file("mine.ini"), {"impulse.table=" + std::string(tests::kAtoms)},
                                   CaseNaming::with_overrides);

@@ -34,7 +34,7 @@ TEST(MotionBalances, CountTheMeanOfTheImpulsesAndTheLossesAtTheWall) {
   const Problem p =
       tests::make_problem({.restitution = 0.6, .rate = 2, .intensity = 0.5, .mean = 0.1});
   // 0.5 = 0.56 - 0.2 * 0.3, and 0.68 = 0.2 + 1.6 * 0.3
-  EXPECT_NEAR(impact_momentum_change(p.system.left_wall(), 0.3), 1.6 * 0.3, kRounding);
+  EXPECT_NEAR(impact_momentum_rate(p.system.left_wall(), 0.3), 1.6 * 0.3, kRounding);
   EXPECT_NEAR(virial_balance(
                   p, {.mean_displacement = 0.3, .mean_square_velocity = 0.5, .mean_virial = 0.56})
                   .residual(),

@@ -35,7 +35,7 @@ TEST(CaseFile, ReadsEveryKeyAndBothKindsOfComment) {
   EXPECT_EQ(p.system.restitution(), 0.9);
   EXPECT_EQ(p.impulses.arrival_rate(), 4.0);
   EXPECT_NEAR(p.impulses.intensity(), 0.5, 1e-15);
-  EXPECT_EQ(p.impulses.law().moment(1), 0.1);
+  EXPECT_EQ(p.impulses.amplitude_law().moment(1), 0.1);
 }
 
 TEST(CaseFile, AcceptsByteOrderMarkAndSpaces) {
@@ -44,7 +44,9 @@ TEST(CaseFile, AcceptsByteOrderMarkAndSpaces) {
   EXPECT_NE(message(kGood, {"system.cubic=1e400"}).find("out of the range"), std::string::npos);
 }
 
-TEST(CaseFile, MeanDefaultsToZero) { EXPECT_EQ(read(kGood).impulses.law().moment(1), 0.0); }
+TEST(CaseFile, MeanDefaultsToZero) {
+  EXPECT_EQ(read(kGood).impulses.amplitude_law().moment(1), 0.0);
+}
 
 TEST(CaseFile, OverridesReplaceAndComplete) {
   EXPECT_EQ(read(kGood, {"system.cubic=7", "system.damping=8"}).system.coefficients().cubic, 7.0);

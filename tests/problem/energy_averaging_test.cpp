@@ -29,7 +29,7 @@ TEST(EffectivePotential, HasTheForceAndTheMeanOfTheImpulsesForItsSlope) {
 TEST(UndampedOrbits, OfAHarmonicSpringHaveItsPeriodAndAction) {
   const Problem p = tests::with_noise(System({.damping = 0.2, .stiffness = 4}, kNone), 1);
   const UndampedOrbits orbits(p);
-  ASSERT_EQ(orbits.minima(), std::vector<double>{0});
+  ASSERT_EQ(orbits.potential_minima(), std::vector<double>{0});
   const double energy = 0.7;
   const auto half_cycles = orbits.half_cycles(energy);
   ASSERT_EQ(half_cycles.size(), 1u);
@@ -50,7 +50,7 @@ TEST(UndampedOrbits, DissipateAtEachWallTheyReach) {
   const double u = 1.3;
   const auto half_cycles = orbits.half_cycles(u * u / 2);
   ASSERT_EQ(half_cycles.size(), 1u);
-  EXPECT_TRUE(half_cycles[0].at_left && half_cycles[0].at_right);
+  EXPECT_TRUE(half_cycles[0].left_is_wall && half_cycles[0].right_is_wall);
   const OrbitIntegrals orbit = orbits.orbit_integrals(half_cycles[0], u * u / 2);
   EXPECT_NEAR(orbit.period, 6 / u, 1e-12);
   EXPECT_NEAR(orbit.action, 6 * u, 1e-12);
@@ -60,8 +60,8 @@ TEST(UndampedOrbits, DissipateAtEachWallTheyReach) {
 TEST(UndampedOrbits, OfTwoWellsMergeAboveTheSaddle) {
   const UndampedOrbits orbits(
       tests::with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, kNone), 1));
-  ASSERT_EQ(orbits.minima().size(), 2u);
-  EXPECT_NEAR(orbits.minima()[0], -1, 1e-12);
+  ASSERT_EQ(orbits.potential_minima().size(), 2u);
+  EXPECT_NEAR(orbits.potential_minima()[0], -1, 1e-12);
   EXPECT_NEAR(orbits.lowest_potential(), -0.25, 1e-12);
   EXPECT_EQ(orbits.half_cycles(-0.1).size(), 2u);
   EXPECT_EQ(orbits.half_cycles(0.1).size(), 1u);
@@ -69,12 +69,13 @@ TEST(UndampedOrbits, OfTwoWellsMergeAboveTheSaddle) {
 
 TEST(UndampedOrbits, PressedToAWallHaveTheirMinimumThere) {
   const System ball({.constant = 1}, {.left = 0, .left_restitution = 0.7});
-  EXPECT_EQ(UndampedOrbits(tests::with_noise(ball, 1)).minima(), std::vector<double>{0});
+  EXPECT_EQ(UndampedOrbits(tests::with_noise(ball, 1)).potential_minima(), std::vector<double>{0});
   // Two wells with walls between the potential minima and the origin.
   const System stops(
       {.damping = 0.1, .stiffness = -1, .cubic = 1},
       {.left = -0.5, .left_restitution = 0.7, .right = 0.5, .right_restitution = 0.7});
-  EXPECT_EQ(UndampedOrbits(tests::with_noise(stops, 1)).minima(), (std::vector<double>{-0.5, 0.5}));
+  EXPECT_EQ(UndampedOrbits(tests::with_noise(stops, 1)).potential_minima(),
+            (std::vector<double>{-0.5, 0.5}));
 }
 
 TEST(EnergyAveraging, IsTheExactDensityUnderNoiseAndLinearDamping) {

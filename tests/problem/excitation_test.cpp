@@ -26,10 +26,10 @@ TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
     ImpulseParameters parameters = train(2.0, 0.6, 0.3);
     parameters.law = name;
     const ImpulseTrain impulses(parameters);
-    EXPECT_EQ(impulses.law().name(), name);
+    EXPECT_EQ(impulses.amplitude_law().name(), name);
     EXPECT_NEAR(impulses.intensity(), 0.6, 1e-15) << name;
     EXPECT_NEAR(impulses.rate_times_moment(1), 0.6, 1e-15) << name;
-    EXPECT_NEAR(impulses.law().deviation(), std::sqrt(0.3 - 0.09), 1e-15) << name;
+    EXPECT_NEAR(impulses.amplitude_law().deviation(), std::sqrt(0.3 - 0.09), 1e-15) << name;
   }
 }
 

@@ -41,7 +41,7 @@ TEST(NoiseFactor, ChangesTheForceInStratonovichSense) {
     EXPECT_NEAR(ito.system.force(0.4, v), 0.4 + v * (0.1 + 0.05 * (0.16 + v * v)), 1e-15);
     EXPECT_NEAR(stratonovich.system.force(0.4, v), ito.system.force(0.4, v) - 0.025 * v, 1e-15);
   }
-  EXPECT_NEAR(noise_diffusion(ito, 0.4, 0.2), 0.1 * (1 + 0.25 * 0.2), 1e-15);
+  EXPECT_NEAR(noise_diffusion_coefficient(ito, 0.4, 0.2), 0.1 * (1 + 0.25 * 0.2), 1e-15);
 }
 
 // Without a factor of v both senses are one equation, and coefficients remain coefficients.
@@ -51,7 +51,7 @@ TEST(NoiseFactor, OfTheDisplacementChangesNoForce) {
                        "factor = sqrt(1+y^2)\ninterpretation = stratonovich\n");
   EXPECT_TRUE(p.system.has_polynomial_force());
   EXPECT_NEAR(p.noise_factor->squared(2, 1), 5, 1e-15);
-  EXPECT_FALSE(polynomial_required_reason(p).empty());
+  EXPECT_FALSE(polynomial_method_unsupported_reason(p).empty());
 }
 
 TEST(KinksOfFormulas, AreThoseOfForceAndFactorInWallCoordinates) {
@@ -64,10 +64,10 @@ TEST(KinksOfFormulas, AreThoseOfForceAndFactorInWallCoordinates) {
     ASSERT_EQ(found.size(), exact.size());
     for (std::size_t n = 0; n < exact.size(); ++n) EXPECT_NEAR(found[n], exact[n], 1e-9);
   };
-  expect_equal(kinks_in_y(p, -1, 0.5), {0, 0.1});
-  expect_equal(kinks_in_v(p, -1, 1), {-0.2, 0.3});
-  expect_equal(kinks_in_y(seen, 0, 1), {0.4, 0.5});
-  expect_equal(kinks_in_v(seen, -1, 1), {-0.3, 0.2});
+  expect_equal(coefficient_kinks_in_y(p, -1, 0.5), {0, 0.1});
+  expect_equal(coefficient_kinks_in_v(p, -1, 1), {-0.2, 0.3});
+  expect_equal(coefficient_kinks_in_y(seen, 0, 1), {0.4, 0.5});
+  expect_equal(coefficient_kinks_in_v(seen, -1, 1), {-0.3, 0.2});
 }
 
 TEST(NoiseFactor, IsTransformedToWallCoordinates) {
@@ -82,8 +82,8 @@ TEST(NoiseFactor, IsTransformedToWallCoordinates) {
   ASSERT_NEAR(y, -0.2, 1e-15);
   ASSERT_NEAR(physical_v, 0.4, 1e-15);
   EXPECT_NEAR((*seen.noise_factor)(x, v), (*p.noise_factor)(y, physical_v), 1e-15);
-  EXPECT_NEAR(seen.noise_factor->slope_of_square(x, v),
-              -p.noise_factor->slope_of_square(y, physical_v), 1e-15);
+  EXPECT_NEAR(seen.noise_factor->square_slope_in_v(x, v),
+              -p.noise_factor->square_slope_in_v(y, physical_v), 1e-15);
   EXPECT_NEAR(seen.system.force(x, v), -p.system.force(y, physical_v), 1e-15);
 }
 
@@ -120,12 +120,12 @@ const std::string kParametric =
 TEST(ImpulseFactor, IsAFormulaOfTheDisplacement) {
   const Problem p = case_of_formulas(kLinearSpring + "[wall]\nnone = true\n" + kParametric +
                                      "1 + a*y\n[parameters]\na = 0.5\n");
-  EXPECT_NEAR(square_impulse_factor(p, 2), 4, 1e-15);
-  EXPECT_NE(polynomial_required_reason(p).find("impulse.factor"), std::string::npos);
-  const Problem again = problem_from_sections("again", sections(p));
-  EXPECT_NEAR(square_impulse_factor(again, -1), 0.25, 1e-15);
+  EXPECT_NEAR(squared_impulse_factor(p, 2), 4, 1e-15);
+  EXPECT_NE(polynomial_method_unsupported_reason(p).find("impulse.factor"), std::string::npos);
+  const Problem again = problem_from_sections("again", case_file_sections(p));
+  EXPECT_NEAR(squared_impulse_factor(again, -1), 0.25, 1e-15);
   const Problem without = case_of_formulas(kLinearSpring + "[wall]\nnone = true\n" + kUnitImpulses);
-  EXPECT_EQ(square_impulse_factor(without, 2), 1);
+  EXPECT_EQ(squared_impulse_factor(without, 2), 1);
 }
 
 // b Y at the physical displacement, with the mirrored amplitude -Y.
@@ -136,10 +136,11 @@ TEST(ImpulseFactor, IsTransformedToWallCoordinates) {
   const WallFrame frame = wall_frame(p.system);
   const Problem transformed = to_wall_coordinates(frame, p);
   ASSERT_NEAR(frame.physical_y(0.7), -0.2, 1e-15);
-  EXPECT_NEAR(square_impulse_factor(transformed, 0.7), 1.2 * 1.2, 1e-14);
-  EXPECT_LT(transformed.impulses.law().moment(3) * p.impulses.law().moment(3), 0);
-  ASSERT_EQ(kinks_in_y(transformed, 0, 1).size(), 1U);
-  EXPECT_NEAR(kinks_in_y(transformed, 0, 1)[0], 0.3, 1e-9);
+  EXPECT_NEAR(squared_impulse_factor(transformed, 0.7), 1.2 * 1.2, 1e-14);
+  EXPECT_LT(transformed.impulses.amplitude_law().moment(3) * p.impulses.amplitude_law().moment(3),
+            0);
+  ASSERT_EQ(coefficient_kinks_in_y(transformed, 0, 1).size(), 1U);
+  EXPECT_NEAR(coefficient_kinks_in_y(transformed, 0, 1)[0], 0.3, 1e-9);
 }
 
 // For b = 1 + e y and k = 1 the closed integrals at the energy h are 2 pi c h for the loss and
@@ -180,20 +181,20 @@ TEST(RestitutionFormula, IsAFunctionOfTheImpactSpeed) {
   const Wall& wall = *p.system.left_wall();
   EXPECT_FALSE(wall.has_constant_restitution());
   EXPECT_EQ(wall.restitution, 1);
-  EXPECT_NEAR(wall.restitution_at(0.5), 1 - 0.3 * std::pow(0.5, 0.2), 1e-15);
-  EXPECT_NEAR(wall.restitution_at(7), 0.7, 1e-15);
-  EXPECT_NEAR(energy_lost(wall, ImpactCondition::map, 7), (1 - 0.49) * 49 / 2, 1e-13);
-  EXPECT_NEAR(momentum_change(wall, 7), 1.7 * 7, 1e-13);
-  EXPECT_FALSE(polynomial_required_reason(p).empty());
-  const Problem again = problem_from_sections("a", sections(p));
-  EXPECT_EQ(again.system.left_wall()->restitution_at(0.5), wall.restitution_at(0.5));
+  EXPECT_NEAR(wall.restitution_at_speed(0.5), 1 - 0.3 * std::pow(0.5, 0.2), 1e-15);
+  EXPECT_NEAR(wall.restitution_at_speed(7), 0.7, 1e-15);
+  EXPECT_NEAR(energy_loss_at_impact(wall, ImpactCondition::map, 7), (1 - 0.49) * 49 / 2, 1e-13);
+  EXPECT_NEAR(momentum_change_at_impact(wall, 7), 1.7 * 7, 1e-13);
+  EXPECT_FALSE(polynomial_method_unsupported_reason(p).empty());
+  const Problem again = problem_from_sections("a", case_file_sections(p));
+  EXPECT_EQ(again.system.left_wall()->restitution_at_speed(0.5), wall.restitution_at_speed(0.5));
 }
 
 TEST(RestitutionFormula, ThatIsConstantIsANumber) {
   const Problem p = case_of_formulas(kLinearSpring + "[wall]\nleft = 0\nleft_restitution = r\n" +
                                      kUnitImpulses + "[parameters]\nr = 0.9\n");
   EXPECT_EQ(p.system.left_wall(), (Wall{0, 0.9}));
-  EXPECT_EQ(polynomial_required_reason(p), "");
+  EXPECT_EQ(polynomial_method_unsupported_reason(p), "");
 }
 
 // The loss (1 - r(u)^2) u^2 / 2 at the impact speed u of an orbit.

@@ -38,7 +38,7 @@ TEST(GeneralCaseFile, ReadsEveryKey) {
   EXPECT_EQ(p.system.left_wall(), (Wall{-2, 0.7}));
   EXPECT_EQ(p.system.right_wall(), (Wall{3, 0.8}));
   EXPECT_EQ(p.noise.intensity, 0.2);
-  EXPECT_NEAR(total_intensity(p), 0.7, 1e-15);
+  EXPECT_NEAR(total_excitation_intensity(p), 0.7, 1e-15);
   EXPECT_EQ(parameters_text(p),
             "c = -1, c_yy = 2, c_vv = 3, g0 = 4, k = 5, k2 = 6, mu = 7, k5 = 8, a = -2, r_a = 0.7, "
             "b = 3, r_b = 0.8; gaussian impulses, lambda = 4, lambda E[Y^2] = 0.5, 2D = 0.2");
@@ -56,10 +56,10 @@ TEST(GeneralCaseFile, SectionsRoundTrip) {
   for (const std::string& text :
        {kWells + kNoWall + kNoise, kWells + kNoWall + kImpulses,
         kWells + "[wall]\nright = 3\nright_restitution = 0.8\n" + kNoise}) {
-    const Problem p = general_case(text), again = problem_from_sections("a", sections(p));
+    const Problem p = general_case(text), again = problem_from_sections("a", case_file_sections(p));
     EXPECT_EQ(parameters_text(again), parameters_text(p));
     EXPECT_EQ(again.system.wall_parameters(), p.system.wall_parameters());
-    EXPECT_EQ(total_intensity(again), total_intensity(p));
+    EXPECT_EQ(total_excitation_intensity(again), total_excitation_intensity(p));
   }
 }
 
@@ -67,7 +67,7 @@ TEST(GeneralCaseFile, OldFilesKeepTheirFields) {
   std::istringstream ini("[system]\ndamping = 0.1\nstiffness = 1\ncubic = 0\nrestitution = 1\n" +
                          kImpulses);
   const Problem p = read_case(ini, "a", "a.ini");
-  const auto all = sections(p);
+  const auto all = case_file_sections(p);
   ASSERT_EQ(all.size(), 2u);
   std::vector<std::string> names;
   for (const auto& value : all[0].values) names.push_back(value.name);
@@ -103,7 +103,7 @@ TEST(GeneralCaseFile, FormulaHasTheCoefficientsOfItsPolynomial) {
 
 TEST(GeneralCaseFile, SectionsKeepFormulaAndConstants) {
   const Problem p = general_case(kFormula + kNoWall + kNoise);
-  const auto all = sections(p);
+  const auto all = case_file_sections(p);
   ASSERT_EQ(all.size(), 4u);
   EXPECT_EQ(all[0].values.size(), 1u);
   EXPECT_EQ(all[1].name, "parameters");
@@ -211,19 +211,19 @@ TEST(ExampleSystems, HaveExpectedFeatures) {
     EXPECT_EQ(p.name, named.name);
     EXPECT_FALSE(has_equivalent_linearisation(p)) << p.name;
   }
-  EXPECT_TRUE(features(load_case("preload")).rests_in_contact);
-  EXPECT_TRUE(features(load_case("ball")).rests_in_contact);
-  EXPECT_EQ(features(load_case("stops")).wells, 2);
-  EXPECT_TRUE(features(load_case("stops")).rests_in_contact);
-  EXPECT_EQ(features(load_case("bistable")).wells, 2);
-  EXPECT_TRUE(features(load_case("box")).two_walls);
-  EXPECT_TRUE(features(load_case("ring")).negative_damping);
+  EXPECT_TRUE(problem_features(load_case("preload")).rests_in_contact);
+  EXPECT_TRUE(problem_features(load_case("ball")).rests_in_contact);
+  EXPECT_EQ(problem_features(load_case("stops")).wells, 2);
+  EXPECT_TRUE(problem_features(load_case("stops")).rests_in_contact);
+  EXPECT_EQ(problem_features(load_case("bistable")).wells, 2);
+  EXPECT_TRUE(problem_features(load_case("box")).two_walls);
+  EXPECT_TRUE(problem_features(load_case("ring")).negative_damping);
   EXPECT_TRUE(load_case("coulomb").system.has_force_jumps());
   EXPECT_EQ(load_case("bilinear").system.kinks_in_y(-3, 3).size(), 1u);
   EXPECT_EQ(load_case("hertz").system.kinks_in_y(-3, 3).size(), 1u);
   EXPECT_TRUE(load_case("rayleigh").system.has_polynomial_force());
   EXPECT_TRUE(load_case("caughey_ma").noise_factor->depends_on_v());
-  EXPECT_EQ(features(load_case("multiplicative_duffing")).wells, 2);
+  EXPECT_EQ(problem_features(load_case("multiplicative_duffing")).wells, 2);
   EXPECT_FALSE(load_case("viscoelastic_impact").system.has_constant_restitution());
 }
 

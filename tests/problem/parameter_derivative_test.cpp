@@ -38,8 +38,9 @@ TEST(ParameterDerivative, ToTheRateKeepsTheIntensity) {
   EXPECT_NEAR(quotient(derivative, [](const Problem& p) { return p.impulses.intensity(); }), 0,
               1e-10);
   // E[Y^2] = intensity / rate
-  EXPECT_NEAR(quotient(derivative, [](const Problem& p) { return p.impulses.law().moment(2); }),
-              -0.1, 1e-6);
+  EXPECT_NEAR(
+      quotient(derivative, [](const Problem& p) { return p.impulses.amplitude_law().moment(2); }),
+      -0.1, 1e-6);
 }
 
 TEST(ParameterDerivative, HasAllNumbersOfTheCaseButPositionsOfWalls) {

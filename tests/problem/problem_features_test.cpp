@@ -35,11 +35,11 @@ TEST(EquivalentLinearisation, HoldsForThePapersOscillator) {
 }
 
 ProblemFeatures with_wall(double constant, double r, double noise) {
-  return features({.name = "test",
-                   .system = System({.damping = 0.1, .constant = constant, .stiffness = 1},
-                                    {.left = 0, .left_restitution = r}),
-                   .impulses = tests::gaussian_impulses(1, 1),
-                   .noise = {noise}});
+  return problem_features({.name = "test",
+                           .system = System({.damping = 0.1, .constant = constant, .stiffness = 1},
+                                            {.left = 0, .left_restitution = r}),
+                           .impulses = tests::gaussian_impulses(1, 1),
+                           .noise = {noise}});
 }
 
 TEST(ProblemFeatures, RestInContactNeedsPressureLossesAndNoNoise) {

@@ -30,7 +30,7 @@ TEST(TimeDependence, IsReadFromACaseFile) {
   EXPECT_DOUBLE_EQ(p.time.rate_factor(0.7), 1 + 0.5 * std::sin(1.4));
   EXPECT_DOUBLE_EQ(p.time.intensity_factor(0.7), std::exp(-0.7));
   EXPECT_DOUBLE_EQ(p.time.force(0.7), 0.3 * std::cos(1.4));
-  const Problem again = problem_from_sections("a", sections(p), TimeSection::allowed);
+  const Problem again = problem_from_sections("a", case_file_sections(p), TimeSection::allowed);
   EXPECT_DOUBLE_EQ(again.time.force(0.7), p.time.force(0.7));
 }
 
@@ -61,7 +61,8 @@ TEST(TimeDependence, IsRelativeToTheLargestExcitation) {
   const Problem strongest = with_largest_excitation(p, {10});
   EXPECT_NEAR(strongest.impulses.arrival_rate(), 3, 1e-5);
   EXPECT_NEAR(strongest.impulses.intensity(), 0.6, 1e-6);
-  EXPECT_DOUBLE_EQ(strongest.impulses.law().moment(4), p.impulses.law().moment(4));
+  EXPECT_DOUBLE_EQ(strongest.impulses.amplitude_law().moment(4),
+                   p.impulses.amplitude_law().moment(4));
   EXPECT_DOUBLE_EQ(strongest.noise.intensity, 0.6);
   for (const double t : {0.0, 0.4, 5.0}) {
     EXPECT_NEAR(strongest.impulses.arrival_rate() * strongest.time.rate_factor(t),

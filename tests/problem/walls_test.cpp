@@ -87,7 +87,7 @@ TEST(WallFrame, OfTheLeftWallShiftsForceAndDamping) {
     EXPECT_NEAR(seen.system.potential()(x), system.potential()(y) - system.potential()(-0.5),
                 1e-14);
   }
-  EXPECT_EQ(seen.impulses.law().mean(), 0.3);
+  EXPECT_EQ(seen.impulses.amplitude_law().mean(), 0.3);
 }
 
 TEST(WallFrame, OfARightWallAloneIsMirrored) {
@@ -101,7 +101,7 @@ TEST(WallFrame, OfARightWallAloneIsMirrored) {
     EXPECT_NEAR(seen.system.restoring_force()(x), -g(2 - x), 1e-13);
     EXPECT_NEAR(seen.system.damping_polynomial()(x), 0.1 + 0.2 * (2 - x) * (2 - x), 1e-15);
   }
-  EXPECT_EQ(seen.impulses.law().mean(), -0.3);
+  EXPECT_EQ(seen.impulses.amplitude_law().mean(), -0.3);
   EXPECT_EQ(seen.frame.physical_y(0.5), 1.5);
   EXPECT_EQ(seen.frame.wall_x(1.5), 0.5);
   EXPECT_EQ(seen.frame.physical_velocity(1), -1);
@@ -125,7 +125,7 @@ TEST(WallFrame, OfAProblemInItsFrameChangesNothing) {
   EXPECT_EQ(again.system.left_wall(), seen.system.left_wall());
   EXPECT_EQ(again.system.restoring_force().coefficients(),
             seen.system.restoring_force().coefficients());
-  EXPECT_EQ(again.impulses.law().mean(), -0.3);
+  EXPECT_EQ(again.impulses.amplitude_law().mean(), -0.3);
 }
 
 TEST(WallFrame, InverseRoundTrips) {

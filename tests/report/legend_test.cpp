@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "modified_case.hpp"
-#include "report/budget/table.hpp"
-#include "report/table.hpp"
+#include "report/budget/budget_table.hpp"
+#include "report/terminal_tables.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -16,7 +16,8 @@ using tests::contains;
 using tests::made_up_case;
 
 std::string legend_of(const results::CaseResult& case_result, std::size_t width) {
-  const std::string text = table({results::current_program(""), {case_result}}, width);
+  const std::string text =
+      terminal_tables_text({results::current_program(""), {case_result}}, width);
   return collapse_whitespace(text.substr(text.find("\n\n")));
 }
 
@@ -65,14 +66,14 @@ TEST(Legend, OfABudgetExplainsEveryLinkOfTheChain) {
   TextColumn names{"", "error budget", true, kAlwaysShown, {"toy"}};
   for (const auto& [link, name, meaning] : compare::kApproximationNames) {
     const TextColumn part{"L1 of p(y)", budget_part_header(std::string(name)), false, 1, {"0.1"}};
-    const std::string text = budget_legend({names, part});
+    const std::string text = budget_table_legend({names, part});
     EXPECT_TRUE(contains(text, fmt::format("; {}: {}", part.header, meaning))) << text;
   }
   // Each of several approximations that share a column.
   const TextColumn shared{"L1 of p(y)", "closure + truncation", false, 1, {"0.1"}};
-  const std::string text = budget_legend({names, shared});
+  const std::string text = budget_table_legend({names, shared});
   EXPECT_TRUE(contains(text, "; closure: ") && contains(text, "; trunc.: ")) << text;
-  EXPECT_EQ(budget_legend({}), "");
+  EXPECT_EQ(budget_table_legend({}), "");
 }
 
 }  // namespace

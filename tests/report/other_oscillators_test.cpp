@@ -9,7 +9,7 @@
 #include "report/page/case_tables.hpp"
 #include "report/page/problem_statement.hpp"
 #include "report/status_reasons.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/wall_atoms.hpp"
 #include "results/run_assessment.hpp"
 #include "saved_run.hpp"
@@ -94,11 +94,11 @@ results::CaseResult with_not_offered() {
 
 TEST(Table, UnsupportedMethodsWithEqualReasonsShareALine) {
   const auto case_result = with_not_offered();
-  const std::string text =
-      collapse_whitespace(table({results::current_program("fpkcheck run"), {case_result}}));
+  const std::string text = collapse_whitespace(
+      terminal_tables_text({results::current_program("fpkcheck run"), {case_result}}));
   EXPECT_TRUE(contains(text, "fd-white, fd-kf not_offered: this wall is not supported")) << text;
   EXPECT_FALSE(contains(text, "fd-white white/map")) << text;  // no row
-  EXPECT_TRUE(contains(reasons_html(case_result), "fd-white, fd-kf not_offered"));
+  EXPECT_TRUE(contains(status_reasons_html(case_result), "fd-white, fd-kf not_offered"));
 }
 
 TEST(Verdict, OmitsMethodsThatApplyToNoCase) {
@@ -115,9 +115,9 @@ TEST(Table, HasTheProbabilityOfRestAtEachWall) {
   results::CaseResult case_result = made_up_case();
   solution_of(case_result, "fd-kf").atoms = {{.y = -0.5, .probability = 0.25}};
   EXPECT_EQ(walls_with_rest_atoms(case_result), std::vector<double>{-0.5});
-  EXPECT_TRUE(
-      contains(table({results::current_program("fpkcheck run"), {case_result}}), "P(rest)"));
-  EXPECT_TRUE(contains(results_table(case_result), "0.25"));
+  EXPECT_TRUE(contains(
+      terminal_tables_text({results::current_program("fpkcheck run"), {case_result}}), "P(rest)"));
+  EXPECT_TRUE(contains(solutions_table_html(case_result), "0.25"));
   solution_of(case_result, "mcs").atoms = {{.y = 0.5, .probability = 0.125}};
   EXPECT_EQ(rest_probability_header(case_result, 0.5), "P(rest at 0.5)");
   EXPECT_EQ(rest_atom_probability(solution_of(case_result, "mcs"), 0.5), 0.125);

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "results/output_directory.hpp"
 #include "results/saved_run.hpp"
 #include "saved_run.hpp"
@@ -50,7 +50,7 @@ TEST(Report, AgainIsTheSameReport) {
   fs::remove_all(directory.path() / "figures");
   fs::remove(directory.path() / "report.html");
   const auto again = rebuild_report(directory.path(), results::load_run(directory.path()), 80);
-  EXPECT_EQ(again.text, table(run, 80));
+  EXPECT_EQ(again.text, terminal_tables_text(run, 80));
   for (const auto& [file, text] : files_of(directory.path())) {
     EXPECT_TRUE(before.contains(file) && before.at(file) == text) << file;
   }

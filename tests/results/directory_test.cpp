@@ -21,8 +21,8 @@ std::string refusal_to_write(const fs::path& directory) {
 }
 
 TEST(FileStem, KeepsPortableCharacters) {
-  EXPECT_EQ(file_stem("it's a-1.x_/"), "it_s_a-1.x__");
-  EXPECT_EQ(file_stem("case1, r = 0.9"), "case1_r_0.9");
+  EXPECT_EQ(case_file_stem("it's a-1.x_/"), "it_s_a-1.x__");
+  EXPECT_EQ(case_file_stem("case1, r = 0.9"), "case1_r_0.9");
 }
 
 TEST(RunDirectory, IsCreatedWithItsParents) {

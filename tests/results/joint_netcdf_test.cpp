@@ -45,7 +45,7 @@ results::Run small_run() {
 }
 
 void write(const fs::path& file, const results::Run& run) {
-  base::write_file_atomically(file, joint_netcdf(run));
+  base::write_file_atomically(file, joint_netcdf_bytes(run));
 }
 
 void expect_same(const JointDensity& read, const JointDensity& written) {
@@ -216,7 +216,7 @@ std::vector<transform::Solution> solutions_with_histogram() {
 TEST(JointDensities, HaveTheOrderOfTheSolutions) {
   const auto found = [](const std::vector<transform::Solution>& solutions) {
     std::string ids;
-    for (const auto& joint : joint_densities(kAxes, solutions)) ids += joint.solution + ' ';
+    for (const auto& joint : make_joint_densities(kAxes, solutions)) ids += joint.solution + ' ';
     return ids;
   };
   const std::string all = "epc-gaussian-n2 epc-gaussian-n4 epc-gaussian-n6 fd-white fd-km4 fd-kf ";
@@ -234,7 +234,7 @@ TEST(JointDensities, HaveMassOneAndTheMarginalsOfTheRun) {
     for (const auto variable : transform::kVariables) {
       const auto& bins = variable == StateVariable::y ? density.y_edges : density.v_edges;
       const auto own = transform::marginal(density, variable, bins);
-      const auto& p = one.curve(solution, variable)->density;
+      const auto& p = one.marginal_curve(solution, variable)->density;
       for (std::size_t b = 0; b < own.size(); ++b) {
         const double expected = variable == StateVariable::y ? (p[2 * b] + p[2 * b + 1]) / 2 : p[b];
         EXPECT_NEAR(own.density[b], expected, kSinglePrecision) << solution << " bin " << b;
@@ -245,7 +245,7 @@ TEST(JointDensities, HaveMassOneAndTheMarginalsOfTheRun) {
 
 TEST(JointDensities, OfASimulationSumItsCells) {
   const auto solutions = solutions_with_histogram();
-  const auto joint = joint_densities(kAxes, solutions).back();
+  const auto joint = make_joint_densities(kAxes, solutions).back();
   ASSERT_EQ(joint.solution, "mcs");
   const auto& histogram = std::get<transform::GridDensity>(*solutions.back().density);
   for (const auto& [i, j] : {std::pair{0, 0}, {3, 69}, {3, 70}, {69, 139}}) {

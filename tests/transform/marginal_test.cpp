@@ -80,10 +80,10 @@ TEST(Marginal, ThrowsWithoutADensity) {
 
 TEST(Marginal, L1DistanceIsTheAreaBetweenTwoOnTheSameBins) {
   const Marginal a{{0, 1, 3}, {0.4, 0.3}, {}, {}}, b{{0, 1, 3}, {0.6, 0.2}, {}, {}};
-  EXPECT_DOUBLE_EQ(l1(a, b), 0.2 + 2 * 0.1);
-  EXPECT_EQ(l1(a, a), 0);
-  EXPECT_THROW(l1(a, {{0, 2, 3}, {0.6, 0.2}, {}, {}}), std::invalid_argument);
-  EXPECT_THROW(l1(a, {{0, 1, 3}, {0.6}, {}, {}}), std::invalid_argument);
+  EXPECT_DOUBLE_EQ(l1_distance(a, b), 0.2 + 2 * 0.1);
+  EXPECT_EQ(l1_distance(a, a), 0);
+  EXPECT_THROW(l1_distance(a, {{0, 2, 3}, {0.6, 0.2}, {}, {}}), std::invalid_argument);
+  EXPECT_THROW(l1_distance(a, {{0, 1, 3}, {0.6}, {}, {}}), std::invalid_argument);
 }
 
 }  // namespace

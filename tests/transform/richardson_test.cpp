@@ -51,7 +51,7 @@ TEST(Richardson, FindsTheLimitOfASequenceOfKnownOrder) {
   EXPECT_NEAR(found.moments.v4, 6, 1e-13);
   // The exact errors of the finest grid level.
   EXPECT_NEAR(known.error.moments.y4, 4 * 0.1 / 8, 1e-13);
-  EXPECT_NEAR(known.error.y_l1, l1(levels.fine.y, found.y), 1e-13);
+  EXPECT_NEAR(known.error.y_l1, l1_distance(levels.fine.y, found.y), 1e-13);
   EXPECT_NEAR(known.error.ydot_l1, 3.5 * 0.1 / 8, 1e-13);
 }
 
@@ -144,7 +144,7 @@ TEST(Richardson, GridLevelIsTakenFromASolution) {
   solution.moments.y2 = 7;
   solution.atoms = {{.y = 0, .probability = 0.25}};
   const GridLevel of =
-      grid_level(solution, std::vector<double>{0, 1, 2}, std::vector<double>{-1, 0, 1});
+      make_grid_level(solution, std::vector<double>{0, 1, 2}, std::vector<double>{-1, 0, 1});
   EXPECT_NEAR(of.y.density[1], 0.7, 1e-15);
   EXPECT_NEAR(of.ydot.density[0], 0.4, 1e-15);
   EXPECT_EQ(of.moments.y2, 7);

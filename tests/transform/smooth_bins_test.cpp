@@ -30,8 +30,8 @@ TEST(SmoothBins, HaveTheirWeightsInFrontOfTheWall) {
     for (double y = kStep / 2; y < 3; y += kStep) {
       sum += kStep * cardinal_cubic_spline((y - kBins.first) / kBins.spacing - b);
     }
-    EXPECT_NEAR(bin_weight(kBins, b), sum, 1e-8) << b;
-    EXPECT_NEAR(bin_weight({.first = -0.2, .spacing = 0.2, .count = 8}, b), 0.2, 1e-15);
+    EXPECT_NEAR(smooth_bin_weight(kBins, b), sum, 1e-8) << b;
+    EXPECT_NEAR(smooth_bin_weight({.first = -0.2, .spacing = 0.2, .count = 8}, b), 0.2, 1e-15);
   }
 }
 
@@ -67,7 +67,8 @@ TEST(SmoothAverages, OfAnExponentialAreThoseOfTheFormula) {
       for (double y = kStep / 2; y < 0.6; y += kStep) {
         sum += kStep * std::exp(-y) * cardinal_cubic_spline(y / 0.2 + 1 - b);
       }
-      EXPECT_NEAR(smooth.density[std::size_t(b)], sum / bin_weight(kBins, b), 4 * tolerance + 1e-8);
+      EXPECT_NEAR(smooth.density[std::size_t(b)], sum / smooth_bin_weight(kBins, b),
+                  4 * tolerance + 1e-8);
     }
   }
 }
@@ -111,8 +112,8 @@ TEST(SmoothAverages, ResolveASpikeThatNarrowBinsResolve) {
   }
   const Marginal smooth = average_over_smooth_bins(sharp, kBins);
   for (int b = 0; b < kBins.count; ++b) {
-    EXPECT_NEAR(smooth.density[std::size_t(b)] * bin_weight(kBins, b) / mean_of_spike(a, b), 1,
-                1e-5)
+    EXPECT_NEAR(smooth.density[std::size_t(b)] * smooth_bin_weight(kBins, b) / mean_of_spike(a, b),
+                1, 1e-5)
         << b;
   }
 }

@@ -13,9 +13,9 @@ TransientSnapshot snapshot(double time, double p, double y2) {
 
 TEST(TransientRequest, EndsExactlyAtTheEndTime) {
   const TransientRequest request{.until = 0.7, .snapshots = 3};
-  EXPECT_EQ(request.time(0), 0);
-  EXPECT_EQ(request.time(3), 0.7);
-  EXPECT_NEAR(request.time(2), 0.7 * 2 / 3, 1e-15);
+  EXPECT_EQ(request.time_of_snapshot(0), 0);
+  EXPECT_EQ(request.time_of_snapshot(3), 0.7);
+  EXPECT_NEAR(request.time_of_snapshot(2), 0.7 * 2 / 3, 1e-15);
 }
 
 // The differences of E[y^2] are 0, 1, 0, 0, 2 at the times 0, 1, 2, 3, 4.

@@ -81,7 +81,7 @@ Baseline load_baseline(const fs::path& path, const methods::SolverRegistry& regi
   const fs::path curves = file.parent_path() / results::kMarginalsFile;
   Baseline baseline{results::load_run_summary(file), fs::exists(curves, ignored), {}, {}};
   if (baseline.has_marginals) {
-    results::load_curves(curves, baseline.run);
+    results::load_marginal_curves(curves, baseline.run);
   } else {
     baseline.notes.push_back(
         fmt::format("{} is missing beside the baseline: marginal densities are not compared.",

@@ -5,18 +5,18 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "report/text/columns.hpp"
+#include "report/text/text_columns.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/json.hpp"
 #include "results/run_json.hpp"
-#include "workflows/check/check.hpp"
+#include "workflows/check/compare_runs.hpp"
 
 namespace fpkcheck::check {
 namespace {
 
 using results::Json;
 
-Json json_of(const QuantityChange& quantity_change) {
+Json quantity_change_json(const QuantityChange& quantity_change) {
   return {{"case", quantity_change.case_name},
           {"solution", quantity_change.solution},
           {"figure", quantity_change.name},
@@ -25,7 +25,7 @@ Json json_of(const QuantityChange& quantity_change) {
           {"now", results::value_to_json(quantity_change.now)},
           {"change", quantity_change.change},
           {"allowed", quantity_change.allowed},
-          {"unit", unit(quantity_change.kind)}};
+          {"unit", unit_of_change(quantity_change.kind)}};
 }
 
 }  // namespace
@@ -34,13 +34,14 @@ std::string check_result_json(const CheckResult& check, const std::string& comma
                               const std::string& baseline) {
   Json kinds = Json::array(), moved = Json::array();
   for (const auto& [kind, count, moved_count, largest] : summarise_changes_by_kind(check)) {
-    kinds.push_back({{"kind", name(kind)},
-                     {"figures", count},
-                     {"moved", moved_count},
-                     {"largest_allowed", largest == nullptr ? Json() : json_of(*largest)}});
+    kinds.push_back(
+        {{"kind", name(kind)},
+         {"figures", count},
+         {"moved", moved_count},
+         {"largest_allowed", largest == nullptr ? Json() : quantity_change_json(*largest)}});
   }
   for (const auto& quantity_change : check.changed_quantities())
-    moved.push_back(json_of(quantity_change));
+    moved.push_back(quantity_change_json(quantity_change));
   return results::serialise_json(results::replace_non_finite_by_null(
       {{"schema", results::kSummarySchema},
        {"program", results::program_to_json(results::current_program(command))},
@@ -69,29 +70,30 @@ std::string change_text(double value) {
   return std::isfinite(value) ? fmt::format("{:.2g}", value) : kMissingCell;
 }
 
-std::string value_text(const Value& value, int digits) {
+std::string parameter_value_text(const Value& value, int digits) {
   if (base::is_unset(value)) return kMissingCell;
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::text_of(value);
+  return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::value_as_text(value);
 }
 
 // Returns the texts of the two compared values, with few digits, or with all digits if few digits
 // would not show the change.
 std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_change) {
   constexpr int kFewDigits = 8, kAllDigits = 15;
-  std::pair few{value_text(quantity_change.baseline, kFewDigits),
-                value_text(quantity_change.now, kFewDigits)};
+  std::pair few{parameter_value_text(quantity_change.baseline, kFewDigits),
+                parameter_value_text(quantity_change.now, kFewDigits)};
   if (few.first != few.second) return few;
-  return {value_text(quantity_change.baseline, kAllDigits),
-          value_text(quantity_change.now, kAllDigits)};
+  return {parameter_value_text(quantity_change.baseline, kAllDigits),
+          parameter_value_text(quantity_change.now, kAllDigits)};
 }
 
-void add_row(std::vector<TextColumn>& columns, const std::vector<std::string>& cells) {
+void add_table_row(std::vector<TextColumn>& columns, const std::vector<std::string>& cells) {
   for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells.at(k));
 }
 
-std::string moved_table(const std::vector<QuantityChange>& moved, const TextFormat& format) {
+std::string changed_quantity_table(const std::vector<QuantityChange>& moved,
+                                   const TextFormat& format) {
   std::vector<TextColumn> columns{{"", "case", true, kAlwaysShown},
                                   {"", "solution", true, kAlwaysShown},
                                   {"", "figure", true, kAlwaysShown},
@@ -103,15 +105,15 @@ std::string moved_table(const std::vector<QuantityChange>& moved, const TextForm
   for (const QuantityChange& f : moved) {
     const bool is_number = f.kind != QuantityKind::status;
     const auto [baseline, now] = value_texts(f);
-    add_row(columns,
-            {f.case_name, f.solution, f.name, baseline, now,
-             is_number ? change_text(f.change) : kMissingCell,
-             is_number ? change_text(f.allowed) : kMissingCell, std::string(unit(f.kind))});
+    add_table_row(columns, {f.case_name, f.solution, f.name, baseline, now,
+                            is_number ? change_text(f.change) : kMissingCell,
+                            is_number ? change_text(f.allowed) : kMissingCell,
+                            std::string(unit_of_change(f.kind))});
   }
   return report::format_text_table(std::move(columns), format);
 }
 
-std::string kinds_table(const CheckResult& check, const TextFormat& format) {
+std::string quantity_kind_table(const CheckResult& check, const TextFormat& format) {
   std::vector<TextColumn> columns{{"", "compared", true, kAlwaysShown},
                                   {"", "figures", false, kAlwaysShown},
                                   {"", "moved", false, kAlwaysShown},
@@ -123,10 +125,11 @@ std::string kinds_table(const CheckResult& check, const TextFormat& format) {
     const bool shown = largest != nullptr && kind != QuantityKind::status;
     const std::string of =
         shown && largest->change > 0 ? largest->case_name + ' ' + largest->solution : "";
-    add_row(columns, {std::string(name(kind)), fmt::format("{}", count), fmt::format("{}", moved),
-                      shown ? change_text(largest->change) : kMissingCell,
-                      shown ? change_text(largest->allowed) : kMissingCell,
-                      std::string(shown ? unit(kind) : ""), of});
+    add_table_row(columns,
+                  {std::string(name(kind)), fmt::format("{}", count), fmt::format("{}", moved),
+                   shown ? change_text(largest->change) : kMissingCell,
+                   shown ? change_text(largest->allowed) : kMissingCell,
+                   std::string(shown ? unit_of_change(kind) : ""), of});
   }
   return report::format_text_table(std::move(columns), format);
 }
@@ -156,13 +159,13 @@ std::string check_result_table(const CheckResult& check, const TextFormat& forma
   std::string text;
   if (!moved.empty()) {
     const auto shown = largest_changes(moved, kMaxRows);
-    text += moved_table(shown, format) + '\n';
+    text += changed_quantity_table(shown, format) + '\n';
     if (shown.size() < moved.size()) {
       text += fmt::format("and {} more (all of them: --json or --out)\n\n",
                           moved.size() - shown.size());
     }
   }
-  text += kinds_table(check, format) + '\n';
+  text += quantity_kind_table(check, format) + '\n';
   for (const auto& note : check.notes) text += report::wrap_text(note, format.width);
   text += moved.empty() ? fmt::format("{} figures of {} solutions agree.\n", check.changes.size(),
                                       check.solutions)

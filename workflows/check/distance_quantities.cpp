@@ -12,7 +12,7 @@ namespace {
 
 using compare::PairDistances;
 
-double deviation(const transform::Solution* reference, transform::StateVariable variable) {
+double standard_deviation(const transform::Solution* reference, transform::StateVariable variable) {
   if (reference == nullptr || !reference->has_density()) return 1;
   const auto& moments = reference->moments;
   return std::sqrt(variable == transform::StateVariable::y ? moments.y2 : moments.v2);
@@ -24,24 +24,25 @@ bool has_finite_divergence(const results::CaseResult& case_result, const PairDis
   return found == nullptr || std::isfinite(found->distances.kl);
 }
 
-void add_tail(const compare::Distances& d, const PartQuantityAppender& pair, double allowed) {
-  // Text of the decades and their numbers of bins. Tail distances over different bins are not
-  // comparable.
+void add_tail_distances(const compare::Distances& d, const PartQuantityAppender& pair,
+                        double allowed) {
+  // The text `bins` lists the decades of the tail and the numbers of bins in each decade. Tail
+  // distances over different bins are not compared.
   std::string bins;
   for (const auto& decade : d.log10_tail) {
     bins += fmt::format("{:.3g} to {:.3g}: {} and {}; ", decade.from, decade.to, decade.bins,
                         decade.bins_omitted);
   }
   const PartQuantityAppender tail{pair.quantities, pair.solution, "tail " + pair.name};
-  tail.begin(QuantityKind::tail, bins, pair.name);
+  tail.begin_part(QuantityKind::tail, bins, pair.name);
   for (const auto& decade : d.log10_tail) {
     tail.append_number(fmt::format("tail {:.0e} {}", decade.from, pair.name), QuantityKind::tail,
                        decade.mean_abs, allowed);
   }
 }
 
-void add_standard_error(const PairDistances& pair, const transform::Solution& simulation,
-                        const Tolerances& tolerances, const PartQuantityAppender& part) {
+void add_l1_standard_error(const PairDistances& pair, const transform::Solution& simulation,
+                           const Tolerances& tolerances, const PartQuantityAppender& part) {
   constexpr std::size_t kBothVariables = 2;
   part.append_number("standard error of L1 " + part.name, QuantityKind::simulated_error,
                      *pair.l1_standard_error,
@@ -64,7 +65,7 @@ Quantities distance_quantities(const results::CaseResult& case_result,
       return part.append_number(fmt::format("{} {}", symbol, part.name), QuantityKind::distance,
                                 distance, tolerances.deterministic, scale);
     };
-    part.begin(QuantityKind::distance);
+    part.begin_part(QuantityKind::distance);
     Quantity& l1 = add("L1", d.l1, 1);
     for (const auto* end : {a, b}) {
       if (end == nullptr) continue;
@@ -75,16 +76,16 @@ Quantities distance_quantities(const results::CaseResult& case_result,
     const bool has_sampling_error = l1.kind == QuantityKind::simulated_l1;
     const auto* measure = b != nullptr && b->smooth_sampling ? b : a;
     if (pair.l1_standard_error && measure != nullptr) {
-      add_standard_error(pair, *measure, tolerances, part);
+      add_l1_standard_error(pair, *measure, tolerances, part);
     }
     if (has_sampling_error) continue;
-    const double unit = 1 / deviation(b, pair.variable);
+    const double unit = 1 / standard_deviation(b, pair.variable);
     add("L2", d.l2, std::sqrt(unit));
     add("sup", d.sup, unit);
     add("Hellinger", d.hellinger, 1);
     if (has_finite_divergence(case_result, pair) && has_finite_divergence(case_in_other_run, pair))
       add("KL", d.kl, 1);
-    add_tail(d, part, tolerances.tail_tolerance());
+    add_tail_distances(d, part, tolerances.tail_tolerance());
   }
   return quantities;
 }
@@ -94,9 +95,9 @@ namespace {
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
 
-// Returns the names of the parts of the error in a row of the error budget, as text. The text
-// identifies the row, since rows with different parts cannot be compared.
-std::string chain(const ErrorBudgetRow& row) {
+// Returns the reference and the parts of a row of the error budget as text. Two rows with different
+// texts have different parts, and are not compared.
+std::string budget_chain_text(const ErrorBudgetRow& row) {
   std::string text = row.reference + ":";
   for (const ErrorBudgetPart& part : row.parts) {
     text += fmt::format(" {} ({} to {})", part.name(), part.from, part.to);
@@ -104,10 +105,10 @@ std::string chain(const ErrorBudgetRow& row) {
   return text;
 }
 
-/// @param simulation simulation of the total distances if the runs differ by sampling; else a null
-///        pointer
-void add_row(const ErrorBudgetRow& row, const transform::Solution* simulation,
-             const Tolerances& tolerances, Quantities& quantities) {
+/// @param simulation simulation to which the total distances of the row refer, if the two runs
+///        differ by sampling; otherwise a null pointer
+void add_budget_row_quantities(const ErrorBudgetRow& row, const transform::Solution* simulation,
+                               const Tolerances& tolerances, Quantities& quantities) {
   const PartQuantityAppender part{quantities, row.solution,
                                   fmt::format("budget {}", marginal_density_symbol(row.variable))};
   const auto add = [&](const std::string& name, double number) -> Quantity& {
@@ -135,7 +136,7 @@ void add_row(const ErrorBudgetRow& row, const transform::Solution* simulation,
     quantity.kind = QuantityKind::simulated_error;
     quantity.allowed = standard_error_change_tolerance(*simulation, 2, 1, tolerances);
   };
-  part.begin(QuantityKind::budget, chain(row));
+  part.begin_part(QuantityKind::budget, budget_chain_text(row));
   add_l1("total", row.total, true);
   add_tail("tail of total", row.total_tail);
   add("tail from", row.tail_from);
@@ -163,7 +164,7 @@ Quantities budget_quantities(const results::CaseResult& case_result,
                *again = case_in_other_run.find(row.reference);
     const bool has_sampling_error =
         end != nullptr && again != nullptr && differs_by_sampling(*end, *again);
-    add_row(row, has_sampling_error ? end : nullptr, tolerances, quantities);
+    add_budget_row_quantities(row, has_sampling_error ? end : nullptr, tolerances, quantities);
   }
   return quantities;
 }

@@ -39,15 +39,15 @@ bool has_narrow_confidence_interval(const DensityCurve& curve, std::size_t k) {
          curve.upper[k] - curve.density[k] <= kMaxRelativeHalfWidth * curve.density[k];
 }
 
-double standard_error(const DensityCurve& curve, std::size_t k) {
+double bin_standard_error(const DensityCurve& curve, std::size_t k) {
   return (curve.upper[k] - curve.density[k]) / numerics::kNormal95;
 }
 
 // Returns the bin with the largest change. For simulations the comparison is limited to bins with
 // sufficiently narrow confidence intervals in both runs.
-QuantityChange compare_bins(QuantityChange quantity_change, const DensityCurve& was,
-                            const DensityCurve& is, bool has_sampling_error,
-                            const Tolerances& tolerances) {
+QuantityChange compare_density_bins(QuantityChange quantity_change, const DensityCurve& was,
+                                    const DensityCurve& is, bool has_sampling_error,
+                                    const Tolerances& tolerances) {
   const double peak = std::ranges::max(was.density);
   std::size_t compared = 0;
   quantity_change.change = -1;
@@ -56,8 +56,9 @@ QuantityChange compare_bins(QuantityChange quantity_change, const DensityCurve& 
         !(has_narrow_confidence_interval(was, k) && has_narrow_confidence_interval(is, k)))
       continue;
     const double difference = std::abs(is.density[k] - was.density[k]);
-    const double scale =
-        has_sampling_error ? std::hypot(standard_error(was, k), standard_error(is, k)) : peak;
+    const double scale = has_sampling_error
+                             ? std::hypot(bin_standard_error(was, k), bin_standard_error(is, k))
+                             : peak;
     const double change = difference == 0 ? 0 : difference / scale;
     ++compared;
     if (change <= quantity_change.change) continue;
@@ -74,7 +75,7 @@ QuantityChange compare_bins(QuantityChange quantity_change, const DensityCurve& 
   return quantity_change;
 }
 
-double l1(const DensityCurve& was, const DensityCurve& is) {
+double l1_distance(const DensityCurve& was, const DensityCurve& is) {
   const auto widths = results::bin_widths(was);
   double sum = 0;
   for (std::size_t k = 0; k < was.density.size(); ++k) {
@@ -83,8 +84,8 @@ double l1(const DensityCurve& was, const DensityCurve& is) {
   return sum;
 }
 
-Quantities l1_quantity(const Solution& simulation, const DensityCurve& curve, double l1,
-                       const Tolerances& tolerances) {
+Quantities l1_distance_quantity(const Solution& simulation, const DensityCurve& curve, double l1,
+                                const Tolerances& tolerances) {
   Quantities quantities;
   Quantity& quantity =
       PartQuantityAppender{quantities, curve.solution, kWholeSolutionPart}.append_number(
@@ -106,14 +107,14 @@ std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline
         .solution = curve.solution,
         .name = marginal_density_symbol(curve.variable),
         .kind = QuantityKind::marginal,
-        .baseline = bin_range_text(baseline.curve(curve.solution, curve.variable)),
-        .now = bin_range_text(now.curve(curve.solution, curve.variable)),
+        .baseline = bin_range_text(baseline.marginal_curve(curve.solution, curve.variable)),
+        .now = bin_range_text(now.marginal_curve(curve.solution, curve.variable)),
         .change = kInfinity,
         .allowed = 0};
   };
   for (const DensityCurve& was : baseline.curves) {
     const Solution *one = baseline.find(was.solution), *other = now.find(was.solution);
-    const DensityCurve* is = now.curve(was.solution, was.variable);
+    const DensityCurve* is = now.marginal_curve(was.solution, was.variable);
     if (is == nullptr || !has_same_bins(was, *is)) {
       changes.push_back(change_of_curve(was));
       // If only one run has the curve, the quantities of the solution report this difference.
@@ -121,17 +122,18 @@ std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline
       const bool has_sampling_error =
           one->standard_errors && !was.upper.empty() && !is->upper.empty();
       changes.push_back(
-          compare_bins(change_of_curve(was), was, *is, has_sampling_error, tolerances));
+          compare_density_bins(change_of_curve(was), was, *is, has_sampling_error, tolerances));
       if (has_sampling_error) {
-        const auto compared =
-            compare_quantities(baseline.name(), l1_quantity(*one, was, 0, tolerances),
-                               l1_quantity(*other, *is, l1(was, *is), tolerances));
+        const auto compared = compare_quantities(
+            baseline.name(), l1_distance_quantity(*one, was, 0, tolerances),
+            l1_distance_quantity(*other, *is, l1_distance(was, *is), tolerances));
         changes.push_back(compared.front());
       }
     }
   }
   for (const DensityCurve& is : now.curves) {
-    if (baseline.curve(is.solution, is.variable) == nullptr) changes.push_back(change_of_curve(is));
+    if (baseline.marginal_curve(is.solution, is.variable) == nullptr)
+      changes.push_back(change_of_curve(is));
   }
   return changes;
 }

@@ -12,9 +12,9 @@ namespace {
 
 using base::Value;
 
-using Key = std::pair<std::string, std::string>;  // solution and name of a quantity
+using QuantityKey = std::pair<std::string, std::string>;  // solution and name of a quantity
 
-double change(const Quantity& was, const Quantity& is) {
+double scaled_change(const Quantity& was, const Quantity& is) {
   const double a = finite_number_or_nan(was.value), b = finite_number_or_nan(is.value),
                difference = std::abs(b - a);
   if (was.value == is.value || difference == 0) return 0;
@@ -27,7 +27,7 @@ double change(const Quantity& was, const Quantity& is) {
   return std::isnan(result) ? kInfinity : result;
 }
 
-double allowed(const Quantity& was, const Quantity& is) {
+double allowed_change(const Quantity& was, const Quantity& is) {
   if (was.kind != QuantityKind::simulated_l1) return was.allowed;
   constexpr double kNormalQuantile99 = 2.326;  // quantile of the standard normal law
   const double expected = std::hypot(was.error, is.error);
@@ -36,32 +36,32 @@ double allowed(const Quantity& was, const Quantity& is) {
   return expected + was.allowed * std::max(deviation, 0.0);
 }
 
-bool is_error(const Quantity& quantity) {
+bool is_error_estimate(const Quantity& quantity) {
   return quantity.kind == QuantityKind::simulated_error || quantity.name == kErrorEstimatePart ||
          quantity.part == kErrorEstimatePart;
 }
 
 }  // namespace
 
-const PartQuantityAppender& PartQuantityAppender::begin(QuantityKind kind, const Value& what,
-                                                        const std::string& outer) const {
+const PartQuantityAppender& PartQuantityAppender::begin_part(
+    QuantityKind kind, const Value& value, const std::string& enclosing_part) const {
   quantities.push_back({.solution = solution,
                         .name = name,
                         .kind = kind,
-                        .value = what,
-                        .part = name == outer ? "" : outer,
+                        .value = value,
+                        .part = name == enclosing_part ? "" : enclosing_part,
                         .opens_part = true});
   return *this;
 }
 
-void PartQuantityAppender::append_word(const std::string& of, const Value& value) const {
-  quantities.push_back({.solution = solution, .name = of, .value = value, .part = name});
+void PartQuantityAppender::append_word(const std::string& quantity_name, const Value& value) const {
+  quantities.push_back({.solution = solution, .name = quantity_name, .value = value, .part = name});
 }
 
-Quantity& PartQuantityAppender::append_number(const std::string& of, QuantityKind kind,
+Quantity& PartQuantityAppender::append_number(const std::string& quantity_name, QuantityKind kind,
                                               double value, double allowed, double scale) const {
   return quantities.emplace_back(Quantity{.solution = solution,
-                                          .name = of,
+                                          .name = quantity_name,
                                           .kind = kind,
                                           .value = std::isfinite(value) ? Value(value) : Value(),
                                           .allowed = allowed,
@@ -77,14 +77,14 @@ double finite_number_or_nan(const Value& value) {
 
 std::vector<QuantityChange> compare_quantities(const std::string& case_name,
                                                const Quantities& baseline, const Quantities& now) {
-  std::map<Key, const Quantity*> was_index, is_index;
-  for (const Quantity& was : baseline) was_index.emplace(Key{was.solution, was.name}, &was);
-  for (const Quantity& is : now) is_index.emplace(Key{is.solution, is.name}, &is);
+  std::map<QuantityKey, const Quantity*> was_index, is_index;
+  for (const Quantity& was : baseline) was_index.emplace(QuantityKey{was.solution, was.name}, &was);
+  for (const Quantity& is : now) is_index.emplace(QuantityKey{is.solution, is.name}, &is);
   std::vector<QuantityChange> changes;
-  std::set<Key> excluded_parts;  // parts that differ completely, or that only one run has
+  std::set<QuantityKey> excluded_parts;  // parts that differ completely, or that only one run has
   const auto add = [&](const Quantity& quantity, const Value& was, const Value& is,
                        double change_value, double tolerance, bool opens_part) {
-    const Key key{quantity.solution, quantity.name};
+    const QuantityKey key{quantity.solution, quantity.name};
     const bool is_in_excluded_part = excluded_parts.contains({quantity.solution, quantity.part});
     QuantityChange quantity_change{case_name, quantity.solution, quantity.name, quantity.kind, was,
                                    is,        change_value,      tolerance};
@@ -99,13 +99,13 @@ std::vector<QuantityChange> compare_quantities(const std::string& case_name,
       add(was, "there", "missing", kInfinity, 0, was.opens_part);
     } else {
       const Quantity& is = *found->second;
-      add(was, was.value, is.value, change(was, is), allowed(was, is),
+      add(was, was.value, is.value, scaled_change(was, is), allowed_change(was, is),
           was.opens_part || is.opens_part);
     }
   }
   for (const Quantity& is : now) {
     if (was_index.contains({is.solution, is.name})) continue;
-    if (is_error(is)) continue;
+    if (is_error_estimate(is)) continue;
     add(is, "missing", "there", kInfinity, 0, is.opens_part);
   }
   return changes;

@@ -54,7 +54,7 @@ constexpr std::span<const base::EnumEntry<QuantityKind>> enumerator_names(Quanti
   return kQuantityKindNames;
 }
 constexpr std::string_view name(QuantityKind kind) { return base::name_of(kind); }
-constexpr std::string_view unit(QuantityKind kind) { return base::meaning_of(kind); }
+constexpr std::string_view unit_of_change(QuantityKind kind) { return base::meaning_of(kind); }
 
 struct QuantityChange {
   std::string case_name;
@@ -103,14 +103,15 @@ struct PartQuantityAppender {
   std::string solution, name;
 
   /// Appends the first quantity of a part: the presence of the part, or a value that identifies the
-  /// part. Further quantities of the part must be appended after the call of begin().
-  const PartQuantityAppender& begin(QuantityKind kind, const base::Value& what = "there",
-                                    const std::string& outer = kWholeSolutionPart) const;
-  void append_word(const std::string& of, const base::Value& value) const;
+  /// part. Further quantities of the part must be appended after the call of begin_part().
+  const PartQuantityAppender& begin_part(
+      QuantityKind kind, const base::Value& value = "there",
+      const std::string& enclosing_part = kWholeSolutionPart) const;
+  void append_word(const std::string& quantity_name, const base::Value& value) const;
   /// Appends a number as a quantity; a number that is not finite becomes an empty value, as in
   /// files. The returned reference is valid until the next quantity is appended.
-  Quantity& append_number(const std::string& of, QuantityKind kind, double value, double allowed,
-                          double scale = 1) const;
+  Quantity& append_number(const std::string& quantity_name, QuantityKind kind, double value,
+                          double allowed, double scale = 1) const;
 };
 
 /// Returns the finite number in a value of type double or integer, otherwise NaN.

@@ -16,8 +16,8 @@ namespace {
 
 using transform::Solution;
 
-void add_density(const Solution& s, const Tolerances& tolerances,
-                 const PartQuantityAppender& density) {
+void add_density_quantities(const Solution& s, const Tolerances& tolerances,
+                            const PartQuantityAppender& density) {
   const auto add = [&](const char* name, QuantityKind otherwise, double number, double error,
                        double scale) {
     Quantity& quantity =
@@ -47,15 +47,15 @@ void add_density(const Solution& s, const Tolerances& tolerances,
                         tolerances.deterministic, std::max(std::abs(s.min_density), kMinScale));
 }
 
-void add_stated_error(const Solution& s, const Tolerances& tolerances,
-                      const PartQuantityAppender& stated) {
+void add_error_estimates(const Solution& s, const Tolerances& tolerances,
+                         const PartQuantityAppender& stated) {
   const auto add = [&](const std::string& of, double error, double least) {
     constexpr double kMinErrorScale = 0.1;  // default of transform::Metric::min_scale
     stated.append_number("error of " + of, QuantityKind::detail, error, tolerances.deterministic,
                          std::max({std::abs(error), least, kMinErrorScale}));
   };
   for (const auto variable : transform::kVariables) {
-    add(marginal_density_symbol(variable), l1(*s.error, variable), 0);
+    add(marginal_density_symbol(variable), l1_error_of_marginal(*s.error, variable), 0);
   }
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     // The error estimate of a moment contains the rounding error of the moment.
@@ -63,8 +63,8 @@ void add_stated_error(const Solution& s, const Tolerances& tolerances,
   }
 }
 
-void add_standard_errors(const transform::StandardErrors& errors,
-                         const PartQuantityAppender& part) {
+void add_standard_error_quantities(const transform::StandardErrors& errors,
+                                   const PartQuantityAppender& part) {
   const auto add = [&](const std::string& of, double error) {
     part.append_number("standard error of " + of, QuantityKind::simulated_error, error, 1);
   };
@@ -73,7 +73,8 @@ void add_standard_errors(const transform::StandardErrors& errors,
   add("energy residual", errors.energy_residual);
 }
 
-void add_sampling(const transform::SamplingError& sampling, const PartQuantityAppender& part) {
+void add_sampling_error_quantities(const transform::SamplingError& sampling,
+                                   const PartQuantityAppender& part) {
   for (const auto variable : transform::kVariables) {
     const auto add = [&](const std::string& which, const std::optional<double>& l1) {
       part.append_number(part.name + which + marginal_density_symbol(variable),
@@ -90,20 +91,21 @@ void add_sampling(const transform::SamplingError& sampling, const PartQuantityAp
 Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) {
   Quantities quantities;
   const auto part = [&](const char* name, const char* value = "there") {
-    return PartQuantityAppender{quantities, s.id(), name}.begin(QuantityKind::status, value);
+    return PartQuantityAppender{quantities, s.id(), name}.begin_part(QuantityKind::status, value);
   };
   const PartQuantityAppender whole = part(kWholeSolutionPart);
   whole.append_word("equation", equation_and_impact_text(s.identity));
   whole.append_word("status", std::string(name(s.status)));
   const PartQuantityAppender density = part("density", s.has_density() ? "one" : "none");
-  if (s.has_density()) add_density(s, tolerances, density);
-  if (s.error) add_stated_error(s, tolerances, part(kErrorEstimatePart));
-  if (s.standard_errors) add_standard_errors(*s.standard_errors, part("standard errors"));
-  if (s.sampling) add_sampling(*s.sampling, part("sampling L1"));
-  if (s.smooth_sampling) add_sampling(*s.smooth_sampling, part("sampling L1 in smooth bins"));
+  if (s.has_density()) add_density_quantities(s, tolerances, density);
+  if (s.error) add_error_estimates(s, tolerances, part(kErrorEstimatePart));
+  if (s.standard_errors) add_standard_error_quantities(*s.standard_errors, part("standard errors"));
+  if (s.sampling) add_sampling_error_quantities(*s.sampling, part("sampling L1"));
+  if (s.smooth_sampling)
+    add_sampling_error_quantities(*s.smooth_sampling, part("sampling L1 in smooth bins"));
   add_metric_quantities(s.metrics, tolerances, whole);
-  // Until the adjustment for multiple comparisons, the member `allowed` contains exponents
-  // (add_metric_quantities).
+  // For standard errors, add_metric_quantities() stores an exponent in the member `allowed`. The
+  // following loop replaces this exponent by the tolerance, adjusted for multiple comparisons.
   const auto errors =
       std::ranges::count(quantities, QuantityKind::simulated_error, &Quantity::kind);
   for (Quantity& quantity : quantities) {
@@ -123,13 +125,13 @@ using transform::Metrics;
 
 // Returns the part that contains a metric, e.g. "peaks[3]" for "peaks[3].rate" and "peaks" for
 // "peaks[3]".
-std::string parent_path(const std::string& path) {
+std::string parent_metric_path(const std::string& path) {
   const auto end = path.find_last_of(".[");
   return end == std::string::npos ? kWholeSolutionPart : path.substr(0, end);
 }
 
 // Returns the path of a metric without the indices of lists, e.g. "quantiles.y[].value".
-std::string without_indices(const std::string& path) {
+std::string path_without_indices(const std::string& path) {
   std::string result;
   for (const char c : path) {
     if (c == ']' || !result.ends_with('[')) result += c;
@@ -137,36 +139,39 @@ std::string without_indices(const std::string& path) {
   return result;
 }
 
-class MetricQuantities {
+class MetricQuantityAppender {
  public:
-  MetricQuantities(const Metrics& metrics, const Tolerances& tolerances,
-                   const PartQuantityAppender& whole)
+  MetricQuantityAppender(const Metrics& metrics, const Tolerances& tolerances,
+                         const PartQuantityAppender& whole)
       : metrics_(metrics), tolerances_(tolerances), whole_(whole) {
-    for (const auto& o : metrics) {
-      if (!o.standard_error_path.empty()) standard_error_paths_.insert(o.standard_error_path);
-      if (o.kind == MetricKind::coefficient) coefficient_terms_.insert(parent_path(o.path));
-      const auto place = o.path.find_last_of('[');
+    for (const auto& metric : metrics) {
+      if (!metric.standard_error_path.empty())
+        standard_error_paths_.insert(metric.standard_error_path);
+      if (metric.kind == MetricKind::coefficient)
+        coefficient_terms_.insert(parent_metric_path(metric.path));
+      const auto place = metric.path.find_last_of('[');
       if (place == std::string::npos) continue;
-      auto& entries = list_entries_[o.path.substr(0, place)];
-      if (!o.path.ends_with("[]")) entries.insert(o.path.substr(0, o.path.find(']', place)));
+      auto& entries = list_entries_[metric.path.substr(0, place)];
+      if (!metric.path.ends_with("[]"))
+        entries.insert(metric.path.substr(0, metric.path.find(']', place)));
     }
   }
 
-  void add_all() {
+  void append_all_metrics() {
     const std::size_t first = whole_.quantities.size();
-    for (const auto& o : metrics_) {
-      if (o.kind == MetricKind::coefficient) {
-        const double a = finite_number_or_nan(o.value);
-        whole_.append_number(coefficient_name(o), QuantityKind::coefficient, a,
+    for (const auto& metric : metrics_) {
+      if (metric.kind == MetricKind::coefficient) {
+        const double a = finite_number_or_nan(metric.value);
+        whole_.append_number(coefficient_name(metric), QuantityKind::coefficient, a,
                              tolerances_.coefficient_tolerance(),
-                             std::max(std::abs(a), o.min_scale));
-      } else if (o.kind == MetricKind::result &&
-                 !coefficient_terms_.contains(parent_path(o.path))) {
-        add_result(o);
-      } else if (o.kind == MetricKind::error && !standard_error_paths_.contains(o.path)) {
+                             std::max(std::abs(a), metric.min_scale));
+      } else if (metric.kind == MetricKind::result &&
+                 !coefficient_terms_.contains(parent_metric_path(metric.path))) {
+        append_result_metric(metric);
+      } else if (metric.kind == MetricKind::error && !standard_error_paths_.contains(metric.path)) {
         // The number of effective samples is proportional to 1 / error^2.
-        whole_.append_number(o.path, QuantityKind::simulated_error, finite_number_or_nan(o.value),
-                             2);
+        whole_.append_number(metric.path, QuantityKind::simulated_error,
+                             finite_number_or_nan(metric.value), 2);
       }
     }
     const auto own = std::span(whole_.quantities).subspan(first);
@@ -180,57 +185,58 @@ class MetricQuantities {
  private:
   // Returns the name of a coefficient, e.g. "a(4,2)" for the term x1^4 x2^2. The powers are the
   // metrics of kind `result` with the parent path of the coefficient.
-  std::string coefficient_name(const Metric& o) const {
+  std::string coefficient_name(const Metric& metric) const {
     std::vector<double> powers;
     for (const auto& sibling : metrics_) {
-      if (sibling.kind == MetricKind::result && parent_path(sibling.path) == parent_path(o.path)) {
+      if (sibling.kind == MetricKind::result &&
+          parent_metric_path(sibling.path) == parent_metric_path(metric.path)) {
         powers.push_back(finite_number_or_nan(sibling.value));
       }
     }
-    return fmt::format("{}({})", o.path.substr(parent_path(o.path).size() + 1),
+    return fmt::format("{}({})", metric.path.substr(parent_metric_path(metric.path).size() + 1),
                        fmt::join(powers, ","));
   }
 
-  // The first call of part() for a name appends the first quantity of the part with this name.
-  PartQuantityAppender part(const std::string& name) {
+  // The first call of open_part() for a name appends the first quantity of the part with this name.
+  PartQuantityAppender open_part(const std::string& name) {
     const PartQuantityAppender result{whole_.quantities, whole_.solution, name};
     if (name != kWholeSolutionPart && opened_parts_.insert(name).second) {
-      const PartQuantityAppender outer = part(parent_path(name));
+      const PartQuantityAppender outer = open_part(parent_metric_path(name));
       const auto list = list_entries_.find(name);
       const std::string length =
           list == list_entries_.end() ? "there" : fmt::format("{} entries", list->second.size());
-      result.begin(QuantityKind::detail, length, outer.name);
+      result.begin_part(QuantityKind::detail, length, outer.name);
     }
     return result;
   }
 
-  void add_result(const Metric& o) {
-    const PartQuantityAppender in = part(parent_path(o.path));
-    const double number = finite_number_or_nan(o.value);
-    if (o.path.ends_with("[]")) return;
-    if (!o.standard_error_path.empty()) {
-      add_estimate(o, in);
-    } else if (std::holds_alternative<double>(o.value) ||
-               std::holds_alternative<std::int64_t>(o.value)) {
+  void append_result_metric(const Metric& metric) {
+    const PartQuantityAppender in = open_part(parent_metric_path(metric.path));
+    const double number = finite_number_or_nan(metric.value);
+    if (metric.path.ends_with("[]")) return;
+    if (!metric.standard_error_path.empty()) {
+      append_estimate_and_error(metric, in);
+    } else if (std::holds_alternative<double>(metric.value) ||
+               std::holds_alternative<std::int64_t>(metric.value)) {
       in.append_number(
-          o.path, QuantityKind::detail, number,
-          o.is_rounding_sensitive ? tolerances_.tail_tolerance() : tolerances_.deterministic,
-          std::max(std::abs(number), o.min_scale));
+          metric.path, QuantityKind::detail, number,
+          metric.is_rounding_sensitive ? tolerances_.tail_tolerance() : tolerances_.deterministic,
+          std::max(std::abs(number), metric.min_scale));
     } else {
-      in.append_word(o.path, o.value);
+      in.append_word(metric.path, metric.value);
     }
   }
 
-  void add_estimate(const Metric& o, const PartQuantityAppender& in) {
-    const Metric* error = find_metric(metrics_, o.standard_error_path);
+  void append_estimate_and_error(const Metric& metric, const PartQuantityAppender& in) {
+    const Metric* error = find_metric(metrics_, metric.standard_error_path);
     const double standard_error = error == nullptr ? std::numeric_limits<double>::quiet_NaN()
                                                    : finite_number_or_nan(error->value);
-    in.append_number(o.path, QuantityKind::simulated, finite_number_or_nan(o.value), 0).error =
-        standard_error;
+    in.append_number(metric.path, QuantityKind::simulated, finite_number_or_nan(metric.value), 0)
+        .error = standard_error;
     // The standard error of a rounding-sensitive value comes from few events, and is as uncertain
     // as the value.
-    if (error == nullptr || o.is_rounding_sensitive) return;
-    in.append_number("error of " + o.path, QuantityKind::simulated_error, standard_error, 1);
+    if (error == nullptr || metric.is_rounding_sensitive) return;
+    in.append_number("error of " + metric.path, QuantityKind::simulated_error, standard_error, 1);
   }
 
   const Metrics& metrics_;
@@ -245,14 +251,14 @@ class MetricQuantities {
 
 void add_metric_quantities(const Metrics& metrics, const Tolerances& tolerances,
                            const PartQuantityAppender& whole) {
-  MetricQuantities(metrics, tolerances, whole).add_all();
+  MetricQuantityAppender(metrics, tolerances, whole).append_all_metrics();
 }
 
 Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
   std::set<std::string> ignored_paths;
-  for (const auto& o : now) {
-    if (o.kind == MetricKind::work || o.kind == MetricKind::text)
-      ignored_paths.insert(without_indices(o.path));
+  for (const auto& metric : now) {
+    if (metric.kind == MetricKind::work || metric.kind == MetricKind::text)
+      ignored_paths.insert(path_without_indices(metric.path));
   }
   // A metric in a list is also ignored if the new run ignores the corresponding metric at another
   // index of the list, or the whole list.
@@ -262,12 +268,12 @@ Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
     }
     return ignored_paths.contains(path);
   };
-  for (auto& o : baseline) {
-    const Metric* same = find_metric(now, o.path);
-    Metric as_now = same != nullptr ? *same : Metric{.path = o.path, .value = {}};
-    if (is_ignored(without_indices(o.path))) as_now.kind = MetricKind::work;
-    as_now.value = std::move(o.value);
-    o = std::move(as_now);
+  for (auto& metric : baseline) {
+    const Metric* same = find_metric(now, metric.path);
+    Metric as_now = same != nullptr ? *same : Metric{.path = metric.path, .value = {}};
+    if (is_ignored(path_without_indices(metric.path))) as_now.kind = MetricKind::work;
+    as_now.value = std::move(metric.value);
+    metric = std::move(as_now);
   }
   return baseline;
 }

@@ -21,11 +21,12 @@ void require_positive(double value, const char* option) {
 
 }  // namespace
 
-double Tolerances::bonferroni_threshold(std::size_t n) const {
+double Tolerances::bonferroni_threshold(std::size_t comparison_count) const {
   const double rare = std::erfc(standard_errors / std::numbers::sqrt2);
   return std::numbers::sqrt2 *
-         boost::math::erfc_inv(std::max(rare / static_cast<double>(std::max<std::size_t>(n, 1)),
-                                        std::numeric_limits<double>::min()));
+         boost::math::erfc_inv(
+             std::max(rare / static_cast<double>(std::max<std::size_t>(comparison_count, 1)),
+                      std::numeric_limits<double>::min()));
 }
 
 void validate(const Tolerances& tolerances) {

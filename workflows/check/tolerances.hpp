@@ -27,18 +27,18 @@ struct Tolerances {
   /// Absolute tolerance for tail distances, the mean |log10| differences in a decade of the tail.
   /// For densities of 1e-6 of the peak, rounding errors change tail distances by up to 3e-8.
   double tail_tolerance() const { return 100 * deterministic; }
-  /// Returns the Bonferroni-adjusted threshold for n comparisons. The largest of n standard normal
-  /// numbers exceeds the adjusted threshold with the probability that a single number exceeds
-  /// `standard_errors`.
-  double bonferroni_threshold(std::size_t n) const;
+  /// Returns the Bonferroni-adjusted threshold for n = `comparison_count` comparisons, in standard
+  /// errors. The largest of n standard normal numbers exceeds the adjusted threshold with the
+  /// probability that a single standard normal number exceeds `standard_errors`.
+  double bonferroni_threshold(std::size_t comparison_count) const;
 };
 
 /// @throws InputError with the name of the option whose value is not a positive number
 void validate(const Tolerances& tolerances);
 
-/// Paths of two metrics of a simulation: the number of independent streams, and whether the
-/// simulation was interrupted.
+/// Path of the metric with the number of independent streams of a simulation.
 inline constexpr const char* kStreamsMetric = "streams";
+/// Path of the metric that states whether a simulation was interrupted.
 inline constexpr const char* kInterruptedMetric = "interrupted";
 
 /// Returns whether two solutions are simulations that differ in a moment or in the standard error

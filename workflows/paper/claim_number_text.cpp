@@ -16,8 +16,8 @@ std::string without_trailing_zeros(std::string number) {
 
 }  // namespace
 
-std::string l1_text(const std::optional<double>& l1) {
-  return l1 ? without_trailing_zeros(report::l1_text(*l1)) : "";
+std::string l1_distance_text(const std::optional<double>& l1) {
+  return l1 ? without_trailing_zeros(report::l1_distance_text(*l1)) : "";
 }
 
 std::string tail_text(const std::optional<double>& tail) {

@@ -7,7 +7,7 @@
 /// text of an absent number is empty.
 namespace fpkcheck::paper {
 
-std::string l1_text(const std::optional<double>& l1);
+std::string l1_distance_text(const std::optional<double>& l1);
 std::string tail_text(const std::optional<double>& tail);
 
 }  // namespace fpkcheck::paper

@@ -22,7 +22,7 @@ constexpr const char* kConclusionQuote =
     "when the polynomial order equals six. The tail region of the PDF is also approximated well "
     "for both displacement and velocity.";
 
-std::string density(const Claim& claim) {
+std::string marginal_density_names(const Claim& claim) {
   if (claim.variables.size() > 1) return "both densities";
   return claim.variables.front() == StateVariable::y ? "p(y)" : "p(y')";
 }
@@ -214,7 +214,7 @@ std::string claim_text(const Claim& claim) {
   const auto formatted = [&](const char* what) {
     return fmt::format(fmt::runtime(what), fmt::arg("n", claim.order),
                        fmt::arg("rival", claim.rival),
-                       fmt::arg("p", claim.variables.empty() ? "" : density(claim)));
+                       fmt::arg("p", claim.variables.empty() ? "" : marginal_density_names(claim)));
   };
   switch (claim.relation) {
     case ClaimedRelation::agrees:

@@ -61,7 +61,7 @@ struct Claim {
   std::string quote;  ///< quotation from the paper, with additions in [..]
 
   /// Returns the number (2 .. 5) of the paper's figure that shows a case.
-  static int figure(int case_number) { return case_number + 1; }
+  static int figure_number(int case_number) { return case_number + 1; }
 };
 
 /// Returns all claims of the paper, sorted by case, then in the order of the paper's text.

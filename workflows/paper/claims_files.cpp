@@ -17,33 +17,35 @@ namespace {
 
 using results::Json;
 
-std::vector<std::string> densities(const Claim& claim) {
+std::vector<std::string> variable_names(const Claim& claim) {
   std::vector<std::string> names;
   for (const auto variable : claim.variables) names.emplace_back(transform::name(variable));
   return names;
 }
 
-std::string number_text(const std::optional<double>& number) {
+std::string csv_number_text(const std::optional<double>& number) {
   return number ? fmt::format("{:.6g}", *number) : "";
 }
 
-std::string limit_text(const MeasuredNumber& of) {
+std::string csv_limit_text(const MeasuredNumber& of) {
   return of.limit ? fmt::format("{} {:.6g}", of.above ? ">" : "<=", *of.limit) : "";
 }
 
-Json number_json(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+Json number_or_null_json(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
 
-Json measured_json(const MeasuredNumber& of) {
-  Json json{{"value", number_json(of.value)}};
+Json measured_number_json(const MeasuredNumber& of) {
+  Json json{{"value", number_or_null_json(of.value)}};
   json["wanted"] = of.limit ? Json{{of.above ? "above" : "at_most", *of.limit}} : Json();
   return json;
 }
 
-Json claim_json(const ClaimJudgement& judgement) {
+Json claim_judgement_json(const ClaimJudgement& judgement) {
   const Claim& claim = judgement.claim;
   Json figures = Json::array();
   for (const int number : claim.cases) {
-    if (!claim.panels.empty()) figures.push_back(Claim::figure(number));
+    if (!claim.panels.empty()) figures.push_back(Claim::figure_number(number));
   }
   return {{"cases", claim.cases},
           {"figures", figures},
@@ -51,11 +53,11 @@ Json claim_json(const ClaimJudgement& judgement) {
           {"claim", claim_text(claim)},
           {"quote", claim.quote},
           {"solution", paper_closure_id(claim.order)},
-          {"variables", densities(claim)},
+          {"variables", variable_names(claim)},
           {"relation", name(claim.relation)},
           {"rival", claim.rival == 0 ? Json() : Json(paper_closure_id(claim.rival))},
-          {"l1", measured_json(judgement.l1)},
-          {"tail", measured_json(judgement.tail)},
+          {"l1", measured_number_json(judgement.l1)},
+          {"tail", measured_number_json(judgement.tail)},
           {"status", judgement.status ? Json(name(*judgement.status)) : Json()},
           {"reason", judgement.reason},
           {"outcome", name(judgement.outcome)},
@@ -67,7 +69,7 @@ void add_claims(std::span<const ClaimJudgement> judgements, Json& json) {
                       {"agreement_in_tail", kAgreementInTail},
                       {"same_gaussian_l1", kSameGaussianL1}};
   Json& all = json["claims"] = Json::array();
-  for (const auto& judgement : judgements) all.push_back(claim_json(judgement));
+  for (const auto& judgement : judgements) all.push_back(claim_judgement_json(judgement));
 }
 
 }  // namespace
@@ -82,13 +84,13 @@ std::string claims_csv(std::span<const ClaimJudgement> judgements) {
                                   claim_figure_text(claim),
                                   claim_text(claim),
                                   fmt::format("{}", claim.order),
-                                  fmt::format("{}", fmt::join(densities(claim), " ")),
+                                  fmt::format("{}", fmt::join(variable_names(claim), " ")),
                                   std::string(name(claim.relation)),
                                   claim.rival == 0 ? "" : fmt::format("{}", claim.rival),
-                                  number_text(judgement.l1.value),
-                                  limit_text(judgement.l1),
-                                  number_text(judgement.tail.value),
-                                  limit_text(judgement.tail),
+                                  csv_number_text(judgement.l1.value),
+                                  csv_limit_text(judgement.l1),
+                                  csv_number_text(judgement.tail.value),
+                                  csv_limit_text(judgement.tail),
                                   judgement.status ? std::string(name(*judgement.status)) : "",
                                   std::string(name(judgement.outcome)),
                                   judgement.note,

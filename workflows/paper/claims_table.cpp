@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "report/text/columns.hpp"
 #include "report/text/number_text.hpp"
+#include "report/text/text_columns.hpp"
 #include "report/text/wrap_text.hpp"
 #include "workflows/paper/claim_number_text.hpp"
 #include "workflows/paper/criteria.hpp"
@@ -26,7 +26,7 @@ std::string limit_text(const MeasuredNumber& of, const std::string& limit) {
 }
 
 // The relation `differs` holds if the L1 distance or the tail distance exceeds its limit.
-std::string tail_limit(const ClaimJudgement& judgement) {
+std::string tail_limit_text(const ClaimJudgement& judgement) {
   const std::string text = limit_text(judgement.tail, tail_text(judgement.tail.limit));
   return judgement.claim.relation == ClaimedRelation::differs && !text.empty() ? "or " + text
                                                                                : text;
@@ -36,8 +36,8 @@ std::string cell_or_dash(const std::string& cell) {
   return cell.empty() ? std::string(report::kMissingCell) : cell;
 }
 
-std::string table_rows(std::span<const ClaimJudgement> judgements,
-                       const report::TextFormat& format) {
+std::string claim_rows_text(std::span<const ClaimJudgement> judgements,
+                            const report::TextFormat& format) {
   constexpr int kLimits = 1;
   std::vector<TextColumn> columns{{"", "case", true, kAlwaysShown},
                                   {"", "fig.", true, kAlwaysShown},
@@ -77,13 +77,13 @@ std::string claims_with_outcome(std::span<const ClaimJudgement> judgements, Clai
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-std::string indented(const std::vector<std::string>& lines, std::size_t width) {
+std::string wrap_indented_lines(const std::vector<std::string>& lines, std::size_t width) {
   std::string text;
   for (const auto& line : lines) text += report::wrap_text("  " + line, width, 4);
   return text;
 }
 
-std::string paragraphs(const std::vector<std::string>& sentences, std::size_t width) {
+std::string wrap_paragraphs(const std::vector<std::string>& sentences, std::size_t width) {
   std::string text;
   for (const auto& sentence : sentences) text += report::wrap_text(sentence, width);
   return text;
@@ -97,10 +97,10 @@ std::vector<ClaimRow> claim_table_rows(std::span<const ClaimJudgement> judgement
     all.push_back({.cases = claim_cases_text(judgement.claim),
                    .figure = claim_figure_text(judgement.claim),
                    .claim = claim_text(judgement.claim),
-                   .l1 = judgement.l1.value ? report::l1_text(*judgement.l1.value) : "",
-                   .l1_limit = limit_text(judgement.l1, l1_text(judgement.l1.limit)),
+                   .l1 = judgement.l1.value ? report::l1_distance_text(*judgement.l1.value) : "",
+                   .l1_limit = limit_text(judgement.l1, l1_distance_text(judgement.l1.limit)),
                    .tail = judgement.tail.value ? fmt::format("{:.3f}", *judgement.tail.value) : "",
-                   .tail_limit = tail_limit(judgement),
+                   .tail_limit = tail_limit_text(judgement),
                    .outcome = std::string(name(judgement.outcome))});
   }
   return all;
@@ -153,7 +153,8 @@ std::string claim_cases_text(const Claim& claim) {
 
 std::string claim_figure_text(const Claim& claim) {
   if (claim.panels.empty()) return "";
-  const int first = Claim::figure(claim.cases.front()), last = Claim::figure(claim.cases.back());
+  const int first = Claim::figure_number(claim.cases.front()),
+            last = Claim::figure_number(claim.cases.back());
   return first == last ? fmt::format("{}{}", first, claim.panels)
                        : fmt::format("{}-{}", first, last);
 }
@@ -184,8 +185,9 @@ std::vector<std::string> outcome_summary(std::span<const ClaimJudgement> judgeme
 
 std::string claims_table_text(std::span<const ClaimJudgement> judgements,
                               const report::TextFormat& format) {
-  return table_rows(judgements, format) + indented(claim_notes(judgements), format.width) + '\n' +
-         paragraphs(criteria_sentences(), format.width) + '\n' +
+  return claim_rows_text(judgements, format) +
+         wrap_indented_lines(claim_notes(judgements), format.width) + '\n' +
+         wrap_paragraphs(criteria_sentences(), format.width) + '\n' +
          report::wrap_text(claim_count_sentence(judgements), format.width);
 }
 

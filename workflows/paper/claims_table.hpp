@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 #include "workflows/paper/judge_claims.hpp"
 
 namespace fpkcheck::paper {

@@ -29,7 +29,8 @@ int tail_bin_count(const results::CaseResult& one, transform::StateVariable vari
 
 // A Richardson limit is no solution of the case. If the total distance refers to a Richardson
 // limit, the error estimate of the case's reference is used.
-double error_estimate(const results::CaseResult& one, const compare::ErrorBudgetRow& row) {
+double reference_l1_error_estimate(const results::CaseResult& one,
+                                   const compare::ErrorBudgetRow& row) {
   const auto* reference = one.find(row.reference);
   if (reference == nullptr) reference = one.reference();
   return reference == nullptr ? kInfinity : compare::l1_error_estimate(*reference, row.variable);
@@ -52,8 +53,9 @@ std::optional<ClosureDistance> closure_distance_to_simulation(const results::Cas
             : fmt::format("{} has no density of {}", one.name(), paper_closure_id(order));
     return std::nullopt;
   }
-  ClosureDistance distance{
-      .l1 = row->total, .tail = row->total_tail, .l1_error = error_estimate(one, *row)};
+  ClosureDistance distance{.l1 = row->total,
+                           .tail = row->total_tail,
+                           .l1_error = reference_l1_error_estimate(one, *row)};
   if (row->tail_bins < tail_bin_count(one, variable)) distance.tail = kInfinity;
   if (!row->parts.empty() && row->parts.back().is_reference_error()) {
     distance.tail_error = row->parts.back().tail;

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "report/figure/content.hpp"
+#include "report/figure/axis_ranges.hpp"
+#include "report/figure/density_content.hpp"
 #include "report/figure/density_figure.hpp"
-#include "report/figure/ranges.hpp"
-#include "report/page/plot.hpp"
+#include "report/page/page_plots.hpp"
 #include "workflows/paper/claims.hpp"
 
 namespace fpkcheck::paper {
@@ -20,7 +20,7 @@ using results::CaseResult;
 constexpr int kOrders[] = {2, 4, 6};
 constexpr const char* kSimulation = "mcs";
 
-std::vector<std::pair<std::string, std::string>> paper_names() {
+std::vector<std::pair<std::string, std::string>> ids_and_paper_names() {
   std::vector<std::pair<std::string, std::string>> names;
   for (const int order : kOrders) {
     names.emplace_back(paper_closure_id(order), fmt::format("EPC (n = {})", order));
@@ -38,13 +38,13 @@ CaseResult paper_figure_case(const CaseResult& case_result) {
                    .budget = {},
                    .curves = {},
                    .joints = {}};
-  for (const auto& [id, paper_name] : paper_names()) {
+  for (const auto& [id, paper_name] : ids_and_paper_names()) {
     const auto* solution = case_result.find(id);
     if (solution == nullptr) continue;
     shown.solutions.push_back(*solution);
     shown.solutions.back().identity.id = paper_name;
     for (const auto variable : transform::kVariables) {
-      const auto* curve = case_result.curve(id, variable);
+      const auto* curve = case_result.marginal_curve(id, variable);
       if (curve == nullptr) continue;
       shown.curves.push_back(*curve);
       shown.curves.back().solution = paper_name;
@@ -57,14 +57,14 @@ CaseResult paper_figure_case(const CaseResult& case_result) {
 // Calls use(number of the figure, case with the paper's solutions, content) for each figure of the
 // paper.
 template <class Use>
-void for_each_figure(const results::Run& run, const Use& use) {
+void for_each_paper_figure(const results::Run& run, const Use& use) {
   for (int number = 1; number <= 4; ++number) {
     const auto case_result =
         std::ranges::find(run.cases, paper_case_name(number), &CaseResult::name);
     if (case_result == run.cases.end()) continue;
-    const int figure = Claim::figure(number);
+    const int figure = Claim::figure_number(number);
     const CaseResult shown = paper_figure_case(*case_result);
-    auto content = report::figure_content(shown);
+    auto content = report::density_content_for_picture(shown);
     if (content.marginals.empty()) continue;
     content.reference.clear();
     for (auto& marginal : content.marginals) {
@@ -87,25 +87,25 @@ std::string figure_stem(int figure) { return fmt::format("paper-fig-{}", figure)
 std::vector<report::PictureScript> paper_figure_scripts(const results::Run& run,
                                                         report::FigureWidth width) {
   std::vector<report::PictureScript> all;
-  for_each_figure(run, [&](int figure, const CaseResult& shown,
-                           const report::FigureContent& content) {
-    const std::string stem = figure_stem(figure);
-    problem::Problem titled = shown.problem;
-    titled.name = fmt::format("Fig. {} ({})", figure, shown.name());
-    all.push_back(
-        {stem, report::figure_script(report::density_figure(titled, content, width), stem, width)});
-  });
+  for_each_paper_figure(
+      run, [&](int figure, const CaseResult& shown, const report::DensityFigureContent& content) {
+        const std::string stem = figure_stem(figure);
+        problem::Problem titled = shown.problem;
+        titled.name = fmt::format("Fig. {} ({})", figure, shown.name());
+        all.push_back({stem, report::make_gnuplot_script(
+                                 report::density_figure(titled, content, width), stem, width)});
+      });
   return all;
 }
 
-std::vector<std::vector<report::Plot>> paper_figure_plots(const results::Run& run) {
-  std::vector<std::vector<report::Plot>> all;
-  for_each_figure(
-      run, [&](int figure, const CaseResult& shown, const report::FigureContent& content) {
+std::vector<std::vector<report::PagePlot>> paper_figure_plots(const results::Run& run) {
+  std::vector<std::vector<report::PagePlot>> all;
+  for_each_paper_figure(
+      run, [&](int figure, const CaseResult& shown, const report::DensityFigureContent& content) {
         auto shown_content = content;
         shown_content.smallest_density = report::kSmallestDensityOnPage;
-        auto plots = report::figure_plots(report::density_figure(shown.problem, shown_content),
-                                          figure_stem(figure));
+        auto plots = report::make_page_plots(report::density_figure(shown.problem, shown_content),
+                                             figure_stem(figure));
         for (std::size_t k = 0; k < plots.size(); ++k) {
           const bool is_y = content.marginals[k].variable == transform::StateVariable::y;
           plots[k].caption = fmt::format("Fig. {}{} ({}). {}", figure, is_y ? "a, b" : "c, d",

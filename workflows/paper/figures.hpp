@@ -17,6 +17,6 @@ std::vector<report::PictureScript> paper_figure_scripts(
 
 /// Returns two plots for each figure of the paper. The first plot has the panels a and b, the
 /// second plot the panels c and d.
-std::vector<std::vector<report::Plot>> paper_figure_plots(const results::Run& run);
+std::vector<std::vector<report::PagePlot>> paper_figure_plots(const results::Run& run);
 
 }  // namespace fpkcheck::paper

@@ -17,18 +17,18 @@ using results::CaseResult;
 using transform::Solution;
 using transform::Status;
 
-class Judge {
+class ClaimJudge {
  public:
-  Judge(const results::Run& run, const Claim& claim) : run_(run), judgement_{.claim = claim} {}
+  ClaimJudge(const results::Run& run, const Claim& claim) : run_(run), judgement_{.claim = claim} {}
 
-  ClaimJudgement judgement() {
-    record_status();
+  ClaimJudgement make_judgement() {
+    store_closure_status();
     const std::optional<bool> holds = missing_reason_.empty() ? evaluate_claim() : std::nullopt;
     if (!holds) {
       judgement_.outcome = ClaimOutcome::unjudged;
       judgement_.note = missing_reason_;
     } else if (claim().relation == ClaimedRelation::not_found) {
-      judge_search(*holds);
+      judge_root_search(*holds);
     } else {
       judge_distances(*holds);
     }
@@ -46,7 +46,7 @@ class Judge {
   }
 
   // Stores the status of the closure in the first case in which this status is not `ok`.
-  void record_status() {
+  void store_closure_status() {
     for (const int number : claim().cases) {
       const CaseResult* case_result = find_case(number);
       if (case_result == nullptr) return;
@@ -65,7 +65,7 @@ class Judge {
   }
 
   // Returns the maximum of each distance over the given cases and the variables of the claim.
-  std::optional<ClosureDistance> distance(int order, const std::vector<int>& cases) {
+  std::optional<ClosureDistance> largest_distance(int order, const std::vector<int>& cases) {
     ClosureDistance worst;
     for (const int number : cases) {
       const CaseResult* case_result = find_case(number);
@@ -81,7 +81,7 @@ class Judge {
   }
 
   // Returns whether the tail distance exists, and otherwise sets the reason.
-  bool has_tail(const ClosureDistance& distance) {
+  bool require_tail_distance(const ClosureDistance& distance) {
     if (!std::isnan(distance.tail)) return true;
     missing_reason_ = "no bin of the tail is positive and resolved in all solutions";
     return false;
@@ -91,10 +91,10 @@ class Judge {
   std::optional<bool> evaluate_claim() {
     using enum ClaimedRelation;
     const ClaimedRelation relation = claim().relation;
-    if (relation == not_found) return !newton_converges();
-    if (relation == is_linearisation) return is_same_gaussian();
+    if (relation == not_found) return !plain_newton_converges();
+    if (relation == is_linearisation) return equals_linearised_gaussian();
 
-    const auto closure_distance = distance(claim().order, claim().cases);
+    const auto closure_distance = largest_distance(claim().order, claim().cases);
     if (!closure_distance) return std::nullopt;
     auto& l1 = judgement_.l1;
     auto& tail = judgement_.tail;
@@ -102,7 +102,7 @@ class Judge {
     if (!std::isnan(closure_distance->tail)) tail.value = closure_distance->tail;
 
     if (relation == further_than_in_case_1) {
-      const auto first = distance(claim().order, {1});
+      const auto first = largest_distance(claim().order, {1});
       if (!first) return std::nullopt;
       l1 = {closure_distance->l1, first->l1 + closure_distance->l1_error + first->l1_error, true};
       return l1.satisfies_limit();
@@ -110,12 +110,12 @@ class Judge {
     const bool uses_l1 =
         relation != agrees_in_tail && relation != differs_in_tail && relation != closer_in_tail;
     const bool uses_tail = relation != closer_in_l1;
-    if (uses_tail && !has_tail(*closure_distance)) return std::nullopt;
+    if (uses_tail && !require_tail_distance(*closure_distance)) return std::nullopt;
     const bool differ = relation == differs || relation == differs_in_tail;
     ClosureDistance limit{.l1 = kAgreementL1, .tail = kAgreementInTail};
     if (claim().rival != 0) {
-      const auto rival = distance(claim().rival, claim().cases);
-      if (!rival || (uses_tail && !has_tail(*rival))) return std::nullopt;
+      const auto rival = largest_distance(claim().rival, claim().cases);
+      if (!rival || (uses_tail && !require_tail_distance(*rival))) return std::nullopt;
       // The distances of the two compared closures must differ by more than the error estimate of
       // the reference.
       limit = {.l1 = rival->l1 - closure_distance->l1_error,
@@ -127,13 +127,13 @@ class Judge {
     return (!uses_l1 || l1.satisfies_limit()) && (!uses_tail || tail.satisfies_limit());
   }
 
-  std::optional<bool> is_same_gaussian() {
+  std::optional<bool> equals_linearised_gaussian() {
     double largest = 0;
     for (const int number : claim().cases) {
       const CaseResult* case_result = find_case(number);
       if (case_result == nullptr) return std::nullopt;
       for (const auto variable : claim().variables) {
-        const auto* curve = case_result->curve(paper_closure_id(claim().order), variable);
+        const auto* curve = case_result->marginal_curve(paper_closure_id(claim().order), variable);
         if (curve == nullptr) {
           missing_reason_ = fmt::format("{} has no density of {}", case_result->name(),
                                         paper_closure_id(claim().order));
@@ -148,7 +148,7 @@ class Judge {
 
   // Runs of older programs lack the metric "plain_newton_converges", and are assumed to have
   // converged.
-  bool newton_converges() {
+  bool plain_newton_converges() {
     const Solution* closure =
         find_case(claim().cases.front())->find(paper_closure_id(claim().order));
     if (closure->status == Status::not_converged) return false;
@@ -157,13 +157,13 @@ class Judge {
     return converges == nullptr || *converges;
   }
 
-  void judge_search(bool holds) {
+  void judge_root_search(bool holds) {
     judgement_.outcome = holds ? ClaimOutcome::established : ClaimOutcome::not_established;
     if (judgement_.status == Status::not_converged) return;
     judgement_.note = fmt::format("{} a root{}",
                                   holds ? "plain Newton steps find no root, but other methods find"
                                         : "plain Newton steps from equivalent linearisation find",
-                                  is_no_density() ? fmt::format(", which {}", kNoDensity) : "");
+                                  is_inadmissible() ? fmt::format(", which {}", kNoDensity) : "");
   }
 
   void judge_distances(bool holds) {
@@ -171,12 +171,12 @@ class Judge {
     const bool claims_accuracy = claim().relation != ClaimedRelation::differs &&
                                  claim().relation != ClaimedRelation::differs_in_tail;
     if (!holds) judgement_.note = unmet_limits_text();
-    if (!claims_accuracy || !is_no_density()) return;
+    if (!claims_accuracy || !is_inadmissible()) return;
     if (holds) judgement_.outcome = ClaimOutcome::qualified;
     judgement_.note += fmt::format("{}n={} {}", holds ? "" : "; and ", claim().order, kNoDensity);
   }
 
-  bool is_no_density() const { return judgement_.status == Status::inadmissible; }
+  bool is_inadmissible() const { return judgement_.status == Status::inadmissible; }
 
   std::string unmet_limits_text() const {
     std::string text;
@@ -187,7 +187,7 @@ class Judge {
                           of.above ? "not above" : "above", limit);
     };
     const auto& [l1, tail] = std::tie(judgement_.l1, judgement_.tail);
-    add("L1", l1, l1_text(l1.value), l1_text(l1.limit));
+    add("L1", l1, l1_distance_text(l1.value), l1_distance_text(l1.limit));
     add("tail", tail, tail_text(tail.value), tail_text(tail.limit));
     return text;
   }
@@ -204,7 +204,7 @@ class Judge {
 
 std::vector<ClaimJudgement> judge_claims(const results::Run& run) {
   std::vector<ClaimJudgement> all;
-  for (const auto& claim : paper_claims()) all.push_back(Judge(run, claim).judgement());
+  for (const auto& claim : paper_claims()) all.push_back(ClaimJudge(run, claim).make_judgement());
   return all;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "report/page/html.hpp"
-#include "report/page/plot.hpp"
+#include "report/page/page_plots.hpp"
 #include "workflows/paper/claims_files.hpp"
 #include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/figures.hpp"
@@ -21,7 +21,7 @@ std::string list_html(const std::vector<std::string>& lines) {
   return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
 }
 
-std::string claims_table(std::span<const ClaimJudgement> judgements) {
+std::string claims_table_html(std::span<const ClaimJudgement> judgements) {
   using report::Align;
   std::vector<report::HtmlColumn> columns{{"case", Align::left},
                                           {"Fig.", Align::left},
@@ -42,16 +42,17 @@ std::string claims_table(std::span<const ClaimJudgement> judgements) {
   return report::table_html("The claims, and the numbers that decide them", std::move(columns));
 }
 
-std::string quotes(std::span<const ClaimJudgement> judgements) {
+std::string claim_quotations_html(std::span<const ClaimJudgement> judgements) {
   std::vector<std::string> lines;
   for (const auto& judgement : judgements) {
     lines.push_back(fmt::format("case {}, {}: \u201c{}\u201d", claim_cases_text(judgement.claim),
                                 claim_text(judgement.claim), judgement.claim.quote));
   }
-  return report::details_html("claims-quotes", "Quotations of the claims", list_html(lines));
+  return report::collapsible_html("claims-quotes", "Quotations of the claims", list_html(lines));
 }
 
-report::PageSection section(std::span<const ClaimJudgement> judgements, const results::Run& run) {
+report::PageSection claims_section(std::span<const ClaimJudgement> judgements,
+                                   const results::Run& run) {
   report::PageSection section{.anchor = "claims",
                               .heading = "The paper's claims",
                               .html = {},
@@ -59,12 +60,12 @@ report::PageSection section(std::span<const ClaimJudgement> judgements, const re
   auto sentences = outcome_summary(judgements);
   sentences.erase(sentences.begin());  // the page begins with the closing sentence
   for (const auto& sentence : sentences) section.html += report::html_element("p", sentence);
-  section.html += claims_table(judgements);
+  section.html += claims_table_html(judgements);
   for (const auto& sentence : criteria_sentences())
     section.html += report::html_element("p", sentence);
-  section.html += report::details_html("claims-notes", "Notes on single claims",
-                                       list_html(claim_notes(judgements))) +
-                  quotes(judgements);
+  section.html += report::collapsible_html("claims-notes", "Notes on single claims",
+                                           list_html(claim_notes(judgements))) +
+                  claim_quotations_html(judgements);
   if (!section.groups.empty()) {
     section.html +=
         "<h3 id=\"paper-figures\">The paper's figures, by the densities of this run</h3>\n";
@@ -80,7 +81,7 @@ report::Supplement claims_supplement(std::span<const ClaimJudgement> judgements,
                                      const report::TextFormat& format) {
   return {.summary = outcome_summary(judgements),
           .text = '\n' + claims_table_text(judgements, format),
-          .sections = {section(judgements, run)},
+          .sections = {claims_section(judgements, run)},
           .files = {{kClaimsCsv, claims_csv(judgements)},
                     {kClaimsJson, claims_json(judgements, run.program) + '\n'}},
           .pictures = paper_figure_scripts(run, width)};

@@ -4,7 +4,7 @@
 
 #include "report/figure/options.hpp"
 #include "report/supplement.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 #include "results/run.hpp"
 #include "workflows/paper/judge_claims.hpp"
 

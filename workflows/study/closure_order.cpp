@@ -42,7 +42,7 @@ const MethodVariant& find_formulation(const std::string& name,
                                fmt::join(names, ", ")));
 }
 
-std::vector<MethodVariant> closures(const SolverRegistry& registry) {
+std::vector<MethodVariant> closure_variants(const SolverRegistry& registry) {
   auto all = method_variants(registry, transform::SolutionRole::closure);
   std::erase_if(all, [](const MethodVariant& variant) { return !variant.identity().order; });
   return all;
@@ -52,17 +52,17 @@ std::vector<MethodVariant> closures(const SolverRegistry& registry) {
 // shows all closures.
 constexpr double kUnlimitedError = 10;
 
-Method method_of_order(const SolverRegistry& registry, const MethodVariant& formulation,
-                       int order) {
+Method closure_of_order(const SolverRegistry& registry, const MethodVariant& formulation,
+                        int order) {
   const std::string id = fmt::format("{}-n{}", formulation.stem, order);
-  auto method = registry.method_by_id(id, {{"accuracy", kUnlimitedError}});
+  auto method = registry.find_method_by_id(id, {{"accuracy", kUnlimitedError}});
   if (!method)
     throw InputError(fmt::format("--orders {}: there is no {}; leave this order out", order, id));
   return std::move(*method);
 }
 
-void add_distances(const std::vector<compare::PairDistances>& pairs, const std::string& reference,
-                   ClosureOrderRow& row) {
+void set_reference_distances(const std::vector<compare::PairDistances>& pairs,
+                             const std::string& reference, ClosureOrderRow& row) {
   // The tail is the decade 1e-5 .. 1e-4 of the reference density.
   constexpr double kTailStart = 1e-5;
   const std::string& id = row.solution.id();
@@ -80,7 +80,7 @@ void add_distances(const std::vector<compare::PairDistances>& pairs, const std::
   }
 }
 
-bool flag_value(const transform::Metrics& metrics, const std::string& path) {
+bool boolean_metric(const transform::Metrics& metrics, const std::string& path) {
   const auto* found = transform::find_metric(metrics, path);
   const auto* value = found == nullptr ? nullptr : std::get_if<bool>(&found->value);
   return value != nullptr && *value;
@@ -98,13 +98,13 @@ std::optional<SolutionBranch> read_solution_branch(const transform::Metrics& met
     const auto fraction = transform::metric_number(metrics, path + "fraction");
     const auto norm = transform::metric_number(metrics, path + "norm");
     if (!fraction || !norm) return branch;
-    branch.points.push_back({*fraction, *norm, flag_value(metrics, path + "fold")});
+    branch.points.push_back({*fraction, *norm, boolean_metric(metrics, path + "fold")});
   }
 }
 
 std::vector<std::string> closure_formulations(const SolverRegistry& registry) {
   std::vector<std::string> names;
-  for (const auto& formulation : closures(registry)) names.push_back(formulation.name);
+  for (const auto& formulation : closure_variants(registry)) names.push_back(formulation.name);
   return names;
 }
 
@@ -113,14 +113,14 @@ ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
                                        const SolverRegistry& registry,
                                        const methods::ProgressListener& listener) {
   const std::set<int> orders(options.orders.begin(), options.orders.end());
-  const auto known = closures(registry);
+  const auto known = closure_variants(registry);
   ClosureOrderStudy study{problem, {}, {}};
   std::vector<Method> methods;
   for (const auto& name : options.formulations) {
     const MethodVariant& formulation = find_formulation(name, known);
     const bool must_converge = formulation.usual && formulation.solves_full_problem();
     for (const int order : orders) {
-      methods.push_back(method_of_order(registry, formulation, order));
+      methods.push_back(closure_of_order(registry, formulation, order));
       study.rows.push_back({formulation.name, order, must_converge, {}});
     }
   }
@@ -129,7 +129,7 @@ ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
   study.reference = std::move(found.solutions.back());
   for (std::size_t k = 0; k < study.rows.size(); ++k) {
     study.rows[k].solution = std::move(found.solutions[k]);
-    add_distances(found.pairs, study.reference.id(), study.rows[k]);
+    set_reference_distances(found.pairs, study.reference.id(), study.rows[k]);
   }
   return study;
 }

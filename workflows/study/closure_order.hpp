@@ -20,7 +20,8 @@ struct ClosureOrderStudyOptions {
   std::vector<int> orders;
 };
 
-/// Returns all closure formulations by increasing trust, e.g. "gaussian", "moment-white".
+/// Returns the names of all closure formulations by increasing trust, e.g. "gaussian",
+/// "moment-white".
 std::vector<std::string> closure_formulations(const methods::SolverRegistry& registry);
 
 /// Branch of closure solutions that begins at a problem with a known exact solution.
@@ -36,8 +37,8 @@ struct SolutionBranch {
   std::vector<Point> points;
 };
 
-/// Reads the solution branch from the metrics "branch" of a solution; empty if these metrics are
-/// missing.
+/// Reads the solution branch from the metrics "branch" of a solution. The result is empty if the
+/// solution has no metrics "branch".
 std::optional<SolutionBranch> read_solution_branch(const transform::Metrics& metrics);
 
 struct ClosureOrderRow {
@@ -77,14 +78,14 @@ bool has_converged(const ClosureOrderStudy& study);
 /// Files and texts of an order study, from which make_study_report() makes a StudyReport. In the
 /// JSON text the row of a closure has the keys of a solution in summary.json, except identity,
 /// options and moments.
-std::string json(const ClosureOrderStudy& study, const std::string& command);
-std::string csv(const ClosureOrderStudy& study);
+std::string study_json_text(const ClosureOrderStudy& study, const std::string& command);
+std::string study_csv_text(const ClosureOrderStudy& study);
 /// Returns the table of the closures, the reasons for statuses other than `ok`, the folds and the
 /// convergence.
-std::string table(const ClosureOrderStudy& study, const report::TextFormat& format);
+std::string study_table_text(const ClosureOrderStudy& study, const report::TextFormat& format);
 /// Returns a figure with panels of the L1 distances against the order n and panels of the solution
 /// branches.
-report::Figure figure(const ClosureOrderStudy& study);
+report::Figure study_figure(const ClosureOrderStudy& study);
 
 StudyRecord make_record(const ClosureOrderRow& row);
 

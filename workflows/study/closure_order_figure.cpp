@@ -21,7 +21,7 @@ report::FigurePanel distance_panel(const ClosureOrderStudy& study, const char* t
                                    StateVariable variable, double MarginalL1Distances::*distance) {
   int highest = 2;
   for (const auto& row : study.rows) highest = std::max(highest, row.order);
-  const auto series = make_series(
+  const auto series = make_empty_series(
       study.rows, [](const ClosureOrderRow& row) { return row.formulation; },
       [&](const ClosureOrderRow& row) -> std::optional<report::FigurePoint> {
         if (!row.l1) return std::nullopt;
@@ -29,13 +29,14 @@ report::FigurePanel distance_panel(const ClosureOrderStudy& study, const char* t
                                    .y = (*row.l1).*distance,
                                    .open = !row.solution.is_ok()};
       });
-  return {.title = title,
-          .x = {"order {/:Italic n}", 1, static_cast<double>(highest + 1), false, 2},
-          .y = report::logarithmic_axis(
-              fmt::format("{{/:Italic L}}_1 distance of {} to {}", report::density_symbol(variable),
-                          report::escape_enhanced_text(study.reference.id())),
-              series, &report::FigurePoint::y),
-          .series = series};
+  return {
+      .title = title,
+      .x = {"order {/:Italic n}", 1, static_cast<double>(highest + 1), false, 2},
+      .y = report::logarithmic_axis(fmt::format("{{/:Italic L}}_1 distance of {} to {}",
+                                                report::density_in_enhanced_text(variable),
+                                                report::escape_enhanced_text(study.reference.id())),
+                                    series, &report::FigurePoint::y),
+      .series = series};
 }
 
 // Each closure with a branch has a line, and each fold of a branch has a mark.
@@ -45,8 +46,9 @@ std::vector<FigureSeries> branch_series(const ClosureOrderStudy& study) {
   for (const auto& row : study.rows) {
     const auto branch = read_solution_branch(row.solution.metrics);
     if (!branch) continue;
-    all.push_back(report::make_series(fmt::format("branch: {} n = {}", row.formulation, row.order),
-                                      row.solution.identity.plot_style));
+    all.push_back(
+        report::make_empty_series(fmt::format("branch: {} n = {}", row.formulation, row.order),
+                                  row.solution.identity.plot_style));
     all.back().symbol = "";
     for (const auto& [fraction, norm, fold] : branch->points) {
       all.back().points.push_back({.x = fraction, .y = norm});
@@ -66,9 +68,9 @@ report::FigurePanel branch_panel(const std::vector<FigureSeries>& branches) {
 
 }  // namespace
 
-report::Figure figure(const ClosureOrderStudy& study) {
+report::Figure study_figure(const ClosureOrderStudy& study) {
   report::Figure figure{
-      .title = report::problem_title(study.problem),
+      .title = report::problem_title_parts(study.problem),
       .panels = {
           distance_panel(study, "displacement", StateVariable::y, &MarginalL1Distances::y),
           distance_panel(study, "velocity", StateVariable::ydot, &MarginalL1Distances::ydot)}};

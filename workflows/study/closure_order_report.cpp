@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/wrap_text.hpp"
 #include "workflows/study/closure_order.hpp"
 
@@ -38,19 +38,19 @@ StudyRecord make_record(const ClosureOrderRow& row) {
   return record;
 }
 
-std::string json(const ClosureOrderStudy& study, const std::string& command) {
+std::string study_json_text(const ClosureOrderStudy& study, const std::string& command) {
   const auto& reference = study.reference;
-  return study_json(ClosureOrderStudy::kName, study.problem, command,
-                    {{"reference.id", reference.id()},
-                     {"reference.status", std::string(name(reference.status))},
-                     {"reference.reason", reference.reason},
-                     {"reference.seconds", reference.seconds}},
-                    {{"rows", records(study.rows)}});
+  return study_records_to_json(ClosureOrderStudy::kName, study.problem, command,
+                               {{"reference.id", reference.id()},
+                                {"reference.status", std::string(name(reference.status))},
+                                {"reference.reason", reference.reason},
+                                {"reference.seconds", reference.seconds}},
+                               {{"rows", make_records(study.rows)}});
 }
 
-std::string csv(const ClosureOrderStudy& study) {
-  return csv_text(
-      records(study.rows),
+std::string study_csv_text(const ClosureOrderStudy& study) {
+  return records_csv_text(
+      make_records(study.rows),
       "formulation order status iterations residual condition l1_y l1_ydot tail_y tail_ydot seconds");
 }
 
@@ -58,12 +58,12 @@ namespace {
 
 using report::wrap_text;
 
-std::string name_of(const ClosureOrderRow& row) {
+std::string closure_name(const ClosureOrderRow& row) {
   return fmt::format("{} n = {}", row.formulation, row.order);
 }
 
 // Returns the sign of the leading form of Q_n without the confinement term.
-std::string leading_form(const ClosureOrderRow& row) {
+std::string leading_form_text(const ClosureOrderRow& row) {
   const auto& metrics = row.solution.metrics;
   auto form = transform::metric_text(metrics, "tail.polynomial_leading_form");
   if (!form) form = transform::metric_text(metrics, "leading_form");
@@ -71,29 +71,29 @@ std::string leading_form(const ClosureOrderRow& row) {
   return *form == "negative" ? "falls" : "rises";
 }
 
-std::string rows(const ClosureOrderStudy& study, const report::TextFormat& format) {
+std::string closure_table_text(const ClosureOrderStudy& study, const report::TextFormat& format) {
   const std::string l1 = "L1 to " + study.reference.id();
-  auto rows = records(study.rows);
+  auto rows = make_records(study.rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    rows[k].push_back({"leading", leading_form(study.rows[k])});
+    rows[k].push_back({"leading", leading_form_text(study.rows[k])});
     rows[k].push_back({"ms", study.rows[k].solution.seconds * 1000});
   }
-  return table_text(rows,
-                    {{"", "formulation", "formulation", "", report::kAlwaysShown, true},
-                     {"", "n", "order", ""},
-                     {"", "status", "status", ""},
-                     {"", "steps", "iterations", "{:.0f}", 3},
-                     {"", "cond.", "condition", "{:.0e}", 1},
-                     {"", "residual", "residual", "{:.0e}", 4},
-                     {"", "Q_n", "leading", "", 2, true},
-                     {"", "edge", "support.edge_density", "{:.0e}", 2},
-                     {"", "to n-2", "distance_to_previous", "{:.5f}", 1},
-                     {l1, "p(y)", "l1_y", "{:.5f}"},
-                     {l1, "p(y')", "l1_ydot", "{:.5f}"},
-                     {"tail", "p(y)", "tail_y", "{:.2f}", 5},
-                     {"tail", "p(y')", "tail_ydot", "{:.2f}", 5},
-                     {"", "ms", "ms", "{:.0f}"}},
-                    format);
+  return records_table_text(rows,
+                            {{"", "formulation", "formulation", "", report::kAlwaysShown, true},
+                             {"", "n", "order", ""},
+                             {"", "status", "status", ""},
+                             {"", "steps", "iterations", "{:.0f}", 3},
+                             {"", "cond.", "condition", "{:.0e}", 1},
+                             {"", "residual", "residual", "{:.0e}", 4},
+                             {"", "Q_n", "leading", "", 2, true},
+                             {"", "edge", "support.edge_density", "{:.0e}", 2},
+                             {"", "to n-2", "distance_to_previous", "{:.5f}", 1},
+                             {l1, "p(y)", "l1_y", "{:.5f}"},
+                             {l1, "p(y')", "l1_ydot", "{:.5f}"},
+                             {"tail", "p(y)", "tail_y", "{:.2f}", 5},
+                             {"tail", "p(y')", "tail_ydot", "{:.2f}", 5},
+                             {"", "ms", "ms", "{:.0f}"}},
+                            format);
 }
 
 std::string branch_end_text(const std::string& end) {
@@ -111,7 +111,7 @@ std::string branch_sentence(const ClosureOrderRow& row, const SolutionBranch& br
   return fmt::format(
       "  {}: the branch of solutions from the exact density of white noise without impact losses "
       "{}{}, covers {:.1f} % of the way, and {}.",
-      name_of(row), folds.empty() ? "has no fold" : "folds at ", fmt::join(folds, ", "),
+      closure_name(row), folds.empty() ? "has no fold" : "folds at ", fmt::join(folds, ", "),
       100 * branch.largest_fraction, branch_end_text(branch.end));
 }
 
@@ -126,7 +126,7 @@ std::string convergence_rate_sentence(const ClosureOrderRow& first, const Closur
                      factor(&MarginalL1Distances::y), factor(&MarginalL1Distances::ydot));
 }
 
-// @param good rows of one formulation with status `ok`
+// @param good rows with status `ok` of one formulation, by increasing order n
 std::string convergence_sentence(const std::string& formulation,
                                  const std::vector<const ClosureOrderRow*>& good) {
   if (good.empty()) return fmt::format("{}: no order gives a density.", formulation);
@@ -145,7 +145,7 @@ std::string convergence_sentence(const std::string& formulation,
          convergence_rate_sentence(first, last);
 }
 
-std::string convergence(const ClosureOrderStudy& study, std::size_t width) {
+std::string convergence_text(const ClosureOrderStudy& study, std::size_t width) {
   std::string text;
   for (auto row = study.rows.begin(); row != study.rows.end();) {
     const std::string& formulation = row->formulation;
@@ -168,17 +168,19 @@ constexpr const char* kLegend =
 
 }  // namespace
 
-std::string table(const ClosureOrderStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const ClosureOrderStudy& study, const report::TextFormat& format) {
   const std::size_t width = format.width;
-  std::string text = wrap_text(report::case_title(study.problem), width, 2) + rows(study, format);
-  for (const auto& row : study.rows) text += status_reason_text(name_of(row), row.solution, width);
+  std::string text =
+      wrap_text(report::case_title(study.problem), width, 2) + closure_table_text(study, format);
+  for (const auto& row : study.rows)
+    text += status_reason_text(closure_name(row), row.solution, width);
   text += status_reason_text(fmt::format("The reference {} is", study.reference.id()),
                              study.reference, width);
   for (const auto& row : study.rows) {
     const auto followed = read_solution_branch(row.solution.metrics);
     if (followed) text += wrap_text(branch_sentence(row, *followed), width, 4);
   }
-  return text + convergence(study, width) + '\n' + wrap_text(kLegend, width);
+  return text + convergence_text(study, width) + '\n' + wrap_text(kLegend, width);
 }
 
 }  // namespace fpkcheck::study

@@ -76,7 +76,7 @@ class GridStudySolver {
 
   std::optional<GridLevel> density(const Solution& solution) const {
     if (!solution.has_density()) return std::nullopt;
-    return transform::grid_level(solution, axes_.y_edges, axes_.v_edges);
+    return transform::make_grid_level(solution, axes_.y_edges, axes_.v_edges);
   }
 
  private:
@@ -93,7 +93,7 @@ class GridStudySolver {
 };
 
 // Returns the reason why three grids have no Richardson limit; empty if the limit exists.
-std::string reason_without_limit(const GridRow& coarse, const GridRow& middle,
+std::string missing_limit_reason(const GridRow& coarse, const GridRow& middle,
                                  const GridRow& fine) {
   for (const GridRow* grid : {&coarse, &middle, &fine}) {
     if (grid->density && (grid != &fine || fine.solution.is_ok())) continue;
@@ -122,7 +122,7 @@ std::string reason_without_limit(const GridRow& coarse, const GridRow& middle,
 
 // Sets the observed orders of convergence, and returns the Richardson limit of the grids of one
 // scheme.
-RichardsonLimit limit(std::vector<GridRow>& grids) {
+RichardsonLimit set_orders_and_richardson_limit(std::vector<GridRow>& grids) {
   for (std::size_t k = 2; k < grids.size(); ++k) {
     const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
                &fine = grids[k].density;
@@ -132,7 +132,7 @@ RichardsonLimit limit(std::vector<GridRow>& grids) {
         transform::grid_level_difference(*middle, *fine), transform::kRefinementRatio);
   }
   const GridRow &coarse = grids.end()[-3], &middle = grids.end()[-2], &fine = grids.back();
-  RichardsonLimit limit{.order = fine.order, .failure = reason_without_limit(coarse, middle, fine)};
+  RichardsonLimit limit{.order = fine.order, .failure = missing_limit_reason(coarse, middle, fine)};
   if (!limit.failure.empty()) return limit;
   const auto found = transform::richardson_estimate(
       transform::grid_level_difference(*coarse.density, *middle.density),
@@ -143,11 +143,11 @@ RichardsonLimit limit(std::vector<GridRow>& grids) {
   return limit;
 }
 
-std::optional<MarginalL1Distances> l1(const std::optional<GridLevel>& one,
-                                      const std::optional<GridLevel>& other) {
+std::optional<MarginalL1Distances> l1_distance(const std::optional<GridLevel>& one,
+                                               const std::optional<GridLevel>& other) {
   if (!one || !other) return std::nullopt;
-  return MarginalL1Distances{transform::l1(one->y, other->y),
-                             transform::l1(one->ydot, other->ydot)};
+  return MarginalL1Distances{transform::l1_distance(one->y, other->y),
+                             transform::l1_distance(one->ydot, other->ydot)};
 }
 
 // Sets the error estimate of the solution on a single grid to the distance from the Richardson
@@ -202,20 +202,20 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
     for (int level = 1; level <= options.levels; ++level) {
       grids.push_back(solving.grid(order, level));
     }
-    study.limits.push_back(limit(grids));
+    study.limits.push_back(set_orders_and_richardson_limit(grids));
     std::ranges::move(grids, std::back_inserter(study.rows));
   }
   const auto& reference_limit = study.reference_limit().density;
   for (auto& row : study.rows) {
-    row.l1 = l1(row.density, reference_limit);
+    row.l1 = l1_distance(row.density, reference_limit);
     set_error_estimate(row);
   }
-  for (auto& one : study.limits) one.l1 = l1(one.density, reference_limit);
+  for (auto& one : study.limits) one.l1 = l1_distance(one.density, reference_limit);
   if (!reference_limit) return study;  // without the limit the compared methods have no reference
   if (study.limits.size() > 1) study.limit_accuracy = study.limits.end()[-2].l1;
   for (const auto& method : others) {
     auto solution = solving.solve(method);
-    const auto distance = l1(solving.density(solution), reference_limit);
+    const auto distance = l1_distance(solving.density(solution), reference_limit);
     transform::require_error_estimate(solution);
     study.others.push_back({std::move(solution), distance});
   }

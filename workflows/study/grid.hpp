@@ -92,14 +92,14 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
 bool has_converged(const GridStudy& study);
 
 /// Files and texts of a grid study, from which make_study_report() makes a StudyReport.
-std::string json(const GridStudy& study, const std::string& command);
-std::string csv(const GridStudy& study);
+std::string study_json_text(const GridStudy& study, const std::string& command);
+std::string study_csv_text(const GridStudy& study);
 /// Returns the tables of grids, Richardson limits and compared methods, and the fastest method for
 /// each accuracy.
-std::string table(const GridStudy& study, const report::TextFormat& format);
+std::string study_table_text(const GridStudy& study, const report::TextFormat& format);
 /// Returns a figure with panels of the L1 distances against the grid refinement and against the
 /// wall-clock time of all methods. The figure has no panels if no distance is known.
-report::Figure figure(const GridStudy& study);
+report::Figure study_figure(const GridStudy& study);
 
 StudyRecord make_record(const GridRow& row);
 StudyRecord make_record(const RichardsonLimit& limit);

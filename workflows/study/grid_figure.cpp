@@ -24,24 +24,24 @@ using transform::StateVariable;
 using Distance = double MarginalL1Distances::*;
 
 template <class Row>
-std::optional<FigurePoint> point(const Row& row, double abscissa, Distance distance) {
+std::optional<FigurePoint> distance_point(const Row& row, double abscissa, Distance distance) {
   if (!row.solution.is_ok() || !row.l1) return std::nullopt;
   return FigurePoint{.x = abscissa, .y = (*row.l1).*distance};
 }
 
-double milliseconds(const transform::Solution& solution) { return solution.seconds * 1000; }
+double solve_milliseconds(const transform::Solution& solution) { return solution.seconds * 1000; }
 
 /// @param abscissa function that returns the abscissa of a row
 template <class Abscissa>
-std::vector<FigureSeries> scheme_series(const GridStudy& study, Distance distance,
-                                        Abscissa abscissa) {
-  auto all = make_series(
+std::vector<FigureSeries> series_of_schemes(const GridStudy& study, Distance distance,
+                                            Abscissa abscissa) {
+  auto all = make_empty_series(
       study.rows,
       [](const GridRow& row) { return fmt::format("finite volumes, order {}", row.order); },
-      [&](const GridRow& row) { return point(row, abscissa(row), distance); });
+      [&](const GridRow& row) { return distance_point(row, abscissa(row), distance); });
   for (std::size_t k = 0; k < all.size(); ++k) {
     auto points = std::move(all[k].points);
-    all[k] = report::make_series(all[k].name, methods::finite_volume_scheme_style(k));
+    all[k] = report::make_empty_series(all[k].name, methods::finite_volume_scheme_style(k));
     all[k].points = std::move(points);
   }
   return all;
@@ -57,15 +57,16 @@ std::string method_label(const ComparedMethodRow& row) {
 
 // Returns for each scheme a dashed line through its first point with the slope of the nominal
 // order.
-std::vector<FigureSeries> order_slopes(const GridStudy& study, Distance distance) {
+std::vector<FigureSeries> nominal_order_lines(const GridStudy& study, Distance distance) {
   std::vector<FigureSeries> slopes;
   for (auto row = study.rows.begin(); row != study.rows.end();) {
     const int order = row->order;
     const auto end = std::find_if(row, study.rows.end(),
                                   [&](const GridRow& other) { return other.order != order; });
     const double finest = std::prev(end)->refinement;
-    const auto first = std::find_if(
-        row, end, [&](const GridRow& other) { return point(other, 1, distance).has_value(); });
+    const auto first = std::find_if(row, end, [&](const GridRow& other) {
+      return distance_point(other, 1, distance).has_value();
+    });
     row = end;
     if (first == end) continue;
     const double l1 = (*first->l1).*distance;
@@ -79,16 +80,17 @@ std::vector<FigureSeries> order_slopes(const GridStudy& study, Distance distance
 }
 
 report::FigureAxis distance_axis(StateVariable variable, const std::vector<FigureSeries>& all) {
-  return report::logarithmic_axis(
-      fmt::format("{{/:Italic L}}_1 distance of {} to the limit", report::density_symbol(variable)),
-      all, &FigurePoint::y);
+  return report::logarithmic_axis(fmt::format("{{/:Italic L}}_1 distance of {} to the limit",
+                                              report::density_in_enhanced_text(variable)),
+                                  all, &FigurePoint::y);
 }
 
 FigurePanel refinement_panel(const GridStudy& study, const std::string& title,
                              StateVariable variable, Distance distance) {
   constexpr std::array kRefinements{0.125, 0.25, 0.35, 0.5, 0.71, 1.0,
                                     1.41,  2.0,  2.83, 4.0, 5.66, 8.0};
-  auto series = scheme_series(study, distance, [](const GridRow& row) { return row.refinement; });
+  auto series =
+      series_of_schemes(study, distance, [](const GridRow& row) { return row.refinement; });
   FigurePanel panel{
       .title = "grids: " + title,
       .x = {"cells per direction, relative to the automatic grid",
@@ -97,19 +99,20 @@ FigurePanel refinement_panel(const GridStudy& study, const std::string& title,
   for (const double refinement : kRefinements) {
     panel.x.tics.push_back({fmt::format("{:g}", refinement), refinement});
   }
-  std::ranges::move(order_slopes(study, distance), std::back_inserter(series));
+  std::ranges::move(nominal_order_lines(study, distance), std::back_inserter(series));
   panel.series = series;
   return panel;
 }
 
 FigurePanel cost_panel(const GridStudy& study, const std::string& title, StateVariable variable,
                        Distance distance) {
-  auto series =
-      scheme_series(study, distance, [](const GridRow& row) { return milliseconds(row.solution); });
-  std::ranges::move(make_series(study.others, method_label,
-                                [&](const ComparedMethodRow& row) {
-                                  return point(row, milliseconds(row.solution), distance);
-                                }),
+  auto series = series_of_schemes(
+      study, distance, [](const GridRow& row) { return solve_milliseconds(row.solution); });
+  std::ranges::move(make_empty_series(study.others, method_label,
+                                      [&](const ComparedMethodRow& row) {
+                                        return distance_point(row, solve_milliseconds(row.solution),
+                                                              distance);
+                                      }),
                     std::back_inserter(series));
   return {
       .title = "error against cost: " + title,
@@ -120,8 +123,8 @@ FigurePanel cost_panel(const GridStudy& study, const std::string& title, StateVa
 
 }  // namespace
 
-report::Figure figure(const GridStudy& study) {
-  report::Figure figure{.title = report::problem_title(study.problem), .screen_width = 1300};
+report::Figure study_figure(const GridStudy& study) {
+  report::Figure figure{.title = report::problem_title_parts(study.problem), .screen_width = 1300};
   for (const auto make_panel : {refinement_panel, cost_panel}) {
     for (const FigurePanel& panel :
          {make_panel(study, "displacement", StateVariable::y, &MarginalL1Distances::y),

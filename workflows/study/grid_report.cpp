@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/wrap_text.hpp"
 #include "transform/metric.hpp"
 #include "workflows/study/grid.hpp"
@@ -23,9 +23,12 @@ StudyRecord make_record(const GridRow& row) {
       {"refinement", row.refinement},         {"nx", value_from_count(row.nx)},
       {"nv", value_from_count(row.nv)},       {"origin_refinement", row.origin_refinement}};
   add_solution_outcome(row.solution, row.l1, record);
-  record.push_back({"observed_order.l1", value(row.observed, &ObservedConvergenceOrders::l1)});
-  record.push_back({"observed_order.y2", value(row.observed, &ObservedConvergenceOrders::y2)});
-  record.push_back({"observed_order.v2", value(row.observed, &ObservedConvergenceOrders::v2)});
+  record.push_back(
+      {"observed_order.l1", optional_member_value(row.observed, &ObservedConvergenceOrders::l1)});
+  record.push_back(
+      {"observed_order.y2", optional_member_value(row.observed, &ObservedConvergenceOrders::y2)});
+  record.push_back(
+      {"observed_order.v2", optional_member_value(row.observed, &ObservedConvergenceOrders::v2)});
   record.push_back({"y2", row.density ? Value(row.density->moments.y2) : Value()});
   record.push_back({"v2", row.density ? Value(row.density->moments.v2) : Value()});
   return record;
@@ -33,8 +36,8 @@ StudyRecord make_record(const GridRow& row) {
 
 StudyRecord make_record(const RichardsonLimit& limit) {
   StudyRecord record{{"order", value_from_count(limit.order)},
-                     {"l1_y", value(limit.l1, &MarginalL1Distances::y)},
-                     {"l1_ydot", value(limit.l1, &MarginalL1Distances::ydot)}};
+                     {"l1_y", optional_member_value(limit.l1, &MarginalL1Distances::y)},
+                     {"l1_ydot", optional_member_value(limit.l1, &MarginalL1Distances::ydot)}};
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     if (moment == &Moments::v1) continue;  // E[y'] = 0 for every stationary density
     const bool known = limit.density.has_value();
@@ -64,9 +67,9 @@ StudyRecord make_record(const ComparedMethodRow& row) {
   return record;
 }
 
-std::string json(const GridStudy& study, const std::string& command) {
+std::string study_json_text(const GridStudy& study, const std::string& command) {
   const RichardsonLimit& reference_limit = study.reference_limit();
-  return study_json(
+  return study_records_to_json(
       GridStudy::kName, study.problem, command,
       {{"equation", std::string(problem::name(*study.grids.equation))},
        {"impact", std::string(problem::name(*study.grids.impact))},
@@ -74,18 +77,19 @@ std::string json(const GridStudy& study, const std::string& command) {
        {"truth.order",
         reference_limit.failure.empty() ? value_from_count(reference_limit.order) : Value()},
        {"truth.reason", reference_limit.failure},
-       {"truth.known_to.y", value(study.limit_accuracy, &MarginalL1Distances::y)},
-       {"truth.known_to.ydot", value(study.limit_accuracy, &MarginalL1Distances::ydot)}},
-      {{"limits", records(study.limits)},
-       {"rows", records(study.rows)},
-       {"others", records(study.others)}});
+       {"truth.known_to.y", optional_member_value(study.limit_accuracy, &MarginalL1Distances::y)},
+       {"truth.known_to.ydot",
+        optional_member_value(study.limit_accuracy, &MarginalL1Distances::ydot)}},
+      {{"limits", make_records(study.limits)},
+       {"rows", make_records(study.rows)},
+       {"others", make_records(study.others)}});
 }
 
-std::string csv(const GridStudy& study) {
-  auto rows = records(study.rows);
+std::string study_csv_text(const GridStudy& study) {
+  auto rows = make_records(study.rows);
   for (auto& row : rows) row.push_back({"id", study.grids.id});
   for (const auto& other : study.others) rows.push_back(make_record(other));
-  return csv_text(
+  return records_csv_text(
       rows, "id order level nx nv status l1_y l1_ydot observed_order=observed_order.l1 seconds");
 }
 
@@ -97,66 +101,67 @@ constexpr const char* kL1 = "L1 to the limit";
 constexpr const char* kObserved = "observed order";
 constexpr const char* kLimit = "Richardson limit";
 
-std::string milliseconds(double seconds) {
+std::string milliseconds_text(double seconds) {
   return fmt::format("{:.{}f}", seconds * 1000, seconds < 0.01 ? 1 : 0);
 }
 
-std::string cells(const GridRow& row) { return fmt::format("{} x {}", row.nx, row.nv); }
+std::string cell_count_text(const GridRow& row) { return fmt::format("{} x {}", row.nx, row.nv); }
 
 template <class Row>
-std::vector<StudyRecord> timed_records(const std::vector<Row>& rows) {
-  auto all = records(rows);
+std::vector<StudyRecord> records_with_times(const std::vector<Row>& rows) {
+  auto all = make_records(rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    all[k].push_back({"ms", milliseconds(rows[k].solution.seconds)});
+    all[k].push_back({"ms", milliseconds_text(rows[k].solution.seconds)});
   }
   return all;
 }
 
-std::string grids(const GridStudy& study, const report::TextFormat& format) {
-  auto rows = timed_records(study.rows);
-  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].push_back({"cells", cells(study.rows[k])});
-  return table_text(rows,
-                    {{"", "order", "order", ""},
-                     {"", "cells", "cells", ""},
-                     {"", "status", "status", ""},
-                     {kL1, "p(y)", "l1_y", "{:.1e}"},
-                     {kL1, "p(y')", "l1_ydot", "{:.1e}"},
-                     {kObserved, "L1", "observed_order.l1", "{:.1f}"},
-                     {kObserved, "E[y^2]", "observed_order.y2", "{:.1f}", 1},
-                     {kObserved, "E[y'^2]", "observed_order.v2", "{:.1f}", 1},
-                     {"", "ms", "ms", ""}},
-                    format);
+std::string grid_table_text(const GridStudy& study, const report::TextFormat& format) {
+  auto rows = records_with_times(study.rows);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows[k].push_back({"cells", cell_count_text(study.rows[k])});
+  return records_table_text(rows,
+                            {{"", "order", "order", ""},
+                             {"", "cells", "cells", ""},
+                             {"", "status", "status", ""},
+                             {kL1, "p(y)", "l1_y", "{:.1e}"},
+                             {kL1, "p(y')", "l1_ydot", "{:.1e}"},
+                             {kObserved, "L1", "observed_order.l1", "{:.1f}"},
+                             {kObserved, "E[y^2]", "observed_order.y2", "{:.1f}", 1},
+                             {kObserved, "E[y'^2]", "observed_order.v2", "{:.1f}", 1},
+                             {"", "ms", "ms", ""}},
+                            format);
 }
 
-std::string limits(const GridStudy& study, const report::TextFormat& format) {
-  return table_text(records(study.limits),
-                    {{kLimit, "order", "order", ""},
-                     {kLimit, "E[y^2]", "y2", "{:.8g}"},
-                     {kLimit, "+-", "y2_error", "{:.0e}", 1},
-                     {kLimit, "E[y'^2]", "v2", "{:.8g}"},
-                     {kLimit, "+-", "v2_error", "{:.0e}", 1},
-                     {kLimit, "E[y^4]", "y4", "{:.7g}", 2},
-                     {kLimit, "E[y'^4]", "v4", "{:.7g}", 2},
-                     {kL1, "p(y)", "l1_y", "{:.1e}"},
-                     {kL1, "p(y')", "l1_ydot", "{:.1e}"}},
-                    format);
+std::string richardson_limit_table_text(const GridStudy& study, const report::TextFormat& format) {
+  return records_table_text(make_records(study.limits),
+                            {{kLimit, "order", "order", ""},
+                             {kLimit, "E[y^2]", "y2", "{:.8g}"},
+                             {kLimit, "+-", "y2_error", "{:.0e}", 1},
+                             {kLimit, "E[y'^2]", "v2", "{:.8g}"},
+                             {kLimit, "+-", "v2_error", "{:.0e}", 1},
+                             {kLimit, "E[y^4]", "y4", "{:.7g}", 2},
+                             {kLimit, "E[y'^4]", "v4", "{:.7g}", 2},
+                             {kL1, "p(y)", "l1_y", "{:.1e}"},
+                             {kL1, "p(y')", "l1_ydot", "{:.1e}"}},
+                            format);
 }
 
-std::string others(const GridStudy& study, const report::TextFormat& format) {
+std::string compared_method_table_text(const GridStudy& study, const report::TextFormat& format) {
   if (study.others.empty()) return "";
-  return '\n' + table_text(timed_records(study.others),
-                           {{"", "other methods", "id", "", report::kAlwaysShown, true},
-                            {"", "status", "status", ""},
-                            {kL1, "p(y)", "l1_y", "{:.1e}"},
-                            {kL1, "p(y')", "l1_ydot", "{:.1e}"},
-                            {"", "ms", "ms", ""}},
-                           format);
+  return '\n' + records_table_text(records_with_times(study.others),
+                                   {{"", "other methods", "id", "", report::kAlwaysShown, true},
+                                    {"", "status", "status", ""},
+                                    {kL1, "p(y)", "l1_y", "{:.1e}"},
+                                    {kL1, "p(y')", "l1_ydot", "{:.1e}"},
+                                    {"", "ms", "ms", ""}},
+                                   format);
 }
 
-std::string name_of(const GridRow& row) {
-  return fmt::format("order {} on {} cells", row.order, cells(row));
+std::string row_name(const GridRow& row) {
+  return fmt::format("order {} on {} cells", row.order, cell_count_text(row));
 }
-std::string name_of(const ComparedMethodRow& row) { return row.solution.id(); }
+std::string row_name(const ComparedMethodRow& row) { return row.solution.id(); }
 
 struct TimedMethod {
   std::string name;
@@ -166,10 +171,10 @@ struct TimedMethod {
 template <class Row>
 void update_fastest(const Row& row, double accuracy, std::optional<TimedMethod>& best) {
   if (!row.solution.is_ok() || !row.l1 || !(std::max(row.l1->y, row.l1->ydot) <= accuracy)) return;
-  if (!best || row.solution.seconds < best->seconds) best = {name_of(row), row.solution.seconds};
+  if (!best || row.solution.seconds < best->seconds) best = {row_name(row), row.solution.seconds};
 }
 
-std::string fastest_sentence(const GridStudy& study, double accuracy) {
+std::string fastest_method_sentence(const GridStudy& study, double accuracy) {
   std::optional<TimedMethod> grid, closure, simulation;
   for (const auto& row : study.rows) update_fastest(row, accuracy, grid);
   for (const auto& row : study.others) {
@@ -185,13 +190,13 @@ std::string fastest_sentence(const GridStudy& study, double accuracy) {
   std::ranges::sort(ways, {}, &TimedMethod::seconds);
   std::vector<std::string> parts;
   for (const auto& way : ways) {
-    parts.push_back(fmt::format("{} in {} ms", way.name, milliseconds(way.seconds)));
+    parts.push_back(fmt::format("{} in {} ms", way.name, milliseconds_text(way.seconds)));
   }
   return fmt::format("  Fastest to L1 {:.0e} in both marginals: {}.", accuracy,
                      fmt::join(parts, "; "));
 }
 
-std::string limit_sentence(const GridStudy& study) {
+std::string limit_accuracy_sentence(const GridStudy& study) {
   const RichardsonLimit& reference_limit = study.reference_limit();
   if (!reference_limit.failure.empty()) {
     return fmt::format("  There is no limit at the highest order: {}.", reference_limit.failure);
@@ -214,19 +219,20 @@ constexpr const char* kGridLegend =
 
 }  // namespace
 
-std::string table(const GridStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const GridStudy& study, const report::TextFormat& format) {
   std::string text = wrap_text(
       fmt::format("{}; finite volumes for {}, impact {}", report::case_title(study.problem),
                   problem::name(*study.grids.equation), problem::name(*study.grids.impact)),
       format.width, 2);
-  text += grids(study, format) + '\n' + limits(study, format) + others(study, format);
+  text += grid_table_text(study, format) + '\n' + richardson_limit_table_text(study, format) +
+          compared_method_table_text(study, format);
   for (const auto& row : study.rows)
-    text += status_reason_text(name_of(row), row.solution, format.width);
+    text += status_reason_text(row_name(row), row.solution, format.width);
   for (const auto& row : study.others)
-    text += status_reason_text(name_of(row), row.solution, format.width);
-  text += wrap_text(limit_sentence(study), format.width, 2);
+    text += status_reason_text(row_name(row), row.solution, format.width);
+  text += wrap_text(limit_accuracy_sentence(study), format.width, 2);
   for (const double accuracy : {1e-2, 1e-3, 1e-4, 1e-5}) {
-    const auto sentence = fastest_sentence(study, accuracy);
+    const auto sentence = fastest_method_sentence(study, accuracy);
     if (!sentence.empty()) text += wrap_text(sentence, format.width, 2);
   }
   return text + '\n' + wrap_text(kGridLegend, format.width);

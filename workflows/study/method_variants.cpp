@@ -18,11 +18,12 @@ using problem::ImpactCondition;
 using transform::SolutionIdentity;
 using transform::SolutionRole;
 
-// Returns the method of an id with the given options; empty for an unknown id or an invalid option.
+// Returns the method with the given id and options. The result is empty if the id is unknown or an
+// option is invalid.
 std::optional<Method> find_method(const SolverRegistry& registry, const std::string& id,
                                   const base::Values& given = {}) {
   try {
-    return registry.method_by_id(id, given);
+    return registry.find_method_by_id(id, given);
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -30,14 +31,14 @@ std::optional<Method> find_method(const SolverRegistry& registry, const std::str
 
 // Returns the default members of a family, then the variants that differ from a default member by
 // one option.
-std::vector<Method> members_and_variants(const SolverRegistry& registry,
-                                         const methods::Solver& solver,
-                                         const std::vector<std::string>& usual) {
+std::vector<Method> family_members_and_variants(const SolverRegistry& registry,
+                                                const methods::Solver& solver,
+                                                const std::vector<std::string>& usual) {
   std::vector<Method> found;
   const auto add = [&](std::optional<Method> method) {
     if (method) found.push_back(std::move(*method));
   };
-  for (const auto& id : usual) add(registry.method_by_id(id));
+  for (const auto& id : usual) add(registry.find_method_by_id(id));
   for (const auto& id : usual) {
     for (const auto& parameter : solver.option_descriptions->parameters()) {
       for (const auto& choice : parameter.choices) {
@@ -48,13 +49,14 @@ std::vector<Method> members_and_variants(const SolverRegistry& registry,
   return found;
 }
 
-std::string stem_of(const SolutionIdentity& identity) {
+std::string id_stem(const SolutionIdentity& identity) {
   const std::string end = identity.order ? fmt::format("-n{}", *identity.order) : "";
   return identity.id.substr(0, identity.id.size() - (identity.id.ends_with(end) ? end.size() : 0));
 }
 
 // The impact condition of a simulation is exact, and therefore equivalent to `map`.
-bool solves(const SolutionIdentity& identity, DensityEquation equation, ImpactCondition impact) {
+bool solves_equation(const SolutionIdentity& identity, DensityEquation equation,
+                     ImpactCondition impact) {
   return identity.equation == equation && identity.impact &&
          (*identity.impact == ImpactCondition::delta) == (impact == ImpactCondition::delta);
 }
@@ -62,7 +64,7 @@ bool solves(const SolutionIdentity& identity, DensityEquation equation, ImpactCo
 }  // namespace
 
 bool MethodVariant::solves_full_problem() const {
-  return solves(identity(), DensityEquation::kf, ImpactCondition::map);
+  return solves_equation(identity(), DensityEquation::kf, ImpactCondition::map);
 }
 
 std::vector<MethodVariant> method_variants(const SolverRegistry& registry, SolutionRole role) {
@@ -73,8 +75,8 @@ std::vector<MethodVariant> method_variants(const SolverRegistry& registry, Solut
   for (const auto& solver : registry.solvers()) {
     for (const auto& family : solver.families) {
       if (family.role != role) continue;
-      for (auto& method : members_and_variants(registry, solver, family.default_ids)) {
-        const std::string stem = stem_of(method.identity), prefix = solver.name + '-';
+      for (auto& method : family_members_and_variants(registry, solver, family.default_ids)) {
+        const std::string stem = id_stem(method.identity), prefix = solver.name + '-';
         if (method.identity.family != family.name || known(stem)) continue;
         const bool is_first_solver = all.empty() || all.front().identity().method == solver.name;
         const bool is_shortened = is_first_solver && stem.starts_with(prefix);
@@ -97,7 +99,7 @@ std::vector<Method> methods_compared_with_grids(const SolverRegistry& registry,
     const SolutionIdentity& identity = variant.identity();
     const bool approximates_full_problem =
         variant.usual && equation == DensityEquation::kf && impact != ImpactCondition::delta;
-    if (!approximates_full_problem && !solves(identity, equation, impact)) continue;
+    if (!approximates_full_problem && !solves_equation(identity, equation, impact)) continue;
     if (!variant.usual && families.contains(identity.family)) continue;
     families.insert(identity.family);
     if (!identity.order) all.push_back(variant.first);
@@ -109,8 +111,8 @@ std::vector<Method> methods_compared_with_grids(const SolverRegistry& registry,
     }
   }
   for (const auto& variant : method_variants(registry, SolutionRole::simulation)) {
-    if (!solves(variant.identity(), equation, impact)) continue;
-    all.push_back(*registry.method_by_id(variant.stem, simulation));
+    if (!solves_equation(variant.identity(), equation, impact)) continue;
+    all.push_back(*registry.find_method_by_id(variant.stem, simulation));
   }
   std::ranges::stable_sort(all, methods::is_less_trusted, &Method::identity);
   return all;

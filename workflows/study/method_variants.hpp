@@ -5,7 +5,7 @@
 
 #include "methods/registry.hpp"
 
-/// Registered methods that a study compares, including variants that are no default members of a
+/// Methods of a registry that a study compares. Some of these methods are not default members of a
 /// family.
 namespace fpkcheck::study {
 

@@ -26,7 +26,7 @@ Value value_at(const StudyRecord& record, const std::string& path) {
 
 // Returns the text of a value. The argument `format` applies to non-integer numbers. A missing
 // value gives an empty text.
-std::string text(const Value& value, const char* format) {
+std::string value_text(const Value& value, const char* format) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
   const auto* number = std::get_if<double>(&value);
@@ -41,27 +41,28 @@ void add_solution_outcome(const transform::Solution& solution,
   record.push_back({"status", std::string(name(solution.status))});
   record.push_back({"reason", solution.reason});
   record.push_back({"seconds", solution.seconds});
-  record.push_back({"l1_y", value(l1, &MarginalL1Distances::y)});
-  record.push_back({"l1_ydot", value(l1, &MarginalL1Distances::ydot)});
+  record.push_back({"l1_y", optional_member_value(l1, &MarginalL1Distances::y)});
+  record.push_back({"l1_ydot", optional_member_value(l1, &MarginalL1Distances::ydot)});
 }
 
-std::string table_text(const std::vector<StudyRecord>& rows,
-                       const std::vector<TableColumn>& columns, const report::TextFormat& format) {
+std::string records_table_text(const std::vector<StudyRecord>& rows,
+                               const std::vector<TableColumn>& columns,
+                               const report::TextFormat& format) {
   std::vector<report::TextColumn> filled;
   for (const auto& shown : columns) {
     filled.push_back(
         shown.path == "status"
-            ? report::status_column()
+            ? report::make_status_column()
             : report::TextColumn{shown.group, shown.header, shown.left_aligned, shown.importance});
     for (const auto& row : rows) {
-      const std::string cell = text(value_at(row, shown.path), shown.format);
+      const std::string cell = value_text(value_at(row, shown.path), shown.format);
       filled.back().cells.push_back(cell.empty() ? report::kMissingCell : cell);
     }
   }
   return report::format_text_table(std::move(filled), format);
 }
 
-std::string csv_text(const std::vector<StudyRecord>& rows, const std::string& columns) {
+std::string records_csv_text(const std::vector<StudyRecord>& rows, const std::string& columns) {
   std::vector<std::string> headers, paths;
   std::istringstream words(columns);
   for (std::string word; words >> word;) {
@@ -71,14 +72,14 @@ std::string csv_text(const std::vector<StudyRecord>& rows, const std::string& co
   std::string lines = fmt::format("{}\n", fmt::join(headers, ","));
   for (const auto& row : rows) {
     std::vector<std::string> cells;
-    for (const auto& path : paths) cells.push_back(text(value_at(row, path), "{}"));
+    for (const auto& path : paths) cells.push_back(value_text(value_at(row, path), "{}"));
     lines += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return lines;
 }
 
 std::string number_text(const std::optional<double>& number, const char* format) {
-  const std::string found = text(transform::value_from_optional(number), format);
+  const std::string found = value_text(transform::value_from_optional(number), format);
   return found.empty() ? report::kMissingCell : found;
 }
 
@@ -102,7 +103,7 @@ namespace {
 
 using results::Json;
 
-void add(const StudyRecord& record, Json& object) {
+void add_record_to_json(const StudyRecord& record, Json& object) {
   transform::MetricBuilder values;
   for (const auto& [path, value] : record) values.add_result(path, value);
   results::add_metrics(std::move(values).take_metrics(), object);
@@ -110,17 +111,18 @@ void add(const StudyRecord& record, Json& object) {
 
 }  // namespace
 
-std::string study_json(const std::string& study, const problem::Problem& problem,
-                       const std::string& command, const StudyRecord& study_values,
-                       const std::vector<std::pair<std::string, std::vector<StudyRecord>>>& lists) {
+std::string study_records_to_json(
+    const std::string& study, const problem::Problem& problem, const std::string& command,
+    const StudyRecord& study_values,
+    const std::vector<std::pair<std::string, std::vector<StudyRecord>>>& lists) {
   Json json{{"schema", results::kSummarySchema},
             {"program", results::program_to_json(results::current_program(command))},
             {"study", study}};
   json.update(results::problem_to_json(problem));
-  add(study_values, json);
+  add_record_to_json(study_values, json);
   for (const auto& [name, rows] : lists) {
     json[name] = Json::array();
-    for (const auto& row : rows) add(row, json[name].emplace_back(Json::object()));
+    for (const auto& row : rows) add_record_to_json(row, json[name].emplace_back(Json::object()));
   }
   return results::serialise_json(results::replace_non_finite_by_null(json));
 }

@@ -7,7 +7,7 @@
 
 #include "base/options/parameter.hpp"
 #include "problem/problem.hpp"
-#include "report/text/columns.hpp"
+#include "report/text/text_columns.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::study {
@@ -16,11 +16,12 @@ struct MarginalL1Distances {
   double y, ydot;
 };
 
-/// Row of a study for files and tables. Each value has a path such as "observed_order.l1".
+/// Values of one row of a study, for files and tables. Each value has a path such as
+/// "observed_order.l1".
 using StudyRecord = base::Values;
 
 template <class Owner>
-base::Value value(const std::optional<Owner>& owner, double Owner::*member) {
+base::Value optional_member_value(const std::optional<Owner>& owner, double Owner::*member) {
   return owner ? base::Value((*owner).*member) : base::Value();
 }
 
@@ -28,7 +29,7 @@ base::Value value(const std::optional<Owner>& owner, double Owner::*member) {
 void add_solution_outcome(const transform::Solution& solution,
                           const std::optional<MarginalL1Distances>& l1, StudyRecord& record);
 
-/// Column of a table, which shows the values of one path.
+/// Column of a text table, which shows the values with the same path in all records.
 struct TableColumn {
   std::string group, header, path;
   const char* format;  ///< format of numbers for the library fmt
@@ -38,23 +39,25 @@ struct TableColumn {
 
 /// Returns the records as a text table. A dash represents an absent value or a number that is not
 /// finite.
-std::string table_text(const std::vector<StudyRecord>& rows,
-                       const std::vector<TableColumn>& columns, const report::TextFormat& format);
+std::string records_table_text(const std::vector<StudyRecord>& rows,
+                               const std::vector<TableColumn>& columns,
+                               const report::TextFormat& format);
 
 /// Returns the records as CSV with a header. Absent values and numbers that are not finite are
 /// empty.
 /// @param columns paths of the columns, separated by blanks; NAME=PATH if the header of a column
 /// differs from its path
-std::string csv_text(const std::vector<StudyRecord>& rows, const std::string& columns);
+std::string records_csv_text(const std::vector<StudyRecord>& rows, const std::string& columns);
 
 /// Returns the JSON of a study. The argument `study_values` has values of the whole study, such as
 /// its options.
-std::string study_json(const std::string& study, const problem::Problem& problem,
-                       const std::string& command, const StudyRecord& study_values,
-                       const std::vector<std::pair<std::string, std::vector<StudyRecord>>>& lists);
+std::string study_records_to_json(
+    const std::string& study, const problem::Problem& problem, const std::string& command,
+    const StudyRecord& study_values,
+    const std::vector<std::pair<std::string, std::vector<StudyRecord>>>& lists);
 
 template <class Row>
-std::vector<StudyRecord> records(const std::vector<Row>& rows) {
+std::vector<StudyRecord> make_records(const std::vector<Row>& rows) {
   std::vector<StudyRecord> all;
   for (const Row& row : rows) all.push_back(make_record(row));
   return all;

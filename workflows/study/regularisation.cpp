@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::study {
@@ -66,35 +66,36 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
 }  // namespace
 
 StudyRecord make_record(const RegularisationSchemeResult& row) {
-  StudyRecord record{{"scheme", row.scheme},
-                     {"step", row.step},
-                     // The scheme `pade` has no length of the fourth difference.
-                     {"length", row.length > 0 ? Value(row.length) : Value()},
-                     {"nx", value_from_count(row.nx)},
-                     {"nv", value_from_count(row.nv)},
-                     {"symbol_rate", value(row.symbol, &FastestGrowingWave::rate)},
-                     {"symbol_wavenumber", value(row.symbol, &FastestGrowingWave::wavenumber)},
-                     {"symbol_grows", row.symbol ? Value(row.symbol_grows) : Value()},
-                     {"growth_rate", value_from_optional(row.growth_rate)},
-                     {"l1_y", value_from_optional(row.l1_y)},
-                     {"l1_ydot", value_from_optional(row.l1_ydot)},
-                     {"min_density", value_from_optional(row.min_density)},
-                     {"remark", row.remark}};
+  StudyRecord record{
+      {"scheme", row.scheme},
+      {"step", row.step},
+      // The scheme `pade` has no length of the fourth difference.
+      {"length", row.length > 0 ? Value(row.length) : Value()},
+      {"nx", value_from_count(row.nx)},
+      {"nv", value_from_count(row.nv)},
+      {"symbol_rate", optional_member_value(row.symbol, &FastestGrowingWave::rate)},
+      {"symbol_wavenumber", optional_member_value(row.symbol, &FastestGrowingWave::wavenumber)},
+      {"symbol_grows", row.symbol ? Value(row.symbol_grows) : Value()},
+      {"growth_rate", value_from_optional(row.growth_rate)},
+      {"l1_y", value_from_optional(row.l1_y)},
+      {"l1_ydot", value_from_optional(row.l1_ydot)},
+      {"min_density", value_from_optional(row.min_density)},
+      {"remark", row.remark}};
   add_eigenvalue("rightmost", row.rightmost, record);
   add_eigenvalue("next", row.next, record);
   return record;
 }
 
-std::string json(const RegularisationStudy& study, const std::string& command) {
-  return study_json(
+std::string study_json_text(const RegularisationStudy& study, const std::string& command) {
+  return study_records_to_json(
       RegularisationStudy::kName, study.problem, command,
       {{"default_length", study.default_length}, {"shortest_length", study.shortest_length}},
-      {{"rows", records(study.rows)}});
+      {{"rows", make_records(study.rows)}});
 }
 
-std::string csv(const RegularisationStudy& study) {
-  return csv_text(
-      records(study.rows),
+std::string study_csv_text(const RegularisationStudy& study) {
+  return records_csv_text(
+      make_records(study.rows),
       "scheme step length nx nv symbol_rate symbol_wavenumber rightmost_re=rightmost.re rightmost_im=rightmost.im next_re=next.re next_im=next.im growth_rate l1_y l1_ydot min_density");
 }
 
@@ -103,8 +104,8 @@ namespace {
 using report::wrap_text;
 
 // If no wave grows, the largest growth rate is 0, the limit for long waves.
-std::string symbol_text(const RegularisationSchemeResult& row,
-                        double fd_fpk::FastestGrowingWave::*of) {
+std::string fastest_wave_text(const RegularisationSchemeResult& row,
+                              double fd_fpk::FastestGrowingWave::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
   return row.symbol && of == &fd_fpk::FastestGrowingWave::rate ? "0" : "";
 }
@@ -123,51 +124,51 @@ std::string time_behaviour_text(const RegularisationSchemeResult& row) {
   return row.symbol ? "no growth" : "";
 }
 
-std::string l1_text(const std::optional<double>& l1) {
+std::string l1_distance_text(const std::optional<double>& l1) {
   return number_text(l1, l1.value_or(0) < 10 ? "{:.5f}" : "{:.1e}");
 }
 
-std::string step_text(const RegularisationSchemeResult& row) {
+std::string velocity_step_text(const RegularisationSchemeResult& row) {
   return fmt::format("{:.3g}", row.step);
 }
 
-std::string rows(const RegularisationStudy& study, const report::TextFormat& format) {
+std::string scheme_table_text(const RegularisationStudy& study, const report::TextFormat& format) {
   std::vector<StudyRecord> rows;
   for (const auto& row : study.rows) {
     rows.push_back({{"scheme", row.scheme},
                     {"h", row.step},
                     {"l", row.length > 0 ? base::Value(row.length) : base::Value()},
                     {"cells", fmt::format("{}x{}", row.nx, row.nv)},
-                    {"rate", symbol_text(row, &fd_fpk::FastestGrowingWave::rate)},
-                    {"q", symbol_text(row, &fd_fpk::FastestGrowingWave::wavenumber)},
+                    {"rate", fastest_wave_text(row, &fd_fpk::FastestGrowingWave::rate)},
+                    {"q", fastest_wave_text(row, &fd_fpk::FastestGrowingWave::wavenumber)},
                     {"rightmost", eigenvalue_text(row.rightmost)},
                     {"next", eigenvalue_text(row.next)},
                     {"in time", time_behaviour_text(row)},
-                    {"l1_y", l1_text(row.l1_y)},
-                    {"l1_ydot", l1_text(row.l1_ydot)},
+                    {"l1_y", l1_distance_text(row.l1_y)},
+                    {"l1_ydot", l1_distance_text(row.l1_ydot)},
                     {"least", transform::value_from_optional(row.min_density)}});
   }
   constexpr int kAlways = report::kAlwaysShown;
-  return table_text(rows,
-                    {{"", "scheme", "scheme", "", kAlways, true},
-                     {"", "h", "h", "{:.3g}"},
-                     {"", "l", "l", "{:.3g}", 4},
-                     {"", "cells", "cells", "", 1},
-                     {"symbol", "rate", "rate", ""},
-                     {"symbol", "q", "q", ""},
-                     {"matrix", "rightmost", "rightmost", ""},
-                     {"matrix", "next", "next", "", 2},
-                     {"", "in time", "in time", "", kAlways, true},
-                     {"null vector", "L1 p(y)", "l1_y", "", 3},
-                     {"null vector", "L1 p(y')", "l1_ydot", ""},
-                     {"null vector", "least", "least", "{:.0e}"}},
-                    format);
+  return records_table_text(rows,
+                            {{"", "scheme", "scheme", "", kAlways, true},
+                             {"", "h", "h", "{:.3g}"},
+                             {"", "l", "l", "{:.3g}", 4},
+                             {"", "cells", "cells", "", 1},
+                             {"symbol", "rate", "rate", ""},
+                             {"symbol", "q", "q", ""},
+                             {"matrix", "rightmost", "rightmost", ""},
+                             {"matrix", "next", "next", "", 2},
+                             {"", "in time", "in time", "", kAlways, true},
+                             {"null vector", "L1 p(y)", "l1_y", "", 3},
+                             {"null vector", "L1 p(y')", "l1_ydot", ""},
+                             {"null vector", "least", "least", "{:.0e}"}},
+                            format);
 }
 
 // Returns the text of a list of velocity steps, e.g. "h = 0.158, 0.0791 and 0.0395".
-std::string step_list(const std::vector<RegularisationSchemeResult>& rows) {
+std::string velocity_step_list(const std::vector<RegularisationSchemeResult>& rows) {
   std::vector<std::string> steps;
-  for (const auto& row : rows) steps.push_back(step_text(row));
+  for (const auto& row : rows) steps.push_back(velocity_step_text(row));
   return "h = " + join_with_and(steps);
 }
 
@@ -185,10 +186,11 @@ std::vector<RegularisationSchemeResult> rows_of_scheme(const RegularisationStudy
 
 // The exponent a in growth rate ~ h^a is computed from the two smallest steps h on which a wave
 // grows.
-std::string literal_sentence(const RegularisationStudy& study) {
+std::string unregularised_scheme_sentence(const RegularisationStudy& study) {
   const auto growing = rows_of_scheme(study, "literal", true);
   if (growing.empty()) return "The literal scheme grows on none of these steps.";
-  std::string text = fmt::format("The literal scheme, l = h, grows at {}", step_list(growing));
+  std::string text =
+      fmt::format("The literal scheme, l = h, grows at {}", velocity_step_list(growing));
   if (growing.size() > 1) {
     const auto &fine = growing.back(), &coarse = growing[growing.size() - 2];
     const double exponent =
@@ -210,15 +212,15 @@ std::string literal_sentence(const RegularisationStudy& study) {
   return text;
 }
 
-std::string regularised_sentence(const RegularisationStudy& study) {
+std::string regularised_scheme_sentence(const RegularisationStudy& study) {
   const auto growing = rows_of_scheme(study, "regularised", true);
   const auto settled = rows_of_scheme(study, "regularised", false);
   std::string text =
       fmt::format("The fourth difference over the default length l = {:.3g}", study.default_length);
   if (settled.empty()) return text + " grows on every step.";
-  text += growing.empty()
-              ? " grows on no step"
-              : fmt::format(" grows at {} and not at {}", step_list(growing), step_list(settled));
+  text += growing.empty() ? " grows on no step"
+                          : fmt::format(" grows at {} and not at {}", velocity_step_list(growing),
+                                        velocity_step_list(settled));
   const RegularisationSchemeResult& finest = settled.back();
   if (finest.l1_y && finest.l1_ydot) {
     text += fmt::format(
@@ -233,25 +235,28 @@ std::string threshold_sentence(const RegularisationStudy& study) {
   const auto below = rows_of_scheme(study, "0.9 l*", true),
              above = rows_of_scheme(study, "1.1 l*", true);
   std::string text = fmt::format("The threshold is l* = {:.3g}: ", study.shortest_length);
-  text += below.empty() ? "10 % below it no matrix grows"
-                        : fmt::format("10 % below it the matrices of {} grow", step_list(below));
+  text += below.empty()
+              ? "10 % below it no matrix grows"
+              : fmt::format("10 % below it the matrices of {} grow", velocity_step_list(below));
   if (below.size() > 1) {
     text += fmt::format(", at a rate that is independent of the step ({:.3g} by the symbol)",
                         below.back().symbol->rate);
   }
-  text += above.empty() ? "; 10 % above it no matrix grows."
-                        : fmt::format("; 10 % above it the matrices of {} grow.", step_list(above));
+  text += above.empty()
+              ? "; 10 % above it no matrix grows."
+              : fmt::format("; 10 % above it the matrices of {} grow.", velocity_step_list(above));
   return text;
 }
 
 // Each remark occurs once, with the rows to which the remark applies.
-std::string remarks(const RegularisationStudy& study, std::size_t width) {
+std::string remarks_text(const RegularisationStudy& study, std::size_t width) {
   std::map<std::string, std::vector<std::string>> rows_with;
   std::vector<std::string> order;
   for (const auto& row : study.rows) {
     if (row.remark.empty()) continue;
     if (!rows_with.contains(row.remark)) order.push_back(row.remark);
-    rows_with[row.remark].push_back(fmt::format("{} at h = {}", row.scheme, step_text(row)));
+    rows_with[row.remark].push_back(
+        fmt::format("{} at h = {}", row.scheme, velocity_step_text(row)));
   }
   std::string text;
   for (const auto& remark : order) {
@@ -270,11 +275,11 @@ constexpr const char* kRegularisationLegend =
 
 }  // namespace
 
-std::string table(const RegularisationStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const RegularisationStudy& study, const report::TextFormat& format) {
   std::string text = wrap_text(report::case_title(study.problem), format.width, 2) +
-                     rows(study, format) + remarks(study, format.width);
-  for (const auto& sentence :
-       {literal_sentence(study), regularised_sentence(study), threshold_sentence(study)}) {
+                     scheme_table_text(study, format) + remarks_text(study, format.width);
+  for (const auto& sentence : {unregularised_scheme_sentence(study),
+                               regularised_scheme_sentence(study), threshold_sentence(study)}) {
     text += wrap_text("  " + sentence, format.width, 2);
   }
   return text + '\n' + wrap_text(kRegularisationLegend, format.width);

@@ -14,8 +14,9 @@
 namespace fpkcheck::study {
 
 struct RegularisationSchemeResult : fd_fpk::RegularisationSchemeResult {
+  /// Whether the symbol of the discrete operator has a growing wave.
   bool symbol_grows = false;
-  /// Growth rate of disturbances; empty if no disturbance grows.
+  /// Largest growth rate of disturbances of the density; empty if no disturbance grows.
   std::optional<double> growth_rate = {};
 };
 
@@ -40,10 +41,10 @@ bool has_converged(const RegularisationStudy& study);
 
 /// Files and texts of a regularisation study, from which make_study_report() makes a StudyReport.
 /// The JSON key `growth_rate` is null if no disturbance grows.
-std::string json(const RegularisationStudy& study, const std::string& command);
-std::string csv(const RegularisationStudy& study);
-std::string table(const RegularisationStudy& study, const report::TextFormat& format);
-inline report::Figure figure(const RegularisationStudy&) { return {}; }
+std::string study_json_text(const RegularisationStudy& study, const std::string& command);
+std::string study_csv_text(const RegularisationStudy& study);
+std::string study_table_text(const RegularisationStudy& study, const report::TextFormat& format);
+inline report::Figure study_figure(const RegularisationStudy&) { return {}; }
 
 StudyRecord make_record(const RegularisationSchemeResult& row);
 

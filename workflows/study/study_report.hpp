@@ -3,7 +3,7 @@
 #include <string>
 
 #include "report/figure/figure.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 
 namespace fpkcheck::study {
 
@@ -16,17 +16,19 @@ struct StudyReport {
   std::string netcdf = {};    ///< contents of STEM.nc; empty without this file
 };
 
-/// Makes the report of a study. If table rows exceed the width of `format`, the least important
-/// columns are omitted.
+/// Returns the files and texts of a study. If table rows exceed the width of `format`, the table
+/// omits the least important columns.
 template <class Study>
 StudyReport make_study_report(const Study& study, const std::string& command,
                               const report::TextFormat& format,
                               report::FigureWidth width = report::FigureWidth::screen) {
   const std::string stem = Study::kFileStem;
-  const report::Figure drawn = figure(study);
-  StudyReport report{stem, json(study, command), csv(study), table(study, format),
-                     drawn.panels.empty() ? "" : report::figure_script(drawn, stem, width)};
-  if constexpr (requires { netcdf(study, command); }) report.netcdf = netcdf(study, command);
+  const report::Figure drawn = study_figure(study);
+  StudyReport report{stem, study_json_text(study, command), study_csv_text(study),
+                     study_table_text(study, format),
+                     drawn.panels.empty() ? "" : report::make_gnuplot_script(drawn, stem, width)};
+  if constexpr (requires { study_netcdf_bytes(study, command); })
+    report.netcdf = study_netcdf_bytes(study, command);
   return report;
 }
 

@@ -37,8 +37,8 @@ struct Generator {
 TEST(Generator, IsExactOnPolynomials) {
   const Generator g;
   const double c = 0.3, rate = g.problem.impulses.arrival_rate();
-  const double mean = g.problem.impulses.law().moment(1),
-               square = g.problem.impulses.law().moment(2);
+  const double mean = g.problem.impulses.amplitude_law().moment(1),
+               square = g.problem.impulses.amplitude_law().moment(2);
   int checked = 0;
   for (std::size_t i = 0; i < g.y.y.size(); ++i) {
     for (std::size_t j = 0; j < g.v.v.size(); ++j) {

@@ -46,8 +46,9 @@ TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
         for (const double t : {0.0, 0.4, 1.0}) {
           const double v = piece.from.lower() + t * (piece.to.lower() - piece.from.lower());
           const double expected = spline_value(basis, c, v);
-          EXPECT_NEAR(bernstein_value(functions.value[l], numerics::Interval(t)).lower(), expected,
-                      1e-12);
+          EXPECT_NEAR(
+              evaluate_bernstein_polynomial(functions.value[l], numerics::Interval(t)).lower(),
+              expected, 1e-12);
         }
       }
     }
@@ -86,7 +87,7 @@ TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
       numerics::Interval slope = 0;
       for (std::size_t l = 1; l < functions.index.size(); ++l) {
         slope += (numerics::Interval(c(functions.index[l])) - c(functions.index[l - 1])) *
-                 bernstein_value(slopes[l - 1], numerics::Interval(0.5));
+                 evaluate_bernstein_polynomial(slopes[l - 1], numerics::Interval(0.5));
       }
       const double v = ((piece.from + piece.to) / 2.0).lower();
       EXPECT_NEAR(slope.lower(), 3 * v * v, 1e-11);
@@ -110,7 +111,8 @@ TEST(VelocityPieces, OverhangIsPartOfTheError) {
     c(basis.centre_index()) = 1;
     for (std::size_t l = 0; l < functions.index.size(); ++l) {
       if (functions.index[l] != basis.centre_index()) continue;
-      const double there = bernstein_value(functions.value[l], numerics::Interval(1)).upper();
+      const double there =
+          evaluate_bernstein_polynomial(functions.value[l], numerics::Interval(1)).upper();
       const double error = std::abs(there - spline_value(basis, c, 1e-3));
       EXPECT_GT(error, 1e-4);
       EXPECT_LE(error, functions.overhang_error);

@@ -42,8 +42,9 @@ numerics::Enclosure jump_mean(const Tabulated& t, const Eigen::VectorXd& c, std:
     numerics::Interval sum = numerics::symmetric_interval(
         (numerics::Interval(t.table.remainder) * c.cwiseAbs().maxCoeff()).upper());
     for (int b = 0; b < t.basis.size(); ++b) {
-      sum += c(b) * bernstein_value(t.table.coefficients_of(static_cast<int>(piece), b),
-                                    numerics::Interval(at));
+      sum +=
+          c(b) * evaluate_bernstein_polynomial(t.table.coefficients_of(static_cast<int>(piece), b),
+                                               numerics::Interval(at));
     }
     return enclosure_from_interval(sum);
   });

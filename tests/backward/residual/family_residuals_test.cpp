@@ -59,7 +59,7 @@ const std::vector<Exact> kExact{
 /// The exact density of a problem, in the coordinates of the problem.
 transform::SmoothDensity density_of(const problem::Problem& problem) {
   const auto law = std::make_shared<const exact::EnergyLaw>(problem);
-  const auto scales = problem::scales(problem);
+  const auto scales = problem::motion_scales(problem);
   const double margin = 0.1 * (scales.y_high - scales.y_low);
   const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
   return {[law](double y, double v) { return (*law)(y, v); },

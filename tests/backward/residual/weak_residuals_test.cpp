@@ -81,7 +81,7 @@ double by_definition(const problem::Problem& problem, const WeakResiduals& splin
                        problem.impulses.arrival_rate() * a * b * p;
           if (a != 0 && b != 0) {
             sum += problem.impulses.arrival_rate() * a * b *
-                   mean_over_law(problem.impulses.law(),
+                   mean_over_law(problem.impulses.amplitude_law(),
                                  [&](double z) { return skew_bell(y, v - z); });
           }
           return sum;

@@ -20,7 +20,7 @@ class LineLogFile : public testing::Test {
  protected:
   Lines lines() const {
     AppendOnlyLog log(file_);
-    return log.read();
+    return log.read_lines();
   }
 
   tests::TemporaryDirectory directory_;
@@ -30,14 +30,14 @@ class LineLogFile : public testing::Test {
 TEST_F(LineLogFile, GrowsByWholeLines) {
   {
     AppendOnlyLog log(file_);
-    EXPECT_TRUE(log.read().empty());
+    EXPECT_TRUE(log.read_lines().empty());
     log.append("one");
     log.append("");
-    log.flush();
+    log.flush_to_disk();
   }
   {
     AppendOnlyLog log(file_);
-    EXPECT_EQ(log.read(), (Lines{"one", ""}));
+    EXPECT_EQ(log.read_lines(), (Lines{"one", ""}));
     EXPECT_FALSE(log.has_removed_partial_line());
     log.append("two");
   }
@@ -47,7 +47,7 @@ TEST_F(LineLogFile, GrowsByWholeLines) {
 TEST_F(LineLogFile, RemovesPartialLastLine) {
   std::ofstream(file_) << "one\ntw";
   AppendOnlyLog log(file_);
-  EXPECT_EQ(log.read(), Lines{"one"});
+  EXPECT_EQ(log.read_lines(), Lines{"one"});
   EXPECT_TRUE(log.has_removed_partial_line());
   log.append("three");
   EXPECT_EQ(tests::contents(file_), "one\nthree\n");
@@ -75,7 +75,7 @@ TEST_F(LineLogFile, RejectsSpecialFiles) {
 // written.
 TEST_F(LineLogFile, IsUnchangedWhenAppendFails) {
   AppendOnlyLog log(file_);
-  log.read();
+  log.read_lines();
   log.append("one");
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);

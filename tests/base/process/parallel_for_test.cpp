@@ -34,8 +34,8 @@ TEST(ParallelFor, RethrowsTheFirstException) {
 }
 
 TEST(ParallelFor, HasTheRequestedNumberOfThreads) {
-  EXPECT_EQ(number_of_threads(5), 5);
-  EXPECT_GE(number_of_threads(0), 1);
+  EXPECT_EQ(resolve_thread_count(5), 5);
+  EXPECT_GE(resolve_thread_count(0), 1);
 }
 
 class Processors : public ::testing::Test {

@@ -12,18 +12,18 @@ namespace {
 
 using problem::System;
 
-problem::Problem pressed(const problem::SystemCoefficients& coefficients) {
+problem::Problem pressed_mass_problem(const problem::SystemCoefficients& coefficients) {
   return tests::with_impulses(System(coefficients), tests::gaussian_impulses(0.8, 0.4));
 }
 
 TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
   const auto impulses = tests::gaussian_impulses(1, 0.1);
-  EXPECT_TRUE(
-      force_presses_on_single_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
-  EXPECT_FALSE(
-      force_presses_on_single_wall(pressed({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
-  EXPECT_FALSE(
-      force_presses_on_single_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
+  EXPECT_TRUE(force_presses_on_single_wall(
+      pressed_mass_problem({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
+  EXPECT_FALSE(force_presses_on_single_wall(
+      pressed_mass_problem({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
+  EXPECT_FALSE(force_presses_on_single_wall(
+      pressed_mass_problem({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
   // At the wall the force presses the mass against the wall, but there is another well.
   EXPECT_FALSE(force_presses_on_single_wall(tests::in_wall_coordinates(
       tests::with_impulses(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
@@ -35,14 +35,15 @@ TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
                            impulses);
   EXPECT_TRUE(force_presses_on_single_wall(on_the_right));
   EXPECT_TRUE(force_presses_on_single_wall(tests::in_wall_coordinates(on_the_right)));
-  auto noisy = pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7});
+  auto noisy = pressed_mass_problem({.constant = 0.5, .stiffness = 1, .restitution = 0.7});
   noisy.noise.intensity = 0.1;
   EXPECT_FALSE(force_presses_on_single_wall(noisy));
 }
 
 TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
   for (const double cubic : {0.0, 0.7}) {
-    const auto p = pressed({.constant = 0.5, .stiffness = 1, .cubic = cubic, .restitution = 0.7});
+    const auto p =
+        pressed_mass_problem({.constant = 0.5, .stiffness = 1, .cubic = cubic, .restitution = 0.7});
     const Coordinates coordinates(p);
     for (const double y : {0.0, 1e-12, 1e-3, 0.3, 5.0}) {
       EXPECT_NEAR(coordinates.displacement(coordinates.sqrt_twice_potential(y)), y, 4e-14 * y);
@@ -56,7 +57,7 @@ TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
 // (2/3) (2 h)^(3/2) / g.
 TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
   const double g = 1.7, r = 0.6, rho_max = 2;
-  const auto p = pressed({.constant = g, .stiffness = 0, .restitution = r});
+  const auto p = pressed_mass_problem({.constant = g, .stiffness = 0, .restitution = r});
   const Coordinates coordinates(p);
   const auto points = amplitude::quadrature_points(coordinates, rho_max, {}, {24, 24, 24});
   double area = 0, first_moment = 0;
@@ -82,7 +83,7 @@ TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
 // T exp(-h/T) 2 sqrt(2 h) / (g h).
 TEST(ContactContour, HasTheDensityBeyondAnEnergy) {
   const double g = 1.7, rho = 3, temperature = 0.3;
-  const auto p = pressed({.constant = g, .stiffness = 0, .restitution = 0.6});
+  const auto p = pressed_mass_problem({.constant = g, .stiffness = 0, .restitution = 0.6});
   const Polynomial q({{2, 0, -1 / (2 * temperature)}});
   const double h = rho * rho / 2;
   const double expected = temperature * std::exp(-h / temperature) * 2 * rho / (g * h);

@@ -21,7 +21,7 @@ constexpr int kContactWallPoints = 40;
 constexpr double kRhoMax = 2, kTemperature = 0.6, kRestitution = 0.6;
 
 // Problem with a constant force 0.5 towards the wall and all terms of the damping force.
-problem::Problem pressed_mass(const char* law) {
+problem::Problem pressed_mass_problem(const char* law) {
   return tests::with_impulses(
       problem::System({.damping = 0.3,
                        .van_der_pol = 0.2,
@@ -53,7 +53,7 @@ VectorXd perturbed_contact_coefficients(const ClosureEquations& equations) {
 // two-point law, impacts u -> r u of a density with the factor 1/e, and impulses at rest. An impact
 // follows an impulse at rest towards the wall.
 TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
-  const auto p = pressed_mass("two_point");
+  const auto p = pressed_mass_problem("two_point");
   const ClosureEquations equations = contact_equations_of(p, 4, 40);
   const Coordinates coordinates(p);
   const auto& basis = equations.basis();
@@ -77,7 +77,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
       (2 * dt).cwiseInverse().asDiagonal() * (at(y + dy, v + dv) - at(y - dy, v - dv));
   VectorXd expected = flow.transpose() * mass;
   const VectorXd here = VectorXd::Zero(1);
-  for (const auto& [amplitude, probability] : p.impulses.law().atoms()) {
+  for (const auto& [amplitude, probability] : p.impulses.amplitude_law().atoms()) {
     const VectorXd kicked = v.array() + amplitude;
     expected += 2 * probability * (at(y, kicked) - at(y, v)).transpose() * mass;
     const VectorXd freed =
@@ -101,7 +101,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
 
 // The density on the wall is C exp(Q) 2/u^2, and C exp(Q(0, 0)) defines the atom.
 TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
-  const auto p = pressed_mass("gaussian");
+  const auto p = pressed_mass_problem("gaussian");
   const ClosureEquations equations = contact_equations_of(p, 2, 24);
   const VectorXd a = perturbed_contact_coefficients(equations);
   const auto density = equations.evaluate_density(a);
@@ -122,7 +122,7 @@ TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
 }
 
 TEST(ContactEquations, JacobianIsTheDerivativeOfTheResidual) {
-  const auto p = pressed_mass("laplace");
+  const auto p = pressed_mass_problem("laplace");
   for (const double level : {std::numeric_limits<double>::infinity(), 1.5}) {
     const ClosureEquations equations =
         contact_equations_of(p, 4, 24, half_plane::Confinement{level});

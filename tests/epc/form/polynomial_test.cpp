@@ -11,13 +11,13 @@ namespace {
 const Polynomial kPolynomial(
     {{1, 0, 0.5}, {0, 1, -2}, {2, 0, 3}, {1, 1, -1}, {0, 3, 0.25}, {2, 1, 4}});
 
-double by_hand(double x, double y) {
+double expected_value(double x, double y) {
   return 0.5 * x - 2 * y + 3 * x * x - x * y + 0.25 * y * y * y + 4 * x * x * y;
 }
 
 TEST(Polynomial, ValueIsTheSumOfItsTerms) {
   EXPECT_EQ(kPolynomial.degree(), 3);
-  EXPECT_NEAR(kPolynomial(0.7, -1.3), by_hand(0.7, -1.3), 1e-14);
+  EXPECT_NEAR(kPolynomial(0.7, -1.3), expected_value(0.7, -1.3), 1e-14);
   EXPECT_EQ(kPolynomial(0, 0), 0);
 }
 
@@ -25,7 +25,7 @@ TEST(Polynomial, AlongADirectionIsAPolynomialOfTheRadius) {
   const auto ray = kPolynomial.coefficients_along_ray(0.6, -0.8);
   ASSERT_EQ(ray.size(), 4u);
   for (const double rho : {0.0, 0.5, 2.0}) {
-    EXPECT_NEAR(evaluate_polynomial(ray, rho), by_hand(0.6 * rho, -0.8 * rho), 1e-13);
+    EXPECT_NEAR(evaluate_polynomial(ray, rho), expected_value(0.6 * rho, -0.8 * rho), 1e-13);
   }
   EXPECT_NEAR(evaluate_polynomial(derivative_coefficients(ray), 1.5),
               (evaluate_polynomial(ray, 1.5 + 1e-5) - evaluate_polynomial(ray, 1.5 - 1e-5)) / 2e-5,
@@ -33,45 +33,50 @@ TEST(Polynomial, AlongADirectionIsAPolynomialOfTheRadius) {
 }
 
 using tests::kSigma;
-using tests::radial;
-using tests::scaled;
+using tests::radial_quartic_polynomial;
+using tests::scaled_polynomial;
 
 TEST(LeadingForm, OfAGaussianIsNegative) {
-  const LeadingForm form = leading_form(radial(0), kSigma);
+  const LeadingForm form = leading_form(radial_quartic_polynomial(0), kSigma);
   EXPECT_TRUE(form.negative);
   EXPECT_EQ(form.rising_fraction, 0);
 }
 
 TEST(LeadingForm, MayVanishWhereALowerDegreeFalls) {
-  EXPECT_TRUE(leading_form(scaled({{2, 0, -1}, {0, 2, -1}, {4, 0, -0.3}}), kSigma).negative);
-  EXPECT_FALSE(leading_form(scaled({{2, 0, -1}, {0, 2, 1}, {4, 0, -0.3}}), kSigma).negative);
+  EXPECT_TRUE(
+      leading_form(scaled_polynomial({{2, 0, -1}, {0, 2, -1}, {4, 0, -0.3}}), kSigma).negative);
+  EXPECT_FALSE(
+      leading_form(scaled_polynomial({{2, 0, -1}, {0, 2, 1}, {4, 0, -0.3}}), kSigma).negative);
 }
 
 TEST(LeadingForm, IgnoresCoefficientsThatAreRounding) {
   EXPECT_TRUE(
-      leading_form(scaled({{2, 0, -1}, {0, 2, -1}, {4, 0, -0.3}, {6, 0, 1e-14}}), kSigma).negative);
+      leading_form(scaled_polynomial({{2, 0, -1}, {0, 2, -1}, {4, 0, -0.3}, {6, 0, 1e-14}}), kSigma)
+          .negative);
 }
 
 TEST(LeadingForm, NamesTheWorstDirectionAndTheRadius) {
   const LeadingForm form = leading_form(
-      scaled({{2, 0, -0.5}, {0, 2, -0.5}, {4, 0, 1.0 / 64}, {2, 2, -1}, {0, 4, -0.1}}), kSigma);
+      scaled_polynomial({{2, 0, -0.5}, {0, 2, -0.5}, {4, 0, 1.0 / 64}, {2, 2, -1}, {0, 4, -0.1}}),
+      kSigma);
   EXPECT_FALSE(form.negative);
   EXPECT_NEAR(std::abs(form.worst.x1), 1, 1e-12);
   EXPECT_NEAR(form.rises_from, 4, 0.02);
   EXPECT_GT(form.rising_fraction, 0);
   EXPECT_LT(form.rising_fraction, 0.2);
-  EXPECT_EQ(leading_form(radial(0.01), kSigma).rising_fraction, 1);
+  EXPECT_EQ(leading_form(radial_quartic_polynomial(0.01), kSigma).rising_fraction, 1);
 }
 
 TEST(LeadingForm, DetectsAnOddLeadingDegree) {
-  const LeadingForm form = leading_form(scaled({{2, 0, -1}, {0, 2, -1}, {0, 3, 0.1}}), kSigma);
+  const LeadingForm form =
+      leading_form(scaled_polynomial({{2, 0, -1}, {0, 2, -1}, {0, 3, 0.1}}), kSigma);
   EXPECT_FALSE(form.negative);
   EXPECT_NEAR(form.worst.x2, 1, 1e-12);
   EXPECT_NEAR(form.rising_fraction, 0.5, 1e-2);
 }
 
 TEST(LeadingForm, IsDescribedInText) {
-  EXPECT_EQ(describe_leading_form(leading_form(radial(0), kSigma), "(u, w)"),
+  EXPECT_EQ(describe_leading_form(leading_form(radial_quartic_polynomial(0), kSigma), "(u, w)"),
             "although Q_n falls at infinity");
   EXPECT_EQ(
       describe_leading_form(

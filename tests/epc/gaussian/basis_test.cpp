@@ -8,8 +8,14 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
+// Returns the values of all basis functions at one point.
+Eigen::RowVectorXd basis_values_at_point(const Basis& basis, double x1, double x2) {
+  return basis.basis_values(Eigen::VectorXd::Constant(1, x1), Eigen::VectorXd::Constant(1, x2));
+}
+
 TEST(Basis, HasTheNumberOfUnknownsOfThePaper) {
-  // All monomials of degree 1..n: (n+1)(n+2)/2 - 1; about half of them are point-symmetric.
+  // The number of monomials of degree 1 .. n is (n+1)(n+2)/2 - 1. About half of the monomials are
+  // point-symmetric.
   const StandardDeviations sigma{1, 1};
   for (const auto& [order, general, symmetric] :
        {std::tuple{2, 5, 3}, {4, 14, 8}, {6, 27, 15}, {8, 44, 24}}) {
@@ -25,7 +31,7 @@ TEST(Basis, DerivativesAgreeWithDifferencesOfTheValues) {
       basis.basis_derivatives(Eigen::VectorXd::Constant(1, x1), Eigen::VectorXd::Constant(1, x2));
   for (Eigen::Index s = 0; s < basis.size(); ++s) {
     const auto at = [&](double i, double j) {
-      return basis.basis_value(s, x1 + i * h, x2 + j * h);
+      return basis_values_at_point(basis, x1 + i * h, x2 + j * h)[s];
     };
     EXPECT_NEAR(table.value(0, s), at(0, 0), 1e-14);
     const auto lower = [&](double i, double j) {
@@ -46,9 +52,11 @@ TEST(Basis, DerivativesAgreeWithDifferencesOfTheValues) {
 
 TEST(Basis, MonomialsHaveUnitNormUnderTheWeights) {
   const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
-  // x1^2: E[x1^4] = 3 sigma_1^4; x1 x2: sigma_1 sigma_2.
-  EXPECT_NEAR(basis.basis_value(0, 1, 1), 1 / (0.25 * std::sqrt(3)), 1e-14);
-  EXPECT_NEAR(basis.basis_value(1, 1, 1), 1.0, 1e-14);
+  // The norm of x1^2 is sqrt(E[x1^4]) = sqrt(3) sigma_1^2, and the norm of x1 x2 is sigma_1
+  // sigma_2.
+  const Eigen::RowVectorXd values = basis_values_at_point(basis, 1, 1);
+  EXPECT_NEAR(values[0], 1 / (0.25 * std::sqrt(3)), 1e-14);
+  EXPECT_NEAR(values[1], 1.0, 1e-14);
 }
 
 TEST(Basis, ScaledCoefficientsAndPolynomialsAreInverse) {

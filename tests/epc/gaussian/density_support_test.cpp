@@ -12,11 +12,11 @@ namespace fpkcheck::epc::gaussian {
 namespace {
 
 using tests::kSigma;
-using tests::radial;
-using tests::scaled;
+using tests::radial_quartic_polynomial;
+using tests::scaled_polynomial;
 
 TEST(DensitySupport, OfAGaussianReachesToWhereItIsNegligible) {
-  const DensitySupport support(radial(0), kSigma);
+  const DensitySupport support(radial_quartic_polynomial(0), kSigma);
   const double radius = std::sqrt(-2 * std::log(DensitySupport::kNegligible));
   EXPECT_NEAR(support.smallest_support_radius(), radius, 1e-9);
   EXPECT_NEAR(support.largest_support_radius(), radius, 1e-9);
@@ -35,7 +35,7 @@ TEST(DensitySupport, OfAGaussianReachesToWhereItIsNegligible) {
 TEST(DensitySupport, EndsWhereTheExponentBeginsToRise) {
   // Q' = 0 at rho^2 = 1/(4 quartic), where Q = -1/(16 quartic).
   const double quartic = 1.0 / 100;
-  const DensitySupport support(radial(quartic), kSigma);
+  const DensitySupport support(radial_quartic_polynomial(quartic), kSigma);
   EXPECT_NEAR(support.smallest_support_radius(), 5, 1e-9);
   EXPECT_NEAR(support.largest_support_radius(), 5, 1e-9);
   EXPECT_NEAR(support.edge_density_ratio(), std::exp(-6.25), 1e-9);
@@ -45,7 +45,7 @@ TEST(DensitySupport, EndsWhereTheExponentBeginsToRise) {
 TEST(DensitySupport, EndsAtAMinimumThatIsDeepEnoughEvenWhenTheExponentFallsLater) {
   // Along w: a minimum of exp(-19) at 6.3, a maximum of exp(-12) at 9.6, then a monotone fall.
   const Polynomial q =
-      scaled({{2, 0, -0.5}, {0, 2, -1.125}, {0, 4, 0.02025}, {0, 6, -1.02515625e-4}});
+      scaled_polynomial({{2, 0, -0.5}, {0, 2, -1.125}, {0, 4, 0.02025}, {0, 6, -1.02515625e-4}});
   const DensitySupport support(q, kSigma);
   EXPECT_TRUE(leading_form(q, kSigma).negative);
   EXPECT_TRUE(support.contains(0, 6.2 * kSigma.x2));
@@ -55,7 +55,7 @@ TEST(DensitySupport, EndsAtAMinimumThatIsDeepEnoughEvenWhenTheExponentFallsLater
 
 TEST(DensitySupport, KeepsADipInTheMiddle) {
   // Two peaks at u = +-2, a factor exp(8) above the saddle at the origin.
-  const Polynomial q = scaled({{2, 0, 4}, {4, 0, -0.5}, {0, 2, -0.5}});
+  const Polynomial q = scaled_polynomial({{2, 0, 4}, {4, 0, -0.5}, {0, 2, -0.5}});
   const DensitySupport support(q, kSigma);
   EXPECT_NEAR(support.peak_exponent(), 8, 2e-3);
   EXPECT_TRUE(support.contains(0, 0));
@@ -70,7 +70,7 @@ TEST(DensitySupport, KeepsADipInTheMiddle) {
 
 TEST(DensitySupport, KeepsAShoulder) {
   // Along w: a minimum above 1e-6, a maximum below the peak, then a monotone fall.
-  const Polynomial q = scaled({{2, 0, -0.5}, {0, 2, -2}, {0, 4, 0.3}, {0, 6, -0.0135}});
+  const Polynomial q = scaled_polynomial({{2, 0, -0.5}, {0, 2, -2}, {0, 4, 0.3}, {0, 6, -0.0135}});
   const DensitySupport support(q, kSigma);
   EXPECT_TRUE(support.contains(0, 3 * kSigma.x2));
   EXPECT_LT(support.edge_density_ratio(), 1e-9);
@@ -78,7 +78,7 @@ TEST(DensitySupport, KeepsAShoulder) {
 
 TEST(DensitySupport, LeavesOutARiseAboveThePeak) {
   // Along w the minimum is shallow, and Q exceeds its peak before it falls at infinity.
-  const Polynomial q = scaled({{2, 0, -0.5}, {0, 2, -1}, {0, 4, 0.1}, {0, 8, -5e-6}});
+  const Polynomial q = scaled_polynomial({{2, 0, -0.5}, {0, 2, -1}, {0, 4, 0.1}, {0, 8, -5e-6}});
   const DensitySupport support(q, kSigma);
   EXPECT_LT(support.smallest_support_radius(), 2.3);
   EXPECT_NEAR(support.edge_density_ratio(), std::exp(-2.5), 1e-3);

@@ -18,8 +18,8 @@ namespace {
 
 const std::vector<std::string> kLaws{"gaussian", "laplace", "two_point", "uniform"};
 
-Basis basis_of(const problem::Problem& p, int order,
-               MonomialSet set = MonomialSet::point_symmetric) {
+Basis make_basis(const problem::Problem& p, int order,
+                 MonomialSet set = MonomialSet::point_symmetric) {
   return Basis(order, set, gaussian_weight_deviations(p));
 }
 
@@ -28,7 +28,7 @@ Basis basis_of(const problem::Problem& p, int order,
 TEST(JumpIntegralRemainder, IsTheJumpIntegralLessItsSeries) {
   const problem::Problem p =
       tests::make_problem({.rate = 0.7, .intensity = 0.3, .mean = 0.2, .law = "two_point"});
-  const Basis basis = basis_of(p, 2);
+  const Basis basis = make_basis(p, 2);
   const double a = 0.8, b = 0.35, radius = 3;  // Q = -a x2^2 + b x1 x2 - x1^2 / 2
   const Eigen::VectorXd coefficients =
       basis.scaled_coefficients({{2, 0, -0.5}, {1, 1, b}, {0, 2, -a}});
@@ -38,7 +38,7 @@ TEST(JumpIntegralRemainder, IsTheJumpIntegralLessItsSeries) {
     const double side = x1 > 0 ? 1 : -1;
     const double slope = b * x1 - 2 * a * x2, curvature = -2 * a;
     double sum = -1;
-    for (const auto& [y, probability] : impulses.law().atoms()) {
+    for (const auto& [y, probability] : impulses.amplitude_law().atoms()) {
       sum += probability * std::exp(-side * y * slope + y * y / 2 * curvature);
     }
     // The terms of the series are exp(-Q) times the derivatives of exp(Q).
@@ -60,7 +60,9 @@ TEST(JumpIntegralRemainder, IsTheJumpIntegralLessItsSeries) {
         const double weight =
             rho_weight * width * rho * std::exp(-rho * rho / 2) / (2 * std::numbers::pi);
         for (int s = 0; s < 3; ++s) {
-          expected[s] += weight * remainder(x1, x2) * basis.basis_value(s, x1, x2);
+          expected[s] += weight * remainder(x1, x2) *
+                         basis.basis_values(Eigen::VectorXd::Constant(1, x1),
+                                            Eigen::VectorXd::Constant(1, x2))(0, s);
         }
       }
     }
@@ -73,7 +75,7 @@ TEST(JumpIntegralRemainder, IsTheJumpIntegralLessItsSeries) {
 
 TEST(JumpIntegralRemainder, OddProjectionsOfAPointSymmetricPolynomialVanish) {
   const problem::Problem p = tests::make_problem({.mean = 0.1, .law = "laplace"});
-  const Basis half = basis_of(p, 4), whole = basis_of(p, 4, MonomialSet::general);
+  const Basis half = make_basis(p, 4), whole = make_basis(p, 4, MonomialSet::general);
   const auto [s1, s2] = half.sigma();
   const std::vector<Term> q{
       {2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.5 / (s2 * s2)}, {1, 1, 0.1}, {0, 4, -0.01}};
@@ -91,7 +93,7 @@ TEST(JumpIntegralRemainder, OddProjectionsOfAPointSymmetricPolynomialVanish) {
 TEST(JumpIntegralRemainder, JacobianIsTheDerivativeOfTheProjection) {
   for (const std::string& law : kLaws) {
     const problem::Problem p = tests::make_problem({.mean = 0.1, .law = law});
-    const Basis basis = basis_of(p, 6);
+    const Basis basis = make_basis(p, 6);
     const ProjectedEquations projection(basis, p.impulses);
     const ResidualCoefficients f = residual_coefficients(p, DensityEquation::kf);
     const auto [s1, s2] = basis.sigma();
@@ -115,7 +117,7 @@ TEST(JumpIntegralRemainder, JacobianIsTheDerivativeOfTheProjection) {
 TEST(JumpIntegralRemainder, IsOfSixthOrderInTheImpulses) {
   const auto size = [](double rate) {
     const problem::Problem p = tests::make_problem({.rate = rate});
-    const Basis basis = basis_of(p, 4);
+    const Basis basis = make_basis(p, 4);
     const auto [s1, s2] = basis.sigma();
     return JumpIntegralRemainder(basis, p.impulses)
         .projected_remainder(
@@ -129,7 +131,7 @@ TEST(JumpIntegralRemainder, IsOfSixthOrderInTheImpulses) {
 using numerics::QuadratureRule;
 using problem::ImpulseLaw;
 
-double mean_of(const QuadratureRule& rule, const std::function<double(double)>& g) {
+double mean_by_rule(const QuadratureRule& rule, const std::function<double(double)>& g) {
   double sum = 0;
   for (std::size_t i = 0; i < rule.points.size(); ++i) sum += rule.weights[i] * g(rule.points[i]);
   return sum;
@@ -137,7 +139,7 @@ double mean_of(const QuadratureRule& rule, const std::function<double(double)>& 
 
 void expect_moments(const QuadratureRule& rule, const ImpulseLaw& law, double tolerance) {
   for (int order = 0; order < problem::kMomentCount; ++order) {
-    const double moment = mean_of(rule, [&](double y) { return std::pow(y, order); });
+    const double moment = mean_by_rule(rule, [&](double y) { return std::pow(y, order); });
     EXPECT_NEAR(moment / law.moment(order), 1, tolerance) << law.name() << ' ' << order;
   }
 }
@@ -145,7 +147,7 @@ void expect_moments(const QuadratureRule& rule, const ImpulseLaw& law, double to
 void expect_moment_generating_function(const QuadratureRule& rule, const ImpulseLaw& law,
                                        double tolerance) {
   for (const double u : {-1.0, 1.5}) {
-    const double mean = mean_of(rule, [&](double y) { return std::exp(u * y); });
+    const double mean = mean_by_rule(rule, [&](double y) { return std::exp(u * y); });
     EXPECT_NEAR(mean / exact::moment_generating_function(law, u), 1, tolerance)
         << law.name() << ' ' << u;
   }

@@ -18,7 +18,7 @@ using problem::System;
 using problem::WallParameters;
 using transform::Status;
 
-problem::Problem elastic(const WallParameters& walls, double intensity) {
+problem::Problem elastic_problem(const WallParameters& walls, double intensity) {
   return tests::with_noise(System({.damping = 0.2, .stiffness = 1, .cubic = 0.3}, walls),
                            intensity);
 }
@@ -27,7 +27,8 @@ problem::Problem elastic(const WallParameters& walls, double intensity) {
 // Q = -(c/D)(x2^2/2 + U(|x1|)).
 TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) {
   for (const double wall : {-0.5, 0.3}) {
-    const auto p = tests::in_wall_coordinates(elastic({.left = wall, .left_restitution = 1}, 0.4));
+    const auto p =
+        tests::in_wall_coordinates(elastic_problem({.left = wall, .left_restitution = 1}, 0.4));
     const auto f = residual_coefficients(p, problem::DensityEquation::km4);
     const double beta = 0.2 / 0.2;  // c/D
     for (const double x1 : {-1.3, -0.2, 0.1, 0.8}) {
@@ -46,11 +47,12 @@ TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) 
 
 // The exponent has a kink at the fold: no order is exact.
 TEST(GaussianClosureBehindAnOffsetWall, ApproximatesTheExactElasticLaw) {
-  const auto p = elastic({.left = 0.2, .left_restitution = 1}, 0.4);
+  const auto p = elastic_problem({.left = 0.2, .left_restitution = 1}, 0.4);
   const exact::EnergyLaw law(p);
   const auto relative_error = [&](int order) {
     const auto solution =
-        solve(tests::in_wall_coordinates(p), tests::closure(Formulation::gaussian, order)).solution;
+        solve(tests::in_wall_coordinates(p), tests::closure_options(Formulation::gaussian, order))
+            .solution;
     EXPECT_TRUE(solution.density) << solution.reason;
     EXPECT_NEAR(solution.moments.v2, law.moment(0, 2), 1e-3 * law.moment(0, 2)) << order;
     return std::abs(solution.moments.y2 / law.moment(2, 0) - 1);
@@ -69,12 +71,12 @@ TEST(GaussianClosureBehindAnOffsetWall, IsTheSameInAMirror) {
   reflected.constant = -spring.constant;
   const auto left = solve(tests::in_wall_coordinates(tests::with_impulses(
                               System(spring, {.left = -0.05, .left_restitution = 0.95}), impulses)),
-                          tests::closure(Formulation::gaussian, 6))
+                          tests::closure_options(Formulation::gaussian, 6))
                         .solution;
   const auto right =
       solve(tests::in_wall_coordinates(tests::with_impulses(
                 System(reflected, {.right = 0.05, .right_restitution = 0.95}), turned)),
-            tests::closure(Formulation::gaussian, 6))
+            tests::closure_options(Formulation::gaussian, 6))
           .solution;
   ASSERT_TRUE(left.density && right.density) << left.reason << right.reason;
   EXPECT_NEAR(left.moments.y1, -right.moments.y1, 1e-12);

@@ -34,7 +34,8 @@ Eigen::VectorXd random_coefficients(Eigen::Index size, double scale) {
   return Eigen::VectorXd::NullaryExpr(size, [&](Eigen::Index) { return normal(generator); });
 }
 
-// Residual (20) from exp(Q) and its derivatives by Cauchy's integral, independent of (22).
+// Evaluates the residual (20) from exp(Q) and from derivatives of exp(Q) by Cauchy's integral,
+// independently of (22).
 class DirectEvaluation {
  public:
   using Complex = std::complex<double>;
@@ -104,11 +105,11 @@ class DirectEvaluation {
   Polynomial q_;
 };
 
-double weight(double x, double sigma) {
+double normal_density(double x, double sigma) {
   return std::exp(-x * x / (2 * sigma * sigma)) / (std::sqrt(2 * std::numbers::pi) * sigma);
 }
 
-// The projections (23), computed by panels over the four quadrants and along the wall.
+// Returns the projections (23) by quadrature on panels over the four quadrants and along the wall.
 Eigen::VectorXd directly_evaluated_residual(const DirectEvaluation& brute, const Basis& basis) {
   constexpr int kPanels = 4;
   const double s1 = basis.sigma().x1, s2 = basis.sigma().x2;
@@ -128,19 +129,19 @@ Eigen::VectorXd directly_evaluated_residual(const DirectEvaluation& brute, const
     return sum;
   };
   const auto tests = [&](double x1, double x2) -> Eigen::VectorXd {
-    Eigen::VectorXd values(basis.size());
-    for (Eigen::Index s = 0; s < basis.size(); ++s) values[s] = basis.basis_value(s, x1, x2);
-    return values;
+    return basis.basis_values(Eigen::VectorXd::Constant(1, x1), Eigen::VectorXd::Constant(1, x2))
+        .row(0);
   };
   const auto over_x2 = [&](double x1) {
     return both_halves(
         [&](double x2) -> Eigen::VectorXd {
-          return brute.plain(x1, x2) * weight(x1, s1) * weight(x2, s2) * tests(x1, x2);
+          return brute.plain(x1, x2) * normal_density(x1, s1) * normal_density(x2, s2) *
+                 tests(x1, x2);
         },
         s2);
   };
   const auto along_wall = [&](double x2) -> Eigen::VectorXd {
-    return brute.at_wall(x2) * weight(0, s1) * weight(x2, s2) * tests(0, x2);
+    return brute.at_wall(x2) * normal_density(0, s1) * normal_density(x2, s2) * tests(0, x2);
   };
   return both_halves(over_x2, s1) + both_halves(along_wall, s2);
 }

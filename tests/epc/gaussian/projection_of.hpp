@@ -6,7 +6,7 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// The projection on the point-symmetric monomials.
+/// Returns the projected equations for the point-symmetric monomials.
 inline ProjectedEquations projection_of(const problem::Problem& problem, int order) {
   return ProjectedEquations(
       Basis(order, MonomialSet::point_symmetric, gaussian_weight_deviations(problem)));

@@ -16,12 +16,14 @@ namespace {
 
 using transform::Status;
 
-tests::Coefficients coefficients(const Result& result) { return tests::by_power(result.summary); }
+tests::Coefficients coefficients(const Result& result) {
+  return tests::coefficients_by_power(result.summary);
+}
 
 // Coefficients in units of the deviations, where their magnitudes are comparable.
 tests::Coefficients scaled_coefficients(const Result& result, const problem::Problem& problem) {
   const auto [s1, s2] = gaussian_weight_deviations(problem);
-  return tests::scaled_by_power(result.summary, s1, s2);
+  return tests::scaled_coefficients_by_power(result.summary, s1, s2);
 }
 
 TEST(GaussianClosure, OrderTwoIsEquivalentLinearisation) {
@@ -147,11 +149,11 @@ TEST(GaussianClosure, EnergyResidualIsThatOfTheDensityReturned) {
   const auto& density = std::get<transform::SmoothDensity>(*solution.density);
   const auto& m = solution.moments;
   ASSERT_GT(std::abs(m.v1), 1e-6);
-  EXPECT_DOUBLE_EQ(
-      solution.energy_residual,
-      problem::energy_residual(p, {.mean_velocity = m.v1,
-                                   .mean_square_velocity = m.v2,
-                                   .left_impact_loss = (1 - 0.9) * impact_flux(density, 3)}));
+  EXPECT_DOUBLE_EQ(solution.energy_residual,
+                   problem::power_balance_residual(
+                       p, {.mean_velocity = m.v1,
+                           .mean_square_velocity = m.v2,
+                           .left_impact_loss = (1 - 0.9) * impact_flux(density, 3)}));
 }
 
 TEST(GaussianClosure, OrderEightIsReachedWhereImpulsesAreFrequent) {

@@ -20,7 +20,7 @@ using problem::System;
 using transform::Status;
 
 Result solve_gaussian(const problem::Problem& problem, int order) {
-  return solve(problem, tests::closure(Formulation::gaussian, order));
+  return solve(problem, tests::closure_options(Formulation::gaussian, order));
 }
 
 // Duffing oscillator, bistable oscillator, and an asymmetric force, which needs all monomials.

@@ -11,19 +11,20 @@
 /// Helpers for the tests of Galerkin equations in any coordinates.
 namespace fpkcheck::tests {
 
-/// Temperature T = D2/c of the exact density C exp(-h/T) under white noise with elastic impacts.
+/// Returns the temperature T = D2/c of the exact density C exp(-h/T) under white noise with elastic
+/// impacts.
 inline double temperature_of(const problem::Problem& p) {
   return p.impulses.intensity() / (2 * p.system.damping());
 }
 
-/// Probabilities of the density C exp(-h/T) at quadrature points; the sum is 1.
+/// Returns the probabilities of the density C exp(-h/T) at quadrature points; the sum is 1.
 inline Eigen::VectorXd boltzmann_mass(const epc::half_plane::QuadraturePoints& points,
                                       double temperature) {
   const Eigen::VectorXd mass = points.weight.array() * (-points.energy.array() / temperature).exp();
   return mass / mass.sum();
 }
 
-/// Coefficients in the basis of the exponent of C exp(-h/T).
+/// Returns the coefficients, in the basis, of the exponent of C exp(-h/T).
 inline Eigen::VectorXd boltzmann_coefficients(const epc::half_plane::ClosureEquations& equations,
                                               double temperature) {
   const auto& points = equations.points();
@@ -31,7 +32,7 @@ inline Eigen::VectorXd boltzmann_coefficients(const epc::half_plane::ClosureEqua
                                     boltzmann_mass(points, temperature));
 }
 
-/// Coefficients with a random perturbation, which removes all symmetries.
+/// Returns the coefficients plus a random perturbation that removes all symmetries.
 inline Eigen::VectorXd perturbed(Eigen::VectorXd a) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal(0, 0.05);

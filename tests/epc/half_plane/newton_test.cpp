@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 using tests::make_problem;
 
 // The equations of the formulation moment of order 4, with the confinement level at six deviations.
-ClosureEquations equations_of(const problem::Problem& p) {
+ClosureEquations moment_equations_of_order_4(const problem::Problem& p) {
   constexpr int kOrder = 4;
   std::vector<double> rate_times_moment(kOrder + 1);
   for (int j = 1; j <= kOrder; ++j) rate_times_moment[j] = p.impulses.rate_times_moment(j);
@@ -30,7 +30,7 @@ ClosureEquations equations_of(const problem::Problem& p) {
 // The homotopy leads from the density with elastic impacts to the density at r = 0.6.
 TEST(HalfPlaneNewton, TheHomotopyLeadsToTheRootThatNewtonFinds) {
   const auto p = make_problem({.restitution = 0.6});
-  const ClosureEquations equations = equations_of(p);
+  const ClosureEquations equations = moment_equations_of_order_4(p);
   const VectorXd start = tests::boltzmann_coefficients(equations, tests::temperature_of(p));
   const auto direct = solve_by_newton(equations, start, p.system.damping(), {.max_iterations = 60});
   ASSERT_TRUE(direct.converged);

@@ -11,7 +11,7 @@ namespace {
 using transform::Status;
 
 // Returns the status of a root whose slowest deviation has the given eigenvalue.
-Result assessed(std::complex<double> eigenvalue) {
+Result result_with_eigenvalue(std::complex<double> eigenvalue) {
   RootSearchResult root;
   root.rightmost_eigenvalue = eigenvalue;
   root.rate_of_change_unit = 0.1;
@@ -23,14 +23,14 @@ Result assessed(std::complex<double> eigenvalue) {
 }
 
 TEST(RootAssessment, RefusesUnstableRoots) {
-  EXPECT_EQ(assessed({-0.1, 2}).solution.status, Status::ok);
+  EXPECT_EQ(result_with_eigenvalue({-0.1, 2}).solution.status, Status::ok);
   // Rounding errors of a marginal root are accepted, up to 1e-3 of the relaxation rate 0.1.
-  EXPECT_EQ(assessed({0.9e-4, 0}).solution.status, Status::ok);
-  EXPECT_EQ(assessed({1.1e-4, 0}).solution.status, Status::inadmissible);
-  EXPECT_EQ(assessed({0.1, 2}).solution.status, Status::inadmissible);
-  EXPECT_EQ(assessed({std::numeric_limits<double>::quiet_NaN(), 0}).solution.status,
+  EXPECT_EQ(result_with_eigenvalue({0.9e-4, 0}).solution.status, Status::ok);
+  EXPECT_EQ(result_with_eigenvalue({1.1e-4, 0}).solution.status, Status::inadmissible);
+  EXPECT_EQ(result_with_eigenvalue({0.1, 2}).solution.status, Status::inadmissible);
+  EXPECT_EQ(result_with_eigenvalue({std::numeric_limits<double>::quiet_NaN(), 0}).solution.status,
             Status::inadmissible);
-  EXPECT_FALSE(assessed({0.1, 2}).solution.reason.empty());
+  EXPECT_FALSE(result_with_eigenvalue({0.1, 2}).solution.reason.empty());
 }
 
 }  // namespace

@@ -14,8 +14,8 @@
 #include "paper_cases.hpp"
 #include "transform/coordinate_transformation.hpp"
 
-// Formulation moment for oscillators other than the paper's: walls at any position or none, wells,
-// rings, noise.
+// Tests of the formulation moment for oscillators other than the paper's: with walls at any
+// position or no wall, with several wells, with ring-shaped densities, and under noise.
 namespace fpkcheck::epc {
 namespace {
 
@@ -28,7 +28,7 @@ using transform::SmoothDensity;
 using transform::Status;
 
 Result solve_moment(const problem::Problem& problem, int order) {
-  return solve(in_wall_coordinates(problem), tests::closure(Formulation::moment, order));
+  return solve(in_wall_coordinates(problem), tests::closure_options(Formulation::moment, order));
 }
 
 SmoothDensity physical_density_of(const problem::Problem& problem, const Result& result) {
@@ -40,7 +40,7 @@ struct Distance {
   double y = 0, v = 0;
 };
 // L1 distances of p(y) and p(v) over the box of the first density.
-Distance distance(const SmoothDensity& p, const std::function<double(double, double)>& q) {
+Distance l1_distances(const SmoothDensity& p, const std::function<double(double, double)>& q) {
   constexpr int kPanels = 16;
   const auto ys = numerics::composite_gauss_points(p.y_min, p.y_max, kPanels);
   const auto vs = numerics::composite_gauss_points(-p.v_max, p.v_max, kPanels);
@@ -60,7 +60,7 @@ Distance distance(const SmoothDensity& p, const std::function<double(double, dou
 }
 
 const System kDoubleWell({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true});
-System van_der_pol(double epsilon) {
+System van_der_pol_system(double epsilon) {
   return System({.damping = -epsilon, .van_der_pol = epsilon, .stiffness = 1}, {.none = true});
 }
 
@@ -146,7 +146,7 @@ TEST(MomentClosureOnDomains, IsExactWhereTheExponentIsAPolynomial) {
     const auto result = solve_moment(p, order);
     ASSERT_EQ(result.solution.status, Status::ok) << name << ": " << result.solution.reason;
     const SmoothDensity density = physical_density_of(p, result);
-    const auto [y, v] = distance(density, law);
+    const auto [y, v] = l1_distances(density, law);
     EXPECT_LT(y, 1e-7) << name;
     EXPECT_LT(v, 1e-7) << name;
     // Moments are in physical coordinates for every frame.
@@ -192,16 +192,16 @@ TEST(MomentClosureOnDomains, KeepsTheBalancesWithLossesAtEveryWall) {
 
 // In a symmetric well without a wall both sides of the balance of momentum are 0.
 TEST(MomentClosureOnDomains, HasNoBalanceOfMomentumWhereNothingIsHit) {
-  EXPECT_FALSE(solve_moment(with_noise(van_der_pol(0.2), 0.2), 4).summary.balances.momentum);
+  EXPECT_FALSE(solve_moment(with_noise(van_der_pol_system(0.2), 0.2), 4).summary.balances.momentum);
 }
 
-// Mirror image of the paper's case 1: another search path, the same root.
+// For the mirror image of the paper's case 1 another search path leads to the same root.
 TEST(MomentClosureOnDomains, AMirrorImageReflectsTheSolution) {
   const auto original = tests::make_problem({.mean = 0.03});
   const auto mirrored = with_impulses(System({.damping = 0.1, .stiffness = 1, .cubic = 0.1},
                                              {.right = 0, .right_restitution = 0.98}),
                                       gaussian_impulses(1, 0.1, -0.03));
-  const auto here = solve(original, tests::closure(Formulation::moment, 6)).solution;
+  const auto here = solve(original, tests::closure_options(Formulation::moment, 6)).solution;
   const auto there = solve_moment(mirrored, 6).solution;
   ASSERT_EQ(there.status, Status::ok) << there.reason;
   EXPECT_NEAR(there.moments.y1, -here.moments.y1, 1e-8);
@@ -236,14 +236,14 @@ TEST(MomentClosureOnDomains, IsNearTheSimulationAtOrderEight) {
   EXPECT_NEAR(well.moments.v2, 0.25, 1e-8);  // lambda E[Y^2] / (2c) for every spring
 }
 
-// L1 distance to order n + 2: about the error at order n.
+// The L1 distance to order n + 2 approximates the error at order n.
 TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
   const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.98});
   const struct {
     problem::Problem problem;
     double y, v;
   } cases[] = {{with_impulses(gap, gaussian_impulses(1, 0.1)), 5e-3, 5e-3},
-               {with_noise(van_der_pol(0.2), 0.2), 5e-3, 5e-3},
+               {with_noise(van_der_pol_system(0.2), 0.2), 5e-3, 5e-3},
                {with_impulses(kDoubleWell, gaussian_impulses(1, 0.05)), 1e-2, 5e-3}};
   for (const auto& [problem, bar_y, bar_v] : cases) {
     std::vector<Distance> to_next;
@@ -251,8 +251,8 @@ TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
       const auto coarse = solve_moment(problem, order), fine = solve_moment(problem, order + 2);
       ASSERT_EQ(coarse.solution.status, Status::ok) << coarse.solution.reason;
       ASSERT_EQ(fine.solution.status, Status::ok) << fine.solution.reason;
-      to_next.push_back(distance(std::get<SmoothDensity>(*fine.solution.density),
-                                 std::get<SmoothDensity>(*coarse.solution.density).value));
+      to_next.push_back(l1_distances(std::get<SmoothDensity>(*fine.solution.density),
+                                     std::get<SmoothDensity>(*coarse.solution.density).value));
     }
     EXPECT_LT(to_next[1].y, bar_y) << parameters_text(problem);
     EXPECT_LT(to_next[1].v, bar_v) << parameters_text(problem);
@@ -265,8 +265,8 @@ TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
 TEST(MomentClosureOnDomains, StatesTheDistanceToTheOrderBefore) {
   const auto p = with_impulses(kDoubleWell, gaussian_impulses(1, 0.05));
   const auto before = solve_moment(p, 4), here = solve_moment(p, 6);
-  const auto [y, v] = distance(std::get<SmoothDensity>(*here.solution.density),
-                               std::get<SmoothDensity>(*before.solution.density).value);
+  const auto [y, v] = l1_distances(std::get<SmoothDensity>(*here.solution.density),
+                                   std::get<SmoothDensity>(*before.solution.density).value);
   ASSERT_TRUE(here.summary.distance_to_previous);
   EXPECT_NEAR(*here.summary.distance_to_previous / (y + v), 1, 0.05);
 }
@@ -274,7 +274,7 @@ TEST(MomentClosureOnDomains, StatesTheDistanceToTheOrderBefore) {
 // For epsilon = 1, order 2 gives no ring-shaped density: the density decays by the confinement
 // alone.
 TEST(MomentClosureOnDomains, IsInadmissibleIfTheConfinementAloneMakesItDecay) {
-  const auto [solution, summary] = solve_moment(with_noise(van_der_pol(1), 0.2), 2);
+  const auto [solution, summary] = solve_moment(with_noise(van_der_pol_system(1), 0.2), 2);
   EXPECT_EQ(solution.status, Status::inadmissible);
   EXPECT_NE(solution.reason.find("at the confinement level"), std::string::npos) << solution.reason;
 }

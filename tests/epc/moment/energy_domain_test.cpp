@@ -21,7 +21,7 @@ double wall_integral(const numerics::QuadratureRule& wall, auto&& f) {
   return sum;
 }
 
-double integral(const QuadraturePoints& points, auto&& f) {
+double integral_over_domain(const QuadraturePoints& points, auto&& f) {
   double sum = 0;
   for (Eigen::Index i = 0; i < points.y.size(); ++i) {
     sum += points.weight[i] * f(points.y[i], points.v[i]);
@@ -38,11 +38,11 @@ TEST(EnergyDomain, OfALinearOscillatorIsAHalfEllipse) {
   EXPECT_NEAR(domain.v_max(), b, 1e-14);
   EXPECT_EQ(domain.y_low(), 0);
   const QuadraturePoints quadrature_points = domain.quadrature_points(12, 10);
-  EXPECT_NEAR(integral(quadrature_points, [](double, double) { return 1.0; }), pi * a * b / 2,
-              1e-13);
-  EXPECT_NEAR(integral(quadrature_points, [](double y, double) { return y; }), 2 * a * a * b / 3,
-              1e-13);
-  EXPECT_NEAR(integral(quadrature_points, [](double, double v) { return v * v; }),
+  EXPECT_NEAR(integral_over_domain(quadrature_points, [](double, double) { return 1.0; }),
+              pi * a * b / 2, 1e-13);
+  EXPECT_NEAR(integral_over_domain(quadrature_points, [](double y, double) { return y; }),
+              2 * a * a * b / 3, 1e-13);
+  EXPECT_NEAR(integral_over_domain(quadrature_points, [](double, double v) { return v * v; }),
               pi * a * b * b * b / 8, 1e-12);
   EXPECT_NEAR(
       wall_integral(domain.left_wall_quadrature_rule(8), [](double v) { return -v * v * v; }),
@@ -55,8 +55,8 @@ TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
   const auto bell = [&](double y, double v) {
     return std::exp(-domain.energy(y, v)) * (1 + v * y);
   };
-  const double coarse = integral(domain.quadrature_points(14, 14), bell);
-  const double fine = integral(domain.quadrature_points(40, 40), bell);
+  const double coarse = integral_over_domain(domain.quadrature_points(14, 14), bell);
+  const double fine = integral_over_domain(domain.quadrature_points(40, 40), bell);
   EXPECT_NEAR(coarse, fine, 1e-8);
   double area = 0;
   constexpr int kCells = 2000;
@@ -65,8 +65,9 @@ TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
     const double y = domain.y_max() * std::sin(phi);
     area += 2 * domain.v_half_width(y) * domain.y_max() * std::cos(phi) * pi / 2 / kCells;
   }
-  EXPECT_NEAR(integral(domain.quadrature_points(40, 2), [](double, double) { return 1.0; }), area,
-              1e-6);
+  EXPECT_NEAR(
+      integral_over_domain(domain.quadrature_points(40, 2), [](double, double) { return 1.0; }),
+      area, 1e-6);
 }
 
 // For k = 1 and mean force 3, the minimum at y = 3 has an energy that is 4.5 below the energy at
@@ -77,17 +78,20 @@ TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
   EXPECT_NEAR(oval.y_low(), 1, 1e-12);
   EXPECT_NEAR(oval.y_max(), 5, 1e-12);
   EXPECT_EQ(oval.left_wall_quadrature_rule(8).size(), 0);
-  EXPECT_NEAR(integral(oval.quadrature_points(12, 10), [](double, double) { return 1.0; }), pi * 4,
-              1e-12);
-  EXPECT_NEAR(integral(oval.quadrature_points(12, 10), [](double y, double) { return y; }), pi * 12,
-              1e-11);
+  EXPECT_NEAR(
+      integral_over_domain(oval.quadrature_points(12, 10), [](double, double) { return 1.0; }),
+      pi * 4, 1e-12);
+  EXPECT_NEAR(
+      integral_over_domain(oval.quadrature_points(12, 10), [](double y, double) { return y; }),
+      pi * 12, 1e-11);
 
   // At this level the wall cuts the circle of radius 5 about (3, 0) at y = 0.
   const EnergyDomain cut(held, 12.5);
   EXPECT_EQ(cut.y_low(), 0);
   EXPECT_NEAR(cut.v_half_width(0), 4, 1e-12);
-  EXPECT_NEAR(integral(cut.quadrature_points(30, 10), [](double, double) { return 1.0; }),
-              25 * (pi - std::acos(0.6)) + 12, 1e-8);
+  EXPECT_NEAR(
+      integral_over_domain(cut.quadrature_points(30, 10), [](double, double) { return 1.0; }),
+      25 * (pi - std::acos(0.6)) + 12, 1e-8);
   EXPECT_NEAR(wall_integral(cut.left_wall_quadrature_rule(8), [](double) { return 1.0; }), 4,
               1e-12);
 }
@@ -130,21 +134,21 @@ TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
   const EnergyDomain whole = circle({.none = true});
   EXPECT_NEAR(whole.y_low(), -2, 1e-12);
   EXPECT_NEAR(whole.y_low(), -2, 1e-12);
-  EXPECT_NEAR(integral(whole.quadrature_points(12, 10), one), 4 * pi, 1e-12);
+  EXPECT_NEAR(integral_over_domain(whole.quadrature_points(12, 10), one), 4 * pi, 1e-12);
   EXPECT_EQ(whole.left_wall_quadrature_rule(8).size(), 0);
   EXPECT_EQ(whole.right_wall_quadrature_rule(8).size(), 0);
   EXPECT_TRUE(whole.contains(-1.9, 0.1));
 
   const EnergyDomain gap = circle({.left = -1, .left_restitution = 1});
-  EXPECT_NEAR(integral(gap.quadrature_points(20, 10), one), area_from(-1), 1e-11);
+  EXPECT_NEAR(integral_over_domain(gap.quadrature_points(20, 10), one), area_from(-1), 1e-11);
   EXPECT_NEAR(wall_integral(gap.left_wall_quadrature_rule(8), [](double v) { return v; }), -1.5,
               1e-12);
   EXPECT_FALSE(gap.contains(-1.1, 0));
 
   const EnergyDomain strip =
       circle({.left = -1, .left_restitution = 1, .right = 0.5, .right_restitution = 1});
-  EXPECT_NEAR(integral(strip.quadrature_points(20, 10), one), area_from(-1) - area_from(0.5),
-              1e-11);
+  EXPECT_NEAR(integral_over_domain(strip.quadrature_points(20, 10), one),
+              area_from(-1) - area_from(0.5), 1e-11);
   EXPECT_NEAR(wall_integral(strip.right_wall_quadrature_rule(8), [](double v) { return v; }),
               3.75 / 2, 1e-12);
   EXPECT_NEAR(wall_integral(strip.left_wall_quadrature_rule(8), [](double v) { return v; }), -1.5,
@@ -164,10 +168,11 @@ TEST(EnergyDomain, HasAPartInEachWell) {
   EXPECT_NEAR(wells.y_max(), std::sqrt(1.8), 1e-12);
   const QuadraturePoints quadrature_points = wells.quadrature_points(30, 8);
   EXPECT_EQ(quadrature_points.size(), 480);
-  EXPECT_NEAR(integral(quadrature_points, [](double y, double) { return y; }), 0, 1e-12);
+  EXPECT_NEAR(integral_over_domain(quadrature_points, [](double y, double) { return y; }), 0,
+              1e-12);
   // With y dy = d(y^2)/2 the half-width is a semicircle in u = y^2 - 1. The integral of |y| over
   // one part is (1/2) pi/2 (0.8)^2 / sqrt 2 * 2.
-  EXPECT_NEAR(integral(quadrature_points, [](double y, double) { return std::abs(y); }),
+  EXPECT_NEAR(integral_over_domain(quadrature_points, [](double y, double) { return std::abs(y); }),
               2 * pi / 2 * 0.64 / std::numbers::sqrt2, 1e-10);
   EXPECT_EQ(EnergyDomain(p, 0.26).y_intervals().size(), 1U);
 }

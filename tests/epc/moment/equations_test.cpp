@@ -20,7 +20,7 @@ using half_plane::Confinement;
 using half_plane::QuadraturePoints;
 using tests::make_problem;
 
-std::vector<double> rate_moments(const problem::Problem& p, int order, int last) {
+std::vector<double> rates_times_moments(const problem::Problem& p, int order, int last) {
   std::vector<double> moments(order + 1);
   for (int j = 1; j <= std::min(order, last); ++j) moments[j] = p.impulses.rate_times_moment(j);
   return moments;
@@ -30,14 +30,14 @@ constexpr int kWallPoints = 60;
 QuadraturePoints points_of(const EnergyDomain& domain) { return domain.quadrature_points(50, 60); }
 
 // The equations on a large domain, in a basis orthonormal under the elastic white-noise density.
-ClosureEquations equations_of(const problem::Problem& p, int order, int last_moment,
-                              double deviations, bool confined = false) {
+ClosureEquations make_moment_equations(const problem::Problem& p, int order, int last_moment,
+                                       double deviations, bool confined = false) {
   const double temperature = tests::temperature_of(p);
   const double level = temperature * deviations * deviations / 2;
   const EnergyDomain domain(p, level * (confined ? Confinement::support_to_level_ratio() : 1));
   const QuadraturePoints points = points_of(domain);
   const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
-  return closure_equations(p, rate_moments(p, order, last_moment), domain,
+  return closure_equations(p, rates_times_moments(p, order, last_moment), domain,
                            confined ? Confinement{level} : Confinement{}, basis, points,
                            kWallPoints);
 }
@@ -49,7 +49,7 @@ VectorXd white_noise_exponent(const problem::Problem& p, const ClosureEquations&
 TEST(MomentEquations, ExactWhiteNoiseDensityMeetsThemAtAnImpactWithoutLoss) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
   for (const int order : {4, 6, 8}) {
-    const ClosureEquations equations = equations_of(p, order, 2, 10);
+    const ClosureEquations equations = make_moment_equations(p, order, 2, 10);
     const auto density = equations.evaluate_density(white_noise_exponent(p, equations));
     EXPECT_LT(equations.residual(density).cwiseAbs().maxCoeff(), 1e-11) << order;
   }
@@ -60,7 +60,7 @@ TEST(MomentEquations, ExactWhiteNoiseDensityMeetsThemAtAnImpactWithoutLoss) {
 // and the integral is 2 p0 / beta^2.
 TEST(MomentEquations, ImpactTakesTheEnergyOfEquationTwo) {
   const auto p = make_problem({.cubic = 0, .restitution = 0.7, .rate = 3, .intensity = 0.4});
-  const ClosureEquations equations = equations_of(p, 2, 2, 10);
+  const ClosureEquations equations = make_moment_equations(p, 2, 2, 10);
   const auto density = equations.evaluate_density(white_noise_exponent(p, equations));
   const VectorXd residual = equations.residual(density);
   const double beta = 2 * 0.1 / 0.4;
@@ -89,7 +89,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
   mass /= mass.sum();
   const int order = 5;
   const Basis basis(order, points, mass);
-  const auto moments = rate_moments(p, order, order);
+  const auto moments = rates_times_moments(p, order, order);
   const ClosureEquations with =
       closure_equations(p, moments, domain, {}, basis, points, kWallPoints);
   const ClosureEquations without =
@@ -100,7 +100,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
 
   const auto density = with.evaluate_density(a);
   VectorXd expected = VectorXd::Zero(basis.size());
-  for (const auto& [amplitude, probability] : p.impulses.law().atoms()) {
+  for (const auto& [amplitude, probability] : p.impulses.amplitude_law().atoms()) {
     const VectorXd kicked = points.v.array() + amplitude;
     expected += 2 * probability *
                 (basis.basis_values(points.y, kicked) - basis.basis_values(points.y, points.v))
@@ -115,7 +115,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
 // The fit reproduces an exponent up to a constant, which the normalisation removes.
 TEST(MomentEquations, AFitRecoversAPolynomialExponent) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
-  const ClosureEquations equations = equations_of(p, 4, 2, 6);
+  const ClosureEquations equations = make_moment_equations(p, 4, 2, 6);
   const VectorXd a = VectorXd::LinSpaced(14, -0.3, 0.4);
   const VectorXd &y = equations.points().y, &v = equations.points().v;
   const VectorXd exponent = (equations.basis().basis_values(y, v) * a).array() + 5.0;
@@ -128,7 +128,7 @@ TEST(MomentEquations, AFitRecoversAPolynomialExponent) {
 TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const bool confined : {false, true}) {
-    const ClosureEquations equations = equations_of(p, 4, 4, 5, confined);
+    const ClosureEquations equations = make_moment_equations(p, 4, 4, 5, confined);
     tests::expect_jacobian_is_derivative(equations,
                                          tests::perturbed(white_noise_exponent(p, equations)));
   }
@@ -136,14 +136,14 @@ TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidual) {
 
 TEST(MomentEquations, CovarianceIsThatOfTheMembers) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
-  const ClosureEquations equations = equations_of(p, 4, 2, 10);
+  const ClosureEquations equations = make_moment_equations(p, 4, 2, 10);
   const auto density = equations.evaluate_density(white_noise_exponent(p, equations));
   const MatrixXd covariance = equations.covariance(density);
   // y and v are independent: products of orthonormal polynomials are orthonormal.
   EXPECT_LT((covariance - MatrixXd::Identity(14, 14)).cwiseAbs().maxCoeff(), 1e-10);
 }
 
-problem::Problem between_walls(double r_left, double r_right) {
+problem::Problem problem_between_walls(double r_left, double r_right) {
   return tests::with_noise(
       problem::System(
           {.damping = 0.1, .stiffness = 1},
@@ -151,7 +151,8 @@ problem::Problem between_walls(double r_left, double r_right) {
       0.4);
 }
 
-ClosureEquations equations_between(const problem::Problem& p, int order, double temperature) {
+ClosureEquations make_equations_between_walls(const problem::Problem& p, int order,
+                                              double temperature) {
   const EnergyDomain domain(p, temperature * 50);
   const QuadraturePoints points = points_of(domain);
   const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
@@ -165,7 +166,7 @@ TEST(MomentEquations, EachWallDissipatesItsOwnPower) {
   const double temperature = 2;
   const auto energy_lost = [&](double r_left, double r_right) {
     const ClosureEquations equations =
-        equations_between(between_walls(r_left, r_right), 2, temperature);
+        make_equations_between_walls(problem_between_walls(r_left, r_right), 2, temperature);
     const auto density =
         equations.evaluate_density(tests::boltzmann_coefficients(equations, temperature));
     const VectorXd residual = equations.residual(density);
@@ -182,8 +183,8 @@ TEST(MomentEquations, EachWallDissipatesItsOwnPower) {
 }
 
 TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidualBetweenWalls) {
-  const auto p = between_walls(0.7, 0.9);
-  const ClosureEquations equations = equations_between(p, 4, 2);
+  const auto p = problem_between_walls(0.7, 0.9);
+  const ClosureEquations equations = make_equations_between_walls(p, 4, 2);
   tests::expect_jacobian_is_derivative(
       equations, tests::perturbed(tests::boltzmann_coefficients(equations, 2)));
 }

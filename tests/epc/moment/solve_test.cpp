@@ -15,13 +15,13 @@
 namespace fpkcheck::epc {
 namespace {
 
-using tests::by_power;
+using tests::coefficients_by_power;
 using tests::make_problem;
 using tests::paper_case;
 using transform::Status;
 
 Options moment_options(int order, std::optional<DensityEquation> equation = {}) {
-  return tests::closure(Formulation::moment, order, equation);
+  return tests::closure_options(Formulation::moment, order, equation);
 }
 
 class MomentCase : public testing::TestWithParam<int> {};
@@ -51,8 +51,8 @@ TEST(MomentClosure, CasesTwoAndThreeAreOneProblem) {
     const auto three = solve(paper_case(3), moment_options(order));
     EXPECT_NEAR(three.solution.moments.y2 * 10 / two.solution.moments.y2, 1, 1e-10);
     EXPECT_NEAR(three.solution.moments.v4 * 100 / two.solution.moments.v4, 1, 1e-10);
-    auto scaled = by_power(two.summary);
-    for (const auto& [power, a] : by_power(three.summary)) {
+    auto scaled = coefficients_by_power(two.summary);
+    for (const auto& [power, a] : coefficients_by_power(three.summary)) {
       const double expected = scaled[power] * std::pow(10, (power.first + power.second) / 2.0);
       EXPECT_NEAR(a, expected, 1e-6 * (1 + std::abs(expected)))
           << "y^" << power.first << " v^" << power.second;
@@ -70,7 +70,7 @@ TEST(MomentClosure, IsExactForWhiteNoiseAtAnImpactWithoutLoss) {
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     const double tolerance = order == 4 ? 1e-10 : 1e-8;
     const double s1 = std::sqrt(solution.moments.y2), s2 = std::sqrt(solution.moments.v2);
-    for (const auto& [power, a] : by_power(summary)) {
+    for (const auto& [power, a] : coefficients_by_power(summary)) {
       const double unit = std::pow(s1, power.first) * std::pow(s2, power.second);
       const double expected = exact.contains(power) ? exact.at(power) : 0;
       EXPECT_NEAR(a * unit, expected * unit, tolerance)
@@ -130,7 +130,8 @@ TEST(MomentClosure, ConvergesWithAMeanOfEitherSign) {
   EXPECT_NEAR(solution.moments.v2, 0.1 / 0.2, 1e-6);
 }
 
-// r from 0.7 to 1, lambda from 0.5 to 20, mu from 0 to 2, intensities from 0.1 to 1.
+// The problems have r from 0.7 to 1, lambda from 0.5 to 20, mu from 0 to 2, intensities from 0.1 to
+// 1.
 TEST(MomentClosure, RandomProblemsConvergeAtEveryOrder) {
   std::mt19937_64 engine(2026);
   const auto uniform = [&](double from, double to) {

@@ -24,12 +24,13 @@ double rho_max_of(const problem::Problem& p) { return 8 * std::sqrt(tests::tempe
 
 // The equations up to eight deviations, in a basis that is orthonormal under the density for white
 // noise with elastic impacts.
-ClosureEquations equations_of(const problem::Problem& p, int order, int points_each_way,
-                              const half_plane::Confinement& confinement = {}) {
+ClosureEquations make_polar_equations(const problem::Problem& p, int order, int points_each_way,
+                                      const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
   const double rho_max = rho_max_of(p);
   const QuadraturePoints points = amplitude::quadrature_points(
-      coordinates, rho_max, Coordinates::amplitude_break_points(p.impulses.law(), rho_max),
+      coordinates, rho_max,
+      Coordinates::amplitude_break_points(p.impulses.amplitude_law(), rho_max),
       {points_each_way, points_each_way, kWallPoints});
   const Basis basis(order, points, tests::boltzmann_mass(points, tests::temperature_of(p)));
   return amplitude::closure_equations(p, coordinates, rho_max, confinement, basis, points,
@@ -52,7 +53,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
                                  .intensity = 0.6,
                                  .mean = 0.2,
                                  .law = "two_point"});
-    const ClosureEquations equations = equations_of(p, 4, 40);
+    const ClosureEquations equations = make_polar_equations(p, 4, 40);
     const Coordinates coordinates(p);
     const auto& basis = equations.basis();
     const auto& points = equations.points();
@@ -74,7 +75,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     const MatrixXd flow = (2 * dt).cwiseInverse().asDiagonal() *
                           (at(points.y + dy, points.v + dv) - at(points.y - dy, points.v - dv));
     VectorXd expected = flow.transpose() * density.mass;
-    for (const auto& [amplitude, probability] : p.impulses.law().atoms()) {
+    for (const auto& [amplitude, probability] : p.impulses.amplitude_law().atoms()) {
       const VectorXd kicked = points.v.array() + amplitude;
       expected += 2 * probability * (at(points.y, kicked) - at(points.y, points.v)).transpose() *
                   density.mass;
@@ -97,7 +98,8 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
 TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const double level : {std::numeric_limits<double>::infinity(), 8.0}) {
-    const ClosureEquations equations = equations_of(p, 4, 24, half_plane::Confinement{level});
+    const ClosureEquations equations =
+        make_polar_equations(p, 4, 24, half_plane::Confinement{level});
     tests::expect_jacobian_is_derivative(equations, perturbed_coefficients(p, equations));
   }
 }

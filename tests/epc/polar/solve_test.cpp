@@ -18,7 +18,7 @@ using tests::make_problem;
 using tests::paper_case;
 using transform::Status;
 
-Options polar_options(int order) { return tests::closure(Formulation::polar, order); }
+Options polar_options(int order) { return tests::closure_options(Formulation::polar, order); }
 
 class PolarCase : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Each, PolarCase, testing::Values(1, 2, 3, 4));
@@ -97,7 +97,8 @@ TEST(PolarClosure, ConvergesToTheExactMomentsOfTheLinearProcess) {
   }
 }
 
-// r from 0.5 to 1, lambda from 0.3 to 18, mu from 0 to 2, every law, means of either sign.
+// The problems have r from 0.5 to 1, lambda from 0.3 to 18, mu from 0 to 2, every amplitude law,
+// and mean impulses of either sign.
 TEST(PolarClosure, RandomProblemsConverge) {
   std::mt19937_64 engine(2026);
   const auto uniform = [&](double from, double to) {
@@ -142,7 +143,7 @@ TEST(PolarClosure, HasItsWholeMassOnPanels) {
   }
 }
 
-// A problem with a twelfth of an impulse per decay time.
+// The problem has 1/12 impulses per decay time.
 TEST(PolarClosure, ReportsTheOrderAtWhichItIsLost) {
   auto options = polar_options(8);
   options.max_iterations = 1;

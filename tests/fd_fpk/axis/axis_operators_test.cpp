@@ -122,12 +122,12 @@ TEST(AxisOperators, WeightedAveragesOfAFunctionAreThoseOfAPolynomial) {
   const numerics::Polynomial weight({0.3, -1.0, 0.5, 2.0, 0.0, 0.7});
   for (const int points : {1, 3, 5}) {
     const WeightedAverages averages(kLine, points);
-    EXPECT_LT((averages.matrix([&](double x) { return weight(x); }) -
+    EXPECT_LT((averages.weighted_average_matrix([&](double x) { return weight(x); }) -
                weighted_average_operator(kLine, points, weight))
                   .norm(),
               1e-11)
         << points;
-    EXPECT_EQ(averages.matrix([](double) { return 0.0; }).nonZeros(), 0) << points;
+    EXPECT_EQ(averages.weighted_average_matrix([](double) { return 0.0; }).nonZeros(), 0) << points;
   }
 }
 

@@ -58,7 +58,7 @@ TEST(Excitation, RegularisationLengthNeedNotBeAMultipleOfTheCellWidth) {
 
 TEST(Excitation, DefaultLengthReproducesTheSixthMomentToo) {
   const auto p = tests::make_problem();
-  const double l = default_regularisation_length(p.impulses.law());
+  const double l = default_regularisation_length(p.impulses.amplitude_law());
   EXPECT_NEAR(l, std::sqrt(0.1), 1e-14);  // for a zero-mean gaussian: its standard deviation
   const Axis axis = Axis::with_uniform_cells(-100.5 * l / 3, l / 3, 201);
   EXPECT_NEAR(moment_rate(axis, kramers_moyal_excitation(p.impulses, axis, l), 6),
@@ -115,7 +115,7 @@ TEST(GrowthRate, LiteralTruncationGrowsWithTheFourthPowerOfTheResolution) {
 
 TEST(GrowthRate, RegularisedTruncationDecaysOnEveryGrid) {
   const auto impulses = tests::make_problem({.mean = 0.1}).impulses;
-  const double l = default_regularisation_length(impulses.law());
+  const double l = default_regularisation_length(impulses.amplitude_law());
   for (const double cells : {1.0, 1.4, 2.0, 5.3, 20.0}) {
     const auto g = growth(l / cells, static_cast<int>(2 * cells) + 20, [&](const Axis& axis) {
       return kramers_moyal_excitation(impulses, axis, l);
@@ -126,7 +126,7 @@ TEST(GrowthRate, RegularisedTruncationDecaysOnEveryGrid) {
 
 TEST(GrowthRate, ShortestLengthIsTheThreshold) {
   const auto impulses = tests::make_problem().impulses;
-  const double shortest = shortest_regularisation_length(impulses.law());
+  const double shortest = shortest_stable_regularisation_length(impulses.amplitude_law());
   EXPECT_NEAR(shortest, std::sqrt(2.1002465 * 0.25 * 0.1), 1e-6);  // D4/D2 = s^2/4
   const auto rate = [&](double l) {
     return growth(l / 40, 100,
@@ -143,7 +143,7 @@ TEST(GrowthRate, DefaultLengthIsLongEnoughOnCellsOfAnyWidthForEveryLawAndOrder) 
   bool longer = false;
   for (const std::string law : {"two_point", "uniform", "gaussian"}) {
     const auto impulses = tests::make_problem({.mean = 0.01, .law = law}).impulses;
-    const double of_law = default_regularisation_length(impulses.law());
+    const double of_law = default_regularisation_length(impulses.amplitude_law());
     for (const int points : {2, 6}) {
       for (const double width : {0.5, 1.05, 1.3, 6.0, 30.0}) {  // in units of the length
         const Axis axis = Axis::with_uniform_cells(0, width * of_law, 81);
@@ -163,7 +163,7 @@ TEST(GrowthRate, DefaultLengthIsLongEnoughOnCellsOfAnyWidthForEveryLawAndOrder) 
 
 TEST(GrowthRate, DefaultLengthFollowsTheWidestCellsOfAGradedAxis) {
   const auto impulses = tests::make_problem({.law = "two_point"}).impulses;
-  const double l = default_regularisation_length(impulses.law());
+  const double l = default_regularisation_length(impulses.amplitude_law());
   const Axis narrow = Axis::with_uniform_cells(0, l / 4, 40);
   std::vector<double> faces = narrow.faces();
   for (int k = 0; k < 10; ++k) faces.push_back(faces.back() + 1.2 * l);
@@ -173,7 +173,7 @@ TEST(GrowthRate, DefaultLengthFollowsTheWidestCellsOfAGradedAxis) {
 }
 
 TEST(GrowthRate, CriticalWidthsOmitSimilarAndNarrowCells) {
-  const auto law = tests::make_problem().impulses.law();
+  const auto law = tests::make_problem().impulses.amplitude_law();
   const double l = default_regularisation_length(law);
   const Axis axis({0, l, 1.4 * l, 2.41 * l, 4.4 * l, 5.42 * l});
   EXPECT_EQ(possibly_unstable_cell_widths(axis, law, l).size(), 2u);
@@ -204,7 +204,7 @@ TEST(GrowthRate, JumpsOfAnyLengthNeverGrow) {
           .arrival_rate = 1, .law = name, .intensity = 1, .mean = 0};
       if (skewness > 0) parameters.skewness = skewness;
       const problem::ImpulseTrain impulses(parameters);
-      const double length = std::pow(impulses.law().moment(8), 1.0 / 8);
+      const double length = std::pow(impulses.amplitude_law().moment(8), 1.0 / 8);
       for (const double cells : {0.999, 0.5, 0.1, 1e-3}) {
         const double width = length / cells;
         const FastestGrowingWave found = fastest_growing_wave(

@@ -39,7 +39,7 @@ TEST(JumpMatrix, ShiftsADensityByAnyAmplitude) {
 
 TEST(JumpMatrix, AddsAGaussianImpulseToAGaussianVelocity) {
   // N(0.1, 0.6^2) + N(0.2, E[Y^2] - 0.2^2), on cells of equal and of unequal width.
-  const auto law = tests::make_problem({.intensity = 0.5, .mean = 0.2}).impulses.law();
+  const auto law = tests::make_problem({.intensity = 0.5, .mean = 0.2}).impulses.amplitude_law();
   const double deviation = std::hypot(0.6, std::sqrt(0.5 - 0.04));
   const auto error = [&](int cells, const Grading& grading) {
     const auto positive = graded_faces(8, cells / 2, grading);
@@ -131,7 +131,7 @@ TEST(JumpMatrix, ImpulsesShorterThanCellsActByTheirMoments) {
 }
 
 TEST(JumpMatrix, JumpsBeyondTheAxisDoNotTakePlace) {
-  const auto law = tests::make_problem({.intensity = 4}).impulses.law();
+  const auto law = tests::make_problem({.intensity = 4}).impulses.amplitude_law();
   const Axis axis = Axis::with_uniform_cells(-1, 0.1, 20);
   const Eigen::MatrixXd jump = jump_matrix(axis, law);
   EXPECT_LT((axis.cell_widths().transpose() * jump).cwiseAbs().maxCoeff(), 1e-13);

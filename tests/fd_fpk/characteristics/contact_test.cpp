@@ -49,7 +49,7 @@ TEST(Contact, TimeInFlightOfABallUnderRareImpulsesIsThatOfItsParabolas) {
       const double rate = 1e-4;
       const auto p = ball(rate, rate, restitution, "uniform", mean);
       // E|Y| of the uniform law on mean +- h.
-      const double h = std::sqrt(3) * p.impulses.law().deviation();
+      const double h = std::sqrt(3) * p.impulses.amplitude_law().deviation();
       const double mean_size = (std::pow(h + mean, 2) + std::pow(h - mean, 2)) / (4 * h);
       // Off the wall at Y, into it at r |Y|: E[Y^+] + r E[Y^-] = (E|Y| (1+r) + E[Y] (1-r)) / 2.
       const double first = (mean_size * (1 + restitution) + mean * (1 - restitution)) / 2;
@@ -157,7 +157,8 @@ TEST(Contact, WithoutContactAgreesWithDifferences) {
 // both walls (docs/characteristics.md).
 TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   const auto p = tests::in_wall_coordinates(problem::load_case("stops"));
-  const Grid grid = characteristic_grid(p, problem::scales(p), {}, {.x1_max = 1, .x2_max = 3});
+  const Grid grid =
+      characteristic_grid(p, problem::motion_scales(p), {}, {.x1_max = 1, .x2_max = 3});
   const Characteristics characteristics(p.system, grid, p.impulses.arrival_rate(), 8);
   ASSERT_EQ(characteristics.contact_rest_point_indices().size(), 2u);
   const SlopeReconstruction slopes(grid, characteristics.rest_points());
@@ -173,7 +174,7 @@ TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   q(grid.size()) = 0.2;
   q(grid.size() + 1) = 0.1;
   WallImpacts impacts;
-  const TransportOperator passage(characteristics, p.impulses.law());
+  const TransportOperator passage(characteristics, p.impulses.amplitude_law());
   const Eigen::VectorXd after = passage(q, slopes(q), &impacts);
   EXPECT_NEAR(after.sum(), 1, 1e-12);
   EXPECT_GT(after.minCoeff(), -1e-12);
@@ -191,7 +192,8 @@ TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   };
   // Impulses from rest add E[Y^2] / 2, and both walls are at the same potential.
   const double at_walls = p.system.potential()(0.0), rate = p.impulses.arrival_rate();
-  const double before = energy(q, false) + 0.3 * (at_walls + p.impulses.law().moment(2) / 2);
+  const double before =
+      energy(q, false) + 0.3 * (at_walls + p.impulses.amplitude_law().moment(2) / 2);
   const double then = energy(after, false) + after.tail(2).sum() * at_walls;
   const double r = p.system.restitution();
   const double lost = p.system.damping() * energy(after, true) +

@@ -79,12 +79,12 @@ TEST(Flow, TurningPointOfAHardSpringFollowsFromItsEnergy) {
 TEST(Flow, StepsKeepTheEnergyOfAnUndampedMotion) {
   const Flow flow(tests::make_problem({.damping = 1e-12, .cubic = 3}).system);
   PhaseState state{0.2, 1.1};
-  const double energy = flow.energy(state);
+  const double energy = flow.mechanical_energy(state);
   for (int step = 0; step < 100; ++step) {
     state = flow.advance_state(state, flow.max_time_step(state, flow.accessible_interval(state)));
     if (state.y < 0) state = {-state.y, -state.v};  // the odd continuation
   }
-  EXPECT_NEAR(flow.energy(state) / energy, 1, 3e-5);
+  EXPECT_NEAR(flow.mechanical_energy(state) / energy, 1, 3e-5);
 }
 
 TEST(Flow, ImpactTimeGivesThePositionOfTheWall) {
@@ -122,13 +122,13 @@ TEST(Flow, AccessibleIntervalIsOneWellBelowTheSaddleAndBothAbove) {
   const AccessibleInterval below = flow.accessible_interval({1, 0.1});
   EXPECT_GT(below.low, 0.9);
   EXPECT_LT(below.high, 1.1);
-  EXPECT_NEAR(flow.energy({below.low, 0}), flow.energy({1, 0.1}), 1e-8);
-  EXPECT_NEAR(flow.energy({below.high, 0}), flow.energy({1, 0.1}), 1e-8);
+  EXPECT_NEAR(flow.mechanical_energy({below.low, 0}), flow.mechanical_energy({1, 0.1}), 1e-8);
+  EXPECT_NEAR(flow.mechanical_energy({below.high, 0}), flow.mechanical_energy({1, 0.1}), 1e-8);
   EXPECT_DOUBLE_EQ(below.least_potential, -0.25);
   EXPECT_NEAR(below.frequency, std::sqrt(2), 0.15);
   const AccessibleInterval above = flow.accessible_interval({1, 1});
   EXPECT_NEAR(above.low, -above.high, 1e-8);
-  EXPECT_NEAR(flow.energy({above.high, 0}), 0.25, 1e-8);
+  EXPECT_NEAR(flow.mechanical_energy({above.high, 0}), 0.25, 1e-8);
 }
 
 // The contraction rate of areas is minus the divergence of the flow; compared with differences of
@@ -172,7 +172,7 @@ TEST(Flow, OfAFormulaAgreesWithTheFlowOfItsPolynomial) {
   const PhaseState at{0.7, -0.4};
   EXPECT_NEAR(formula.acceleration(at), polynomial.acceleration(at), 1e-14);
   EXPECT_NEAR(formula.contraction_rate(at), polynomial.contraction_rate(at), 1e-14);
-  EXPECT_NEAR(formula.energy(at), polynomial.energy(at), 1e-14);
+  EXPECT_NEAR(formula.mechanical_energy(at), polynomial.mechanical_energy(at), 1e-14);
   const HalfCycle expected = polynomial.half_cycle(1.3), found = formula.half_cycle(1.3);
   EXPECT_NEAR(found.impact_speed, expected.impact_speed, 1e-5);
   EXPECT_NEAR(found.duration, expected.duration, 1e-5);
@@ -183,7 +183,7 @@ TEST(Flow, ResolvesASharpChangeOfTheForce) {
   const Flow flow(problem::System({.force = "0.5*tanh(1000*v) + y"}, {.none = true}));
   PhaseState state{1, 0.2};
   double work = 0, time = 0;
-  const double start = flow.energy(state);
+  const double start = flow.mechanical_energy(state);
   while (time < 1) {
     const double span = flow.max_time_step(state, flow.accessible_interval(state));
     const PhaseState end = flow.advance_state(state, span);
@@ -191,7 +191,7 @@ TEST(Flow, ResolvesASharpChangeOfTheForce) {
     state = end;
     time += span;
   }
-  EXPECT_NEAR(start - flow.energy(state), work, 2e-3 * work);
+  EXPECT_NEAR(start - flow.mechanical_energy(state), work, 2e-3 * work);
 }
 
 }  // namespace

@@ -11,12 +11,12 @@ using problem::System;
 
 TEST(RestPoints, AreContactsUnderAForceTowardsAWallAndEquilibriaElsewhere) {
   const auto preload =
-      rest_points(Flow(System({.damping = 0.1, .constant = 0.5, .restitution = 0.7})));
+      find_rest_points(Flow(System({.damping = 0.1, .constant = 0.5, .restitution = 0.7})));
   ASSERT_EQ(preload.size(), 1u);
   EXPECT_EQ(preload[0].y, 0);
   EXPECT_EQ(preload[0].contact, WallSide::left);
 
-  const auto stops = rest_points(Flow(
+  const auto stops = find_rest_points(Flow(
       System({.damping = 0.1, .stiffness = -1, .cubic = 1},
              {.left = -0.5, .left_restitution = 0.7, .right = 0.5, .right_restitution = 0.7})));
   ASSERT_EQ(stops.size(), 2u);
@@ -24,7 +24,7 @@ TEST(RestPoints, AreContactsUnderAForceTowardsAWallAndEquilibriaElsewhere) {
   EXPECT_EQ(stops[1].contact, WallSide::right);
 
   // The wall on the right lies outside the well at 1, the wall on the left inside that at -1.
-  const auto one = rest_points(
+  const auto one = find_rest_points(
       Flow(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
                   {.left = -0.5, .left_restitution = 0.7, .right = 2, .right_restitution = 0.7})));
   ASSERT_EQ(one.size(), 2u);
@@ -35,17 +35,17 @@ TEST(RestPoints, AreContactsUnderAForceTowardsAWallAndEquilibriaElsewhere) {
 
 TEST(RestPoints, AreNoContactsWithoutLossesOrForce) {
   const auto elastic =
-      rest_points(Flow(System({.damping = 0.1, .constant = 0.5, .restitution = 1})));
+      find_rest_points(Flow(System({.damping = 0.1, .constant = 0.5, .restitution = 1})));
   ASSERT_EQ(elastic.size(), 1u);
   EXPECT_FALSE(elastic[0].contact);
   const auto at_wall =
-      rest_points(Flow(System({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
+      find_rest_points(Flow(System({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
   ASSERT_EQ(at_wall.size(), 1u);
   EXPECT_EQ(at_wall[0].y, 0);
   EXPECT_FALSE(at_wall[0].contact);
   // A maximum of the potential at the wall is not a rest point.
-  const auto hill =
-      rest_points(Flow(System({.damping = 0.1, .stiffness = -1, .cubic = 1, .restitution = 0.7})));
+  const auto hill = find_rest_points(
+      Flow(System({.damping = 0.1, .stiffness = -1, .cubic = 1, .restitution = 0.7})));
   ASSERT_EQ(hill.size(), 1u);
   EXPECT_DOUBLE_EQ(hill[0].y, 1);
 }

@@ -142,8 +142,8 @@ TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
       ASSERT_EQ(upwind.solution.status, Status::ok) << upwind.solution.reason;
       ASSERT_EQ(other.solution.status, Status::ok) << other.solution.reason;
       const double apart =
-          transform::l1(transform::marginal(*upwind.solution.density, StateVariable::y, y),
-                        transform::marginal(*other.solution.density, StateVariable::y, y));
+          transform::l1_distance(transform::marginal(*upwind.solution.density, StateVariable::y, y),
+                                 transform::marginal(*other.solution.density, StateVariable::y, y));
       EXPECT_LT(apart, 2e-3) << restitution << " " << cubic;
       EXPECT_NEAR(other.summary.impact_rate / upwind.summary.impact_rate, 1, 2e-3);
       EXPECT_NEAR(other.solution.moments.v2 / upwind.solution.moments.v2, 1, 1e-3);

@@ -21,17 +21,18 @@ struct TransportSetup {
 
   explicit TransportSetup(const problem::Problem& p, double refinement = 0.5)
       : problem(p),
-        grid(characteristic_grid(p, problem::scales(p), {.refinement = refinement},
+        grid(characteristic_grid(p, problem::motion_scales(p), {.refinement = refinement},
                                  {.x1_max = 4, .x2_max = 4})),
         characteristics(p.system, grid, p.impulses.arrival_rate(), 8),
         slopes(grid, characteristics.rest_points()) {}
 
   // A smooth density of mass 1 inside the box.
   Eigen::VectorXd masses() const {
-    return cell_averages({0.4, 0.5}, grid).cwiseProduct(grid.cell_areas());
+    return gaussian_cell_averages({0.4, 0.5}, grid).cwiseProduct(grid.cell_areas());
   }
   Eigen::VectorXd passed(const Eigen::VectorXd& q, WallImpacts* impacts = nullptr) const {
-    return TransportOperator(characteristics, problem.impulses.law())(q, slopes(q), impacts);
+    return TransportOperator(characteristics, problem.impulses.amplitude_law())(q, slopes(q),
+                                                                                impacts);
   }
   // Mean over cells with uniform density.
   double mean(const Eigen::VectorXd& m, const auto& of) const {
@@ -65,7 +66,7 @@ TEST(Characteristics, CoverEveryCellWithFractionsThatSumToOne) {
     const TransportSetup s(p);
     Eigen::VectorXd shares = Eigen::VectorXd::Zero(s.grid.size());
     Eigen::VectorXd y = shares, v = shares;
-    for (const CellVisit& visit : s.characteristics.visits()) {
+    for (const CellVisit& visit : s.characteristics.cell_visits()) {
       shares(visit.cell) += visit.share;
       y(visit.cell) += visit.share * visit.y;
       v(visit.cell) += visit.share * visit.v;

@@ -107,11 +107,11 @@ TEST(Barrier, AbsorbsTheOutgoingMotionAlone) {
   const problem::Problem p = tests::paper_case(1);
   const Discretisation on =
       discretise(p, {.nx = 24, .nv = 40}, {.x1_max = 1.5, .x2_max = 4, .x1_min = 0});
-  const Grid below{on.grid.x1.with_right_end(AxisEndCondition::barrier), on.grid.x2};
+  const Grid below{on.grid.x1.with_right_end_condition(AxisEndCondition::barrier), on.grid.x2};
   Options options;
   const auto op = fokker_planck_operator(
       p, options, with_excitation_of(p, options, {.grid = below, .excitation = {}}));
-  const Eigen::VectorXd density = cell_averages(
+  const Eigen::VectorXd density = gaussian_cell_averages(
       {.displacement_deviation = 1, .velocity_deviation = 0.7, .mean_velocity = 0.2}, below);
   const double outflow = wall_speed_moment(below, density, 5, 1, AxisEnd::right);
   ASSERT_GT(outflow, 0.01);

@@ -18,7 +18,8 @@ void nearly(Eigen::Ref<Eigen::VectorXd> b) {
 }
 
 TEST(Gmres, SolvesToTheTolerance) {
-  const auto [solution, iterations, failure] = gmres(times, nearly, kRight, kWeights, 1e-12);
+  const auto [solution, iterations, failure] =
+      solve_by_gmres(times, nearly, kRight, kWeights, 1e-12);
   ASSERT_TRUE(solution) << failure;
   EXPECT_LT((times(*solution) - kRight).norm(), 1e-12 * kRight.norm());
   EXPECT_LE(iterations, 24);
@@ -27,7 +28,8 @@ TEST(Gmres, SolvesToTheTolerance) {
 TEST(Gmres, ReportsAFailureToConverge) {
   // b has no component in the range of this matrix.
   const auto nothing = [](const Eigen::VectorXd& x) { return Eigen::VectorXd(0 * x); };
-  const auto [solution, iterations, failure] = gmres(nothing, nearly, kRight, kWeights, 1e-12);
+  const auto [solution, iterations, failure] =
+      solve_by_gmres(nothing, nearly, kRight, kWeights, 1e-12);
   EXPECT_FALSE(solution);
   EXPECT_NE(failure.find("did not converge"), std::string::npos) << failure;
 }
@@ -37,7 +39,7 @@ TEST(Gmres, StopsAtTheDeadline) {
   int products = 0;
   const auto count_until = [&](int last, const base::Deadline& deadline) {
     products = 0;
-    return gmres(
+    return solve_by_gmres(
         [&](const Eigen::VectorXd& x) {
           while (products == last && !deadline.has_passed()) {
           }
@@ -67,7 +69,7 @@ TEST(Gmres, ExceptionsOfCallbacksPropagate) {
   const ApproximateSolve throwing_solve = [](Eigen::Ref<Eigen::VectorXd>) { throw Thrown{8}; };
   const auto number_of = [&](const LinearMap& a, const ApproximateSolve& solve) {
     try {
-      gmres(a, solve, kRight, kWeights, 1e-12);
+      solve_by_gmres(a, solve, kRight, kWeights, 1e-12);
     } catch (const Thrown& thrown) {
       return thrown.number;
     }

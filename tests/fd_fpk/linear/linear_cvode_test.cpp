@@ -12,15 +12,15 @@ const Eigen::VectorXd kRates = Eigen::VectorXd::LinSpaced(6, 0.5, 3);
 
 LinearOdeSystem decay() {
   const auto gamma = std::make_shared<double>(0);
-  return {.times = [](double, const Eigen::VectorXd& p) -> Eigen::VectorXd {
+  return {.apply_operator = [](double, const Eigen::VectorXd& p) -> Eigen::VectorXd {
             return -kRates.cwiseProduct(p);
           },
-          .factor =
+          .factor_shifted_matrix =
               [gamma](double given) {
                 *gamma = given;
                 return true;
               },
-          .solve =
+          .approximate_solve =
               [gamma](Eigen::Ref<Eigen::VectorXd> b) {
                 b = b.cwiseQuotient((1 + *gamma * kRates.array()).matrix()).eval();
               }};
@@ -36,11 +36,11 @@ const BdfSettings kControl{.max_order = 2,
 TEST(LinearCvodeIntegrator, FollowsTheExactSolution) {
   LinearCvodeIntegrator cvode(decay(), kStart, kControl);
   for (const double time : {0.5, 2.0}) {
-    const auto [flag, reached] = cvode.advance(time);
+    const auto [flag, reached] = cvode.advance_to_time(time);
     ASSERT_GE(flag, 0) << cvode.error_message();
     EXPECT_EQ(reached, time);
     const Eigen::VectorXd exact = (-kRates.array() * time).exp();
-    EXPECT_LT((cvode.averages() - exact).cwiseAbs().maxCoeff(), 1e-5);
+    EXPECT_LT((cvode.cell_averages() - exact).cwiseAbs().maxCoeff(), 1e-5);
   }
   EXPECT_GT(cvode.step_count(), 10);
   EXPECT_GT(cvode.rhs_evaluation_count(), cvode.step_count());
@@ -51,13 +51,13 @@ TEST(LinearCvodeIntegrator, StopsWithAMessageAtTheMaximumNumberOfSteps) {
   BdfSettings control = kControl;
   control.max_steps = 5;
   LinearCvodeIntegrator cvode(decay(), kStart, control);
-  EXPECT_LT(cvode.advance(2).flag, 0);
+  EXPECT_LT(cvode.advance_to_time(2).flag, 0);
   EXPECT_NE(cvode.error_message().find("mxstep"), std::string::npos) << cvode.error_message();
 }
 
 TEST(LinearCvodeIntegrator, AFailedFactorisationReturnsAFlag) {
   LinearOdeSystem system = decay();
-  system.factor = [](double) { return false; };
+  system.factor_shifted_matrix = [](double) { return false; };
   LinearCvodeIntegrator cvode(system, kStart, kControl);
   EXPECT_LT(cvode.take_step().flag, 0);
 }
@@ -71,7 +71,7 @@ TEST(LinearCvodeIntegrator, ExceptionsOfCallbacksPropagate) {
   const auto number_of = [](const LinearOdeSystem& system) {
     LinearCvodeIntegrator cvode(system, kStart, kControl);
     try {
-      cvode.advance(2);
+      cvode.advance_to_time(2);
     } catch (const ThrownByTheSystem& thrown) {
       return thrown.number;
     }
@@ -79,18 +79,18 @@ TEST(LinearCvodeIntegrator, ExceptionsOfCallbacksPropagate) {
   };
   EXPECT_EQ(number_of(decay()), 0);
   LinearOdeSystem system = decay();
-  system.factor = [](double) -> bool { throw ThrownByTheSystem{1}; };
+  system.factor_shifted_matrix = [](double) -> bool { throw ThrownByTheSystem{1}; };
   EXPECT_EQ(number_of(system), 1);
   system = decay();
-  system.solve = [](Eigen::Ref<Eigen::VectorXd>) { throw ThrownByTheSystem{2}; };
+  system.approximate_solve = [](Eigen::Ref<Eigen::VectorXd>) { throw ThrownByTheSystem{2}; };
   EXPECT_EQ(number_of(system), 2);
   // As right-hand side, in the first call, and as product in GMRES, some calls later.
   for (int calls = 0; calls < 8; ++calls) {
     system = decay();
-    system.times = [times = decay().times, left = calls](double t,
-                                                         const Eigen::VectorXd& p) mutable {
+    system.apply_operator = [apply_operator = decay().apply_operator, left = calls](
+                                double t, const Eigen::VectorXd& p) mutable {
       if (left-- == 0) throw ThrownByTheSystem{3};
-      return times(t, p);
+      return apply_operator(t, p);
     };
     EXPECT_EQ(number_of(system), 3) << calls;
   }

@@ -63,7 +63,7 @@ TEST(RightmostEigenvalue, AgreesWithADenseSolverForEveryEquation) {
     const bool growing = is_unstable(d.symbol, p.impulses);
     const int count = growing ? 1 : 2;
     const auto found =
-        rightmost_eigenvalues(d.op, growing ? guess * d.symbol.rate : 0, d.frequency, count);
+        find_rightmost_eigenvalues(d.op, growing ? guess * d.symbol.rate : 0, d.frequency, count);
     ASSERT_EQ(found.values.size(), static_cast<std::size_t>(count)) << name << found.failure;
     const double unit = std::max(d.frequency, d.symbol.rate);
     for (int k = 0; k < count; ++k) {
@@ -86,7 +86,7 @@ TEST(RightmostEigenvalue, IsFoundFarUpTheImaginaryAxis) {
   matrix.insert(kSize - 1, kSize - 2) = -30;
   matrix.makeCompressed();
   const FokkerPlanckOperator op{matrix, {}, Eigen::VectorXd::Ones(kSize)};
-  const auto found = rightmost_eigenvalues(op, 0, 1, 2);
+  const auto found = find_rightmost_eigenvalues(op, 0, 1, 2);
   ASSERT_EQ(found.values.size(), 2u) << found.failure;
   EXPECT_LT(std::abs(found.values[0] - std::complex(0.5, 30.0)), 1e-7) << found.values[0];
   EXPECT_LT(std::abs(found.values[1]), 1e-7) << found.values[1];
@@ -95,12 +95,13 @@ TEST(RightmostEigenvalue, IsFoundFarUpTheImaginaryAxis) {
 TEST(RightmostEigenvalue, OfAWellPosedOperatorIsZeroAndItsVectorTheStationaryDensity) {
   const auto p = tests::make_problem({.restitution = 0.8});
   const Discrete d = discrete(p, {.equation = DensityEquation::km4}, 0.16, 20, 4.0);
-  const auto found = rightmost_eigenvalues(d.op, 0, d.frequency, 2);
+  const auto found = find_rightmost_eigenvalues(d.op, 0, d.frequency, 2);
   ASSERT_EQ(found.values.size(), 2u) << found.failure;
   EXPECT_LT(std::abs(found.values[0]), 1e-11);
-  const auto stationary = null_vector_by_inverse_iteration(
-                              d.op, initial_gaussian(d.grid, problem::scales(p)), d.frequency)
-                              .averages;
+  const auto stationary =
+      find_null_vector_by_inverse_iteration(
+          d.op, initial_gaussian(d.grid, problem::motion_scales(p)), d.frequency)
+          .averages;
   ASSERT_TRUE(stationary);
   Eigen::VectorXd real = found.vector.real();
   real /= d.op.total_mass(real);
@@ -120,7 +121,7 @@ TEST(RightmostEigenvalue, OfTheLiteralSchemeApproachesTheSymbolFromBelow) {
   for (const double step : {s / 2, s / 3, s / 4, s / 6}) {
     const Discrete d =
         discrete(p, {.equation = DensityEquation::km4, .regularisation_length = 0}, step, 16);
-    const auto found = rightmost_eigenvalues(d.op, d.symbol.rate, d.frequency, 1);
+    const auto found = find_rightmost_eigenvalues(d.op, d.symbol.rate, d.frequency, 1);
     ASSERT_EQ(found.values.size(), 1u) << found.failure;
     const double missing = 1 - found.values[0].real() / d.symbol.rate;
     EXPECT_GT(missing, 0) << step;

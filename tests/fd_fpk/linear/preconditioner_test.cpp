@@ -24,7 +24,7 @@ class Preconditioners : public testing::Test {
 
   problem::Problem problem_ = tests::paper_case(1);
   Options options_{.nx = 16, .nv = 32};
-  double loss_ = problem::scales(problem_).slowest_decay_rate;
+  double loss_ = problem::motion_scales(problem_).slowest_decay_rate;
   Discretisation on_ = discretise(problem_, options_, initial_box(problem_, options_));
 };
 
@@ -34,8 +34,8 @@ TEST_F(Preconditioners, KeepTheStationaryFactorsForStepsOfManyDecayTimes) {
   constexpr double kDecayTimes = 200;
   Preconditioner kept = made(), fresh = made();
   ASSERT_TRUE(kept.factorise_stationary());
-  ASSERT_TRUE(kept.factorise(kDecayTimes / loss_));
-  ASSERT_TRUE(fresh.factorise(kDecayTimes / loss_));
+  ASSERT_TRUE(kept.factorise_newton_matrix(kDecayTimes / loss_));
+  ASSERT_TRUE(fresh.factorise_newton_matrix(kDecayTimes / loss_));
   EXPECT_EQ(kept.factorisation_count(), 1);
   const Eigen::VectorXd exact = solved(fresh), near = solved(kept);
   EXPECT_LT((near - exact).norm(), 3 / kDecayTimes * exact.norm());
@@ -46,13 +46,13 @@ TEST_F(Preconditioners, FactorAgainForShortStepsAndAfterThem) {
   Preconditioner used = made(), fresh = made();
   ASSERT_TRUE(used.factorise_stationary());
   const Eigen::VectorXd stationary = solved(used);
-  ASSERT_TRUE(used.factorise(100 / loss_));
-  ASSERT_TRUE(used.factorise(0.1 / loss_));
-  ASSERT_TRUE(fresh.factorise(0.1 / loss_));
+  ASSERT_TRUE(used.factorise_newton_matrix(100 / loss_));
+  ASSERT_TRUE(used.factorise_newton_matrix(0.1 / loss_));
+  ASSERT_TRUE(fresh.factorise_newton_matrix(0.1 / loss_));
   EXPECT_EQ(used.factorisation_count(), 2);
   EXPECT_LT((solved(used) - solved(fresh)).norm(), 1e-10 * solved(fresh).norm());
   // The stationary factors have been replaced.
-  ASSERT_TRUE(used.factorise(100 / loss_));
+  ASSERT_TRUE(used.factorise_newton_matrix(100 / loss_));
   EXPECT_EQ(used.factorisation_count(), 3);
   ASSERT_TRUE(used.factorise_stationary());
   EXPECT_LT((solved(used) - stationary).norm(), 1e-10 * stationary.norm());

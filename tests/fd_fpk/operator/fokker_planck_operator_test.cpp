@@ -253,7 +253,8 @@ TEST(OperatorOfGeneralOscillator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
       const double rate =
           mean_energy(problem::EffectivePotential(p.system), grid, op * averages, 5);
       const auto [input, dissipated] = problem::power_balance(
-          p, energy_terms(p, ImpactCondition::map, moments(grid, averages, 5), grid, averages, 5));
+          p, power_balance_terms(p, ImpactCondition::map, moments(grid, averages, 5), grid,
+                                 averages, 5));
       EXPECT_GT(std::abs(dissipated), 0.05);
       EXPECT_NEAR(rate, input - dissipated, 5e-4) << name;
     }

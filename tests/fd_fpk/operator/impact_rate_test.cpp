@@ -27,11 +27,12 @@ Rates rates(const Problem& given, ImpactCondition impact, double origin_refineme
   const Problem p = tests::in_wall_coordinates(given);
   const Options options{
       .impact = impact, .refinement = refinement, .origin_refinement = origin_refinement};
-  const auto scales = problem::scales(p);
+  const auto scales = problem::motion_scales(p);
   const Discretisation on = discretise(p, options, initial_box(p, scales, options));
   const auto op = fokker_planck_operator(p, options, on);
   Preconditioner preconditioner(p, on.excitation, impact, on.grid);
-  const auto found = null_vector(op, preconditioner, initial_gaussian(on.grid, scales)).averages;
+  const auto found =
+      find_null_vector(op, preconditioner, initial_gaussian(on.grid, scales)).averages;
   if (!found) return {NAN, NAN};
   const int order = transport_order(options);
   return {
@@ -80,7 +81,7 @@ TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
   const auto rate = [](const System& system, bool mirrored) {
     const Problem p = tests::in_wall_coordinates(tests::with_noise(system, 0.2));
     const Options options{.refinement = 0.7, .origin_refinement = 16};
-    const auto scales = problem::scales(p);
+    const auto scales = problem::motion_scales(p);
     const Discretisation on = discretise(p, options, initial_box(p, scales, options));
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(on.grid.size(), 0, 1).array().sin() + 0.3;
     Eigen::VectorXd averages = initial_gaussian(on.grid, scales).cwiseProduct(x);

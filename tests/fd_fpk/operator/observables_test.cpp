@@ -13,7 +13,7 @@ namespace {
 TEST(Observables, MomentsOfTheFoldedGaussianAreThoseOfTheNormalLaw) {
   const double s = 0.7, w = 0.9;
   const Grid grid = make_grid(48, 96, 6 * s, 6.5 * w);
-  const Eigen::VectorXd averages = cell_averages({s, w}, grid);
+  const Eigen::VectorXd averages = gaussian_cell_averages({s, w}, grid);
   const auto m = moments(grid, averages, 5);
   EXPECT_NEAR(m.y1, s * std::sqrt(2 / M_PI), 1e-6);
   EXPECT_NEAR(m.y2, s * s, 1e-6);
@@ -26,7 +26,7 @@ TEST(Observables, MomentsOfTheFoldedGaussianAreThoseOfTheNormalLaw) {
 TEST(Observables, MeanEnergyIsKineticPlusTheMeanOfThePotential) {
   const double s = 0.7, w = 0.9;
   const Grid grid = make_grid(48, 96, 6 * s, 6.5 * w);
-  const Eigen::VectorXd averages = cell_averages({s, w}, grid);
+  const Eigen::VectorXd averages = gaussian_cell_averages({s, w}, grid);
   for (const double cubic : {0.0, 0.4}) {
     const auto system = tests::make_problem({.cubic = cubic}).system;
     // U is even: its terms are moments of the normal law.
@@ -45,7 +45,7 @@ TEST(Observables, MeanEnergyIsKineticPlusTheMeanOfThePotential) {
 TEST(Observables, ImpactFluxIsThatOfTheOutgoingHalf) {
   const double s = 0.7, w = 0.9;
   const Grid grid = make_grid(64, 128, 6 * s, 6.5 * w);
-  const Eigen::VectorXd averages = cell_averages({s, w}, grid);
+  const Eigen::VectorXd averages = gaussian_cell_averages({s, w}, grid);
   const double wall = 2 / (s * std::sqrt(2 * M_PI));
   EXPECT_NEAR(wall_speed_moment(grid, averages, 5, 1), wall * w / std::sqrt(2 * M_PI), 1e-5);
   EXPECT_NEAR(wall_speed_moment(grid, averages, 5, 3),
@@ -59,7 +59,7 @@ TEST(Observables, BalancesOfVirialAndMomentumAreThoseOfTheFoldedGaussian) {
   const auto p = tests::make_problem({.stiffness = k, .cubic = 0, .restitution = 1});
   const Grid grid = make_grid(64, 128, 6 * s, 6.5 * w);
   const auto of = [&](double velocity_deviation) {
-    const auto averages = cell_averages({s, velocity_deviation}, grid);
+    const auto averages = gaussian_cell_averages({s, velocity_deviation}, grid);
     return balance_residuals(p, grid, averages, 5,
                              wall_momentum_transfer(p.system, grid, averages, 5));
   };

@@ -51,7 +51,7 @@ TEST(WellPosednessCheck, AdvisedRegularisationLengthIsWellPosed) {
 // narrow cells the regularisation length is long.
 TEST(WellPosednessCheck, WideCellsFarOutAreCheckedToo) {
   const auto p = tests::make_problem({.restitution = 0.8, .rate = kRate, .law = "two_point"});
-  const double of_law = default_regularisation_length(p.impulses.law());
+  const double of_law = default_regularisation_length(p.impulses.amplitude_law());
   const auto found = posedness_of(p, {.regularisation_length = of_law});
   EXPECT_GT(found.growth.rate, 0.1);
   EXPECT_NE(found.ill_posed_reason.find("leave out"), std::string::npos) << found.ill_posed_reason;

@@ -14,16 +14,16 @@ namespace {
 TEST(SolveDeadline, ABoxIsNotWidenedAfterTheDeadline) {
   const auto p = tests::make_problem({.rate = 0.3, .law = "laplace"});
   const Box first = initial_box(p, {});
-  const Box late = stationary_box(p, problem::scales(p), {}, base::Deadline(0));
+  const Box late = stationary_box(p, problem::motion_scales(p), {}, base::Deadline(0));
   EXPECT_EQ(late.x1_max, first.x1_max);
   EXPECT_EQ(late.x2_max, first.x2_max);
-  EXPECT_GT(stationary_box(p, problem::scales(p), {}, base::Deadline(HUGE_VAL)).x2_max,
+  EXPECT_GT(stationary_box(p, problem::motion_scales(p), {}, base::Deadline(HUGE_VAL)).x2_max,
             first.x2_max);
 }
 
 TEST(SolveDeadline, EvenTheFirstSolveIsAborted) {
   const auto p = tests::paper_case(1);
-  const ScalesAndBox scales_and_box{.scales = problem::scales(p)};
+  const ScalesAndBox scales_and_box{.scales = problem::motion_scales(p)};
   const Options direct{.stepper = StationarySolver::direct};
   const base::Deadline over(0);
   for (const auto& late : {solve_on_one_grid(p, scales_and_box, direct, over).solution,
@@ -43,8 +43,8 @@ TEST(SolveDeadline, AStepIsAborted) {
   const auto march = [&](double seconds) {
     Preconditioner preconditioner(p, on.excitation, options.impact, on.grid);
     return integrate_to_stationarity(op, preconditioner,
-                                     initial_gaussian(on.grid, problem::scales(p)), 1e-10, 20,
-                                     base::Deadline(seconds));
+                                     initial_gaussian(on.grid, problem::motion_scales(p)), 1e-10,
+                                     20, base::Deadline(seconds));
   };
   const PseudoTransientResult late = march(0);
   EXPECT_TRUE(late.out_of_time);

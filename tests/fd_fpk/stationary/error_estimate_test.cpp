@@ -304,8 +304,8 @@ TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
       result.solution.status = Status::ok;
       return result;
     };
-    const auto result =
-        refine_until_deadline(solve_one, {.order = 5}, base::Deadline(kSeconds), RefinementGoal{});
+    const auto result = refine_until_deadline(solve_one, {.order = 5}, base::Deadline(kSeconds),
+                                              RefinementGoal::accurate);
     EXPECT_EQ(result.summary.refinement, *std::ranges::max_element(refinements));
     return std::lround(2 * std::log2(result.summary.refinement));
   };

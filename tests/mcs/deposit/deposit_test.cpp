@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kRate = 3, kInterval = 0.25;
 
-std::vector<double> knots(double from, double to, int cells, int repeated_middle = 1) {
+std::vector<double> make_knots(double from, double to, int cells, int repeated_middle = 1) {
   std::vector<double> all(5, from);
   for (int k = 0; k <= cells; ++k) {
     const int times = 2 * k == cells ? repeated_middle : 1;
@@ -34,9 +34,9 @@ std::vector<double> knots(double from, double to, int cells, int repeated_middle
   return all;
 }
 
-DepositGrid grid() {
-  return {.y_knots = knots(0, 4, 16),
-          .v_knots = knots(-5, 5, 40, 3),
+DepositGrid make_deposit_grid() {
+  return {.y_knots = make_knots(0, 4, 16),
+          .v_knots = make_knots(-5, 5, 40, 3),
           .lattice_begin = -6,
           .lattice_spacing = 0.05,
           .lattice_points = 241,
@@ -46,7 +46,7 @@ DepositGrid grid() {
 
 /// Coefficients of x^power in the splines, by Marsden's identity: the mean product of `power` of
 /// the five inner knots, over all choices.
-std::vector<double> power_coefficients(const std::vector<double>& knots, int power) {
+std::vector<double> spline_coefficients_of_power(const std::vector<double>& knots, int power) {
   std::vector<double> c;
   for (std::size_t i = 0; i + 6 < knots.size(); ++i) {
     std::vector<double> e(static_cast<std::size_t>(power) + 1,
@@ -61,10 +61,12 @@ std::vector<double> power_coefficients(const std::vector<double>& knots, int pow
   return c;
 }
 
-/// sum c_i c_j of the flow, and of the lattice with the values (K v^q)(v) on it.
-double applied(const DepositGrid& g, const DepositedSums& d, int p, int q,
-               const std::function<double(double)>& after_impulse) {
-  const auto in_y = power_coefficients(g.y_knots, p), in_v = power_coefficients(g.v_knots, q);
+/// Returns the sum of c_i c_j flow_ij, plus the lattice sums times the values (K v^q)(v) on the
+/// lattice.
+double generator_mean_of_power(const DepositGrid& g, const DepositedSums& d, int p, int q,
+                               const std::function<double(double)>& after_impulse) {
+  const auto in_y = spline_coefficients_of_power(g.y_knots, p),
+             in_v = spline_coefficients_of_power(g.v_knots, q);
   double sum = 0;
   for (int i = 0; i < g.y_spline_count(); ++i) {
     for (int j = 0; j < g.v_spline_count(); ++j) {
@@ -78,7 +80,7 @@ double applied(const DepositGrid& g, const DepositedSums& d, int p, int q,
   return sum;
 }
 
-/// The sum of flow and lattice, computed from the scalar trajectory for h = y^p v^q, E[Y] = 0 and
+/// Computes the sum of flow and lattice from the scalar trajectory for h = y^p v^q, E[Y] = 0 and
 /// E[Y^2] = variance.
 struct Tally {
   int p, q;
@@ -106,7 +108,7 @@ struct Setting {
   problem::Problem problem = tests::make_problem({.cubic = 1, .restitution = 0.6, .rate = kRate});
   Oscillator oscillator = tests::oscillator_of(problem);
   BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
-  DepositPlan plan{grid(), kRate, kInterval};
+  DepositPlan plan{make_deposit_grid(), kRate, kInterval};
 
   Stream advanced(std::uint32_t s, const simd::SimdVariant& lanes) const {
     ImpulseSource source(problem.impulses, 21, s);
@@ -123,20 +125,20 @@ struct Setting {
     std::vector<Stream> copies(static_cast<std::size_t>(lanes.width), stream);
     std::vector<Stream*> all;
     for (Stream& copy : copies) all.push_back(&copy);
-    mcs::advance({.oscillator = oscillator,
-                  .step = 0.9,
-                  .sampling_interval = kInterval,
-                  .y_bins = &y,
-                  .v_bins = &v,
-                  .deposit = &plan},
-                 all, 30, lanes);
+    mcs::advance_all_streams({.oscillator = oscillator,
+                              .step = 0.9,
+                              .sampling_interval = kInterval,
+                              .y_bins = &y,
+                              .v_bins = &v,
+                              .deposit = &plan},
+                             all, 30, lanes);
     return copies.back();
   }
 };
 
 TEST(DepositedSums, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
   const Setting setting;
-  const double variance = setting.problem.impulses.law().moment(2);
+  const double variance = setting.problem.impulses.amplitude_law().moment(2);
   for (std::uint32_t s = 0; s < 3; ++s) {
     const Stream stream = setting.advanced(s, simd::available_simd_variants().back());
     for (const auto& [p, q] :
@@ -146,8 +148,8 @@ TEST(DepositedSums, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
                                    {0.3, 1 - 0.2 * s}, 0.9);
       Tally tally{.p = p, .q = q, .variance = variance, .restitution = 0.6};
       trajectory.advance(30, tally);
-      const double sum =
-          applied(setting.plan.grid, stream.record.deposit, p, q, [&, power = q](double v) {
+      const double sum = generator_mean_of_power(
+          setting.plan.grid, stream.record.deposit, p, q, [&, power = q](double v) {
             const double more = power == 2 ? variance : power == 3 ? 3 * v * variance : 0;
             return std::pow(v, power) + more;
           });
@@ -159,10 +161,11 @@ TEST(DepositedSums, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
 TEST(DepositedSums, TakesShiftsInPlaceOfTheLattice) {
   // The two-point law has the same moments of the generator on all polynomials up to degree 3.
   Setting setting;
-  const double variance = setting.problem.impulses.law().moment(2), d = std::sqrt(variance);
+  const double variance = setting.problem.impulses.amplitude_law().moment(2),
+               d = std::sqrt(variance);
   const DepositedSums lattice =
       setting.advanced(0, simd::available_simd_variants().back()).record.deposit;
-  setting.plan.grid.shifts = {{-d, 0.5}, {d, 0.5}};
+  setting.plan.grid.velocity_jumps = {{-d, 0.5}, {d, 0.5}};
   const DepositedSums shifted =
       setting.advanced(0, simd::available_simd_variants().back()).record.deposit;
   EXPECT_EQ(*std::ranges::max_element(shifted.lattice), 0);
@@ -170,8 +173,8 @@ TEST(DepositedSums, TakesShiftsInPlaceOfTheLattice) {
     const auto after = [&, power = q](double v) {
       return (std::pow(v - d, power) + std::pow(v + d, power)) / 2;
     };
-    EXPECT_NEAR(applied(setting.plan.grid, shifted, p, q, after),
-                applied(setting.plan.grid, lattice, p, q, after), 1e-9);
+    EXPECT_NEAR(generator_mean_of_power(setting.plan.grid, shifted, p, q, after),
+                generator_mean_of_power(setting.plan.grid, lattice, p, q, after), 1e-9);
   }
 }
 
@@ -224,7 +227,7 @@ TEST(DepositedSums, DoesNotChangeOtherResults) {
   const auto problem = tests::paper_case(1);
   const Options plain{.time = 2e4, .streams = 10};
   Options depositing = plain;
-  depositing.deposit = grid();
+  depositing.deposit = make_deposit_grid();
   const Result a = solve(problem, plain), b = solve(problem, depositing);
   EXPECT_TRUE(a.summary.deposits.empty());
   EXPECT_EQ(b.summary.deposits.size(), 10u);
@@ -236,11 +239,11 @@ TEST(DepositedSums, DoesNotChangeOtherResults) {
 
 TEST(DepositedSums, RefusesGridsThatItCannotUse) {
   const auto refused = [](const std::function<void(Options&)>& change) {
-    Options options{.deposit = grid()};
+    Options options{.deposit = make_deposit_grid()};
     change(options);
     EXPECT_THROW(validate(options), InputError);
   };
-  EXPECT_NO_THROW(validate(Options{.deposit = grid()}));
+  EXPECT_NO_THROW(validate(Options{.deposit = make_deposit_grid()}));
   refused([](Options& o) { o.equation = DensityEquation::white; });
   refused([](Options& o) { o.tails = true; });
   refused([](Options& o) { o.deposit->y_knots.erase(o.deposit->y_knots.begin()); });
@@ -253,7 +256,7 @@ TEST(DepositedSums, RefusesGridsThatItCannotUse) {
 TEST(DepositLanes, AcceptsNonfiniteAndDistantStates) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
                    kInfinity = std::numeric_limits<double>::infinity();
-  const DepositPlan plan(grid(), kRate, kInterval);
+  const DepositPlan plan(make_deposit_grid(), kRate, kInterval);
   DepositedSums deposit(plan.grid);
   for (const double x : {kNan, -kNan, kInfinity, -kInfinity, 1e300, -1e300}) {
     EXPECT_EQ(evaluate_splines(plan.y, x).first, x > 0 ? 15 : 0) << x;

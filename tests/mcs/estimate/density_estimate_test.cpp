@@ -29,8 +29,8 @@ TEST(L1SamplingError, OfIndependentErrorsIsNearItsMean) {
   for (std::size_t b = 0; b < apart.size(); ++b) apart[b][b] = 0.01;
   const L1SamplingError distance = l1_sampling_error(apart);
   EXPECT_NEAR(distance.expected, kMeanOfAbsolute * 4, 1e-12);
-  // The deviation of |x| is 0.603 of that of x; the 99 % quantile is 2.33 deviations above the
-  // mean.
+  // The standard deviation of |x| is 0.603 times the standard deviation of x; the 99 % quantile is
+  // 2.33 deviations above the mean.
   EXPECT_NEAR(distance.quantile_99, kMeanOfAbsolute * 4 + 2.33 * 0.603 * 0.01 * 20, 0.1);
 }
 

@@ -25,7 +25,7 @@ TEST(StreamWeights, SumToOneAndCancelTheExcess) {
 TEST(StreamWeights, RecoverAMeanThatDependsLinearlyOnTheExcess) {
   std::vector<double> values;
   for (const double b : kExcess) values.push_back(7 + 3 * b);
-  const Estimate estimate = StreamWeights(kExcess).estimate(values);
+  const MeanEstimate estimate = StreamWeights(kExcess).estimate_mean(values);
   EXPECT_NEAR(estimate.mean, 7.0, 1e-14);
   EXPECT_NEAR(estimate.standard_error, 0.0, 1e-14);
 }
@@ -34,7 +34,8 @@ TEST(StreamWeights, ArePlainForEqualExcessPowers) {
   const StreamWeights weights(std::vector<double>(8, 0.0));
   for (std::size_t s = 0; s < weights.size(); ++s) EXPECT_DOUBLE_EQ(weights[s], 1.0 / 8);
   const std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8};
-  const Estimate estimate = weights.estimate(values), plain = unweighted_estimate(values);
+  const MeanEstimate estimate = weights.estimate_mean(values),
+                     plain = estimate_unweighted_mean(values);
   EXPECT_DOUBLE_EQ(estimate.mean, 4.5);
   EXPECT_DOUBLE_EQ(plain.mean, 4.5);
   EXPECT_DOUBLE_EQ(plain.standard_error, std::sqrt(6.0 / 8));
@@ -60,7 +61,7 @@ TEST(StreamWeights, AreUnbiasedAndTheirIntervalsCoverTheTruth) {
       values.push_back(2 + 3 * b + (b * b - 0.04) + 0.2 * normal(engine));
     }
     const StreamWeights weights(excess);
-    const Estimate estimate = weights.estimate(values);
+    const MeanEstimate estimate = weights.estimate_mean(values);
     covered += std::abs(estimate.mean - 2) <
                weights.confidence_interval_factor() * estimate.standard_error;
     sum += estimate.mean - 2;

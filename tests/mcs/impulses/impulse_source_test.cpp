@@ -57,7 +57,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
       ImpulseSource source(problem.impulses, 2, 0);
       for (const int order : {1, 2, 3, 4, 6}) {
         expect_mean([&] { return std::pow(source.next_impulse().amplitude, order); },
-                    problem.impulses.law().moment(order), "moment of Y");
+                    problem.impulses.amplitude_law().moment(order), "moment of Y");
       }
     }
   }
@@ -69,7 +69,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
   for (const std::string& name : tests::law_names_without_table()) {
     SCOPED_TRACE(name);
     const auto problem = tests::make_problem({.mean = 0.1, .law = name});
-    const auto& law = problem.impulses.law();
+    const auto& law = problem.impulses.amplitude_law();
     ImpulseSource source(problem.impulses, 3, 0);
     for (const double wave : {1.0, 4.0, 20.0}) {
       const double u = wave / law.deviation();
@@ -82,7 +82,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
   }
 }
 
-// Frequency of each atom, in deviations of the binomial law.
+// Compares the frequency of each atom with the probability, in deviations of the binomial law.
 TEST(ImpulseSource, DrawsTheAtomsOfATable) {
   const problem::ImpulseTrain train({.arrival_rate = 1,
                                      .law = "tabulated",
@@ -90,7 +90,7 @@ TEST(ImpulseSource, DrawsTheAtomsOfATable) {
                                      .mean = 0.1,
                                      .table = tests::kAtoms});
   ImpulseSource source(train, 6, 0), mirrored(train.with_negated_amplitudes(), 6, 0);
-  const auto atoms = train.law().atoms();
+  const auto atoms = train.amplitude_law().atoms();
   std::vector<int> count(atoms.size());
   for (int n = 0; n < kDraws; ++n) {
     const double y = source.next_impulse().amplitude;
@@ -121,14 +121,16 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCumulativeOfLawsOfAnySkewness) {
        {train_of("exponential", 2), train_of("exponential", -2), train_of("gamma", 0.01),
         train_of("gamma", -0.5), train_of("gamma", 1.6), train_of("gamma", -2),
         train_of("tabulated", {}), train_of("tabulated", {}).with_negated_amplitudes()}) {
-    SCOPED_TRACE(fmt::format("{} {}", train.law().name(), train.law().skewness()));
+    SCOPED_TRACE(
+        fmt::format("{} {}", train.amplitude_law().name(), train.amplitude_law().skewness()));
     ImpulseSource source(train, 5, 0);
     std::vector<double> drawn(kDraws);
     for (double& y : drawn) y = source.next_impulse().amplitude;
     std::ranges::sort(drawn);
     double largest = 0;
     for (int n = 0; n < kDraws; ++n) {
-      const double exact = train.law().cumulative_probability(drawn[static_cast<std::size_t>(n)]);
+      const double exact =
+          train.amplitude_law().cumulative_probability(drawn[static_cast<std::size_t>(n)]);
       largest = std::max({largest, exact - n / double{kDraws}, (n + 1) / double{kDraws} - exact});
     }
     EXPECT_LT(largest * std::sqrt(kDraws), 1.95);
@@ -178,8 +180,8 @@ TEST(ImpulseSource, GoesOnFromAnyNumber) {
   ImpulseSource whole(problem.impulses, 9, 4);
   for (int n = 0; n < 50; ++n) {
     ImpulseSource resumed(problem.impulses, 9, 4);
-    resumed.seek_to(whole.number());
-    EXPECT_EQ(resumed.number(), whole.number());
+    resumed.seek_to_impulse(whole.drawn_impulse_count());
+    EXPECT_EQ(resumed.drawn_impulse_count(), whole.drawn_impulse_count());
     const Impulse expected = whole.next_impulse(), found = resumed.next_impulse();
     EXPECT_EQ(found.waiting, expected.waiting) << n;
     EXPECT_EQ(found.amplitude, expected.amplitude) << n;
@@ -191,8 +193,8 @@ TEST(ImpulseSource, StartsAreStandardNormal) {
   std::uint32_t stream = 0;
   const auto moment = [&](std::size_t which, int order) {
     return [&, which, order] {
-      return std::pow(ImpulseSource(problem.impulses, 4, stream++).standard_normals()[which],
-                      order);
+      return std::pow(
+          ImpulseSource(problem.impulses, 4, stream++).initial_standard_normals()[which], order);
     };
   };
   for (const std::size_t which : {0u, 1u}) {

@@ -19,7 +19,7 @@ constexpr double kNoImpulse = std::numeric_limits<double>::infinity();
 
 using Kind = Oscillator::Kind;
 
-/// Streams without impulses, from the given states.
+/// Group of streams that start at given states and receive no impulses.
 struct FreeStreams {
   MotionParameters motion;
   BinFinder y{tests::uniform_edges(-4, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
@@ -58,7 +58,7 @@ struct FreeStreams {
     motion.v_bins = &v;
     std::vector<Stream*> pointers;
     for (Stream& stream : streams) pointers.push_back(&stream);
-    mcs::advance(motion, pointers, time, lanes);
+    mcs::advance_all_streams(motion, pointers, time, lanes);
   }
   const Stream& operator[](std::size_t s) const { return streams[s]; }
 };
@@ -71,7 +71,7 @@ double acceleration(const Oscillator& o, double y, double v) {
 }
 
 /// Integrates by the classical Runge-Kutta method.
-State followed(const Oscillator& o, State s, double time) {
+State state_by_runge_kutta(const Oscillator& o, State s, double time) {
   constexpr int kSteps = 20000;
   const double h = time / kSteps;
   for (int n = 0; n < kSteps; ++n) {
@@ -104,7 +104,7 @@ TEST(AdvanceAnyOscillator, FollowsTheEquationWithAllItsTerms) {
     FreeStreams free(oscillator, starts);
     free.advance(7);
     for (std::size_t s = 0; s < starts.size(); ++s) {
-      const State exact = followed(oscillator, starts[s], 7);
+      const State exact = state_by_runge_kutta(oscillator, starts[s], 7);
       EXPECT_NEAR(free[s].branch.y, exact.y, 1e-6);
       EXPECT_NEAR(free[s].branch.v, exact.v, 1e-6);
     }
@@ -114,7 +114,7 @@ TEST(AdvanceAnyOscillator, FollowsTheEquationWithAllItsTerms) {
 // The drift is far below sampling errors: it changes E[v^2] over one decay time only.
 TEST(AdvanceAnyOscillator, KeepsTheEnergyOfADoubleWell) {
   const Oscillator well{.force = {0, -1, 0, 0.5, 0, 0.5}, .kind = Kind::full};
-  const auto energy = [](const Branch& b) {
+  const auto energy = [](const TrajectoryBranch& b) {
     const double y2 = b.y * b.y;
     return b.v * b.v / 2 - y2 / 2 + y2 * y2 / 8 + y2 * y2 * y2 / 12;
   };
@@ -129,7 +129,7 @@ TEST(AdvanceAnyOscillator, KeepsTheEnergyOfADoubleWell) {
 
 /// y'' = -(y - 1) with an elastic wall at 0. The motion of amplitude `a` extends slightly behind
 /// the wall.
-Oscillator across_a_gap() {
+Oscillator oscillator_with_offset_wall() {
   return {.force = {-1, 1, 0, 0, 0, 0},
           .left = {.exists = true, .position = 0, .restitution = 1, .contact_force = -1}};
 }
@@ -142,7 +142,7 @@ TEST(AdvanceAnyOscillator, FindsImpactsWithinAFlight) {
   for (int n = 5; n < 14; ++n) {
     starts.push_back({1 + a * std::cos(0.1 * n), -a * std::sin(0.1 * n)});
   }
-  FreeStreams free(across_a_gap(), starts);
+  FreeStreams free(oscillator_with_offset_wall(), starts);
   free.advance(100 * period);
   for (const Stream& stream : free.streams) {
     EXPECT_EQ(stream.record.impacts, 100);
@@ -178,8 +178,8 @@ TEST(AdvanceAnyOscillator, MovesBetweenTwoWalls) {
   EXPECT_NEAR(stream.record.left_momentum, u * s, 1e-12);
 }
 
-/// A ball on a floor, g = 1.
-Oscillator ball(double r, double rest_speed) {
+/// Returns the oscillator of a ball on a floor, with the gravitational acceleration 1.
+Oscillator ball_on_floor(double r, double rest_speed) {
   return {.force = {1, 0, 0, 0, 0, 0},
           .left = {.exists = true,
                    .position = 0,
@@ -193,7 +193,7 @@ Oscillator ball(double r, double rest_speed) {
 TEST(AdvanceAnyOscillator, ComesToRestAfterInfinitelyManyBounces) {
   const double r = 0.6, u = 2, time = 40;
   for (const double rest_speed : {1e-1, 1e-4}) {
-    FreeStreams free(ball(r, rest_speed), {{u * u / 2, 0}, {u * u / 2, 0}});
+    FreeStreams free(ball_on_floor(r, rest_speed), {{u * u / 2, 0}, {u * u / 2, 0}});
     free.advance(time);
     const StreamStatistics& record = free[0].record;
     const double to_rest = u * (1 + r) / (1 - r);
@@ -206,7 +206,7 @@ TEST(AdvanceAnyOscillator, ComesToRestAfterInfinitelyManyBounces) {
     for (const double weight : record.histogram.weights()) in_bins += weight;
     EXPECT_EQ(in_bins + record.rest_left, record.samples);
   }
-  // A ball below a ceiling.
+  // The mirrored problem is a ball that a force presses against a ceiling.
   Oscillator up{
       .force = {-1, 0, 0, 0, 0, 0},
       .right = {
@@ -221,7 +221,7 @@ TEST(AdvanceAnyOscillator, ComesToRestAfterInfinitelyManyBounces) {
 TEST(AdvanceAnyOscillator, LeavesRestByAnImpulseEitherWay) {
   const double r = 0.6;
   for (const double amplitude : {1.0, -1.0}) {
-    FreeStreams free(ball(r, 1e-4), {{0, 0}});
+    FreeStreams free(ball_on_floor(r, 1e-4), {{0, 0}});
     free.advance(1);
     free.streams[0].branch.time_to_impulse = 0.5;
     free.streams[0].branch.amplitude = amplitude;
@@ -264,7 +264,7 @@ TEST(AdvanceAnyOscillator, GivesTheSameBitsForAnyWidthAndInstructions) {
 }
 
 TEST(AdvanceAnyOscillator, KicksSoonAfterOneNearAWallThatTakesEnergy) {
-  MotionParameters motion{.oscillator = across_a_gap(),
+  MotionParameters motion{.oscillator = oscillator_with_offset_wall(),
                           .kicks = {.diffusion = 0.5,
                                     .damping = 0,
                                     .longest_interval = 0.2,

@@ -40,17 +40,17 @@ struct Group {
   void advance(double time, const simd::SimdVariant& lanes) {
     std::vector<Stream*> pointers;
     for (Stream& stream : streams) pointers.push_back(&stream);
-    mcs::advance({.oscillator = oscillator,
-                  .step = kStep,
-                  .sampling_interval = kInterval,
-                  .y_bins = &y,
-                  .v_bins = &v},
-                 pointers, time, lanes);
+    mcs::advance_all_streams({.oscillator = oscillator,
+                              .step = kStep,
+                              .sampling_interval = kInterval,
+                              .y_bins = &y,
+                              .v_bins = &v},
+                             pointers, time, lanes);
   }
 };
 
-/// 11 streams: full groups and remaining streams, for every number of lanes.
-std::vector<Group> groups_of_all_kinds() {
+/// 11 streams form full SIMD groups and leave single streams, for every number of lanes.
+std::vector<Group> stream_groups_of_all_kinds() {
   std::vector<Group> groups;
   for (const auto& problem :
        {tests::paper_case(4), tests::make_problem({.restitution = 0.3, .law = "laplace"})}) {
@@ -61,7 +61,7 @@ std::vector<Group> groups_of_all_kinds() {
 }
 
 TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
-  for (const Group& start : groups_of_all_kinds()) {
+  for (const Group& start : stream_groups_of_all_kinds()) {
     Group reference(start);
     reference.advance(300, {simd::InstructionSet::baseline, 1});
     for (const simd::SimdVariant& lanes : simd::available_simd_variants()) {
@@ -130,7 +130,7 @@ TEST(Advance, AgreesWithTheScalarTrajectory) {
   }
 }
 
-double total(const std::vector<double>& sums) {
+double sum_of_elements(const std::vector<double>& sums) {
   double sum = 0;
   for (const double x : sums) sum += x;
   return sum;
@@ -141,10 +141,10 @@ TEST(Advance, CountsOneMaximumMoreThanMinimaFromImpactToImpact) {
   Group group(tests::paper_case(1));
   group.advance(3000, simd::available_simd_variants().back());
   for (const Stream& stream : group.streams) {
-    EXPECT_GT(total(stream.record.troughs), 10);
-    EXPECT_NEAR(total(stream.record.peaks) - total(stream.record.troughs), stream.record.impacts,
-                1);
-    EXPECT_EQ(total(stream.record.histogram.weights()), stream.record.samples);
+    EXPECT_GT(sum_of_elements(stream.record.troughs), 10);
+    EXPECT_NEAR(sum_of_elements(stream.record.peaks) - sum_of_elements(stream.record.troughs),
+                stream.record.impacts, 1);
+    EXPECT_EQ(sum_of_elements(stream.record.histogram.weights()), stream.record.samples);
     EXPECT_EQ(stream.record.samples, 12000);
   }
 }

@@ -15,7 +15,7 @@ using tests::Flight;
 
 Oscillator paper_oscillator(int number) { return tests::oscillator_of(tests::paper_case(number)); }
 
-Oscillator duffing(double k, double mu, double damping = 0.1) {
+Oscillator duffing_oscillator(double k, double mu, double damping = 0.1) {
   return {.force = {0, k, 0, mu, 0, 0},
           .damping = {damping, 0, 0},
           .kind = Oscillator::Kind::duffing_at_wall,
@@ -23,7 +23,7 @@ Oscillator duffing(double k, double mu, double damping = 0.1) {
 }
 
 // Damped free motion of the linear oscillator, w = sqrt(k - c^2/4).
-State exact_linear(const Oscillator& oscillator, const State& start, double t) {
+State exact_linear_state(const Oscillator& oscillator, const State& start, double t) {
   const double half_c = oscillator.damping[0] / 2;
   const double w = std::sqrt(oscillator.force[1] - half_c * half_c);
   const double b = (start.v + half_c * start.y) / w;
@@ -32,27 +32,27 @@ State exact_linear(const Oscillator& oscillator, const State& start, double t) {
   return {y, -half_c * y + decay * w * (b * cosine - start.y * sine)};
 }
 
-State by_short_flights(const Oscillator& oscillator, State state, double t) {
+State state_by_short_flights(const Oscillator& oscillator, State state, double t) {
   constexpr int kFlights = 64;
   for (int k = 0; k < kFlights; ++k) state = Flight(oscillator, state).state_at_time(t / kFlights);
   return state;
 }
 
-double impact_time(const Flight& flight, double end) {
+double impact_time_of_flight(const Flight& flight, double end) {
   return flight.impact_time(end, flight.state_at_time(end), true);
 }
 
 TEST(Flight, FollowsTheExactLinearMotion) {
   for (const double damping : {0.1, 1.5}) {
-    const Oscillator oscillator = duffing(2, 0, damping);
+    const Oscillator oscillator = duffing_oscillator(2, 0, damping);
     const State start{1.3, -0.7};
     const Flight flight(oscillator, start);
     const double t = flight.max_step(0.7);
     // The first omitted term of y, 0.7^13 / 13!, is 2e-12 of the amplitude; that of v is 13/0.7
     // times larger.
     for (const double s : {t / 3, t}) {
-      EXPECT_NEAR(flight.state_at_time(s).y, exact_linear(oscillator, start, s).y, 1e-11);
-      EXPECT_NEAR(flight.state_at_time(s).v, exact_linear(oscillator, start, s).v, 1e-10);
+      EXPECT_NEAR(flight.state_at_time(s).y, exact_linear_state(oscillator, start, s).y, 1e-11);
+      EXPECT_NEAR(flight.state_at_time(s).v, exact_linear_state(oscillator, start, s).v, 1e-10);
     }
   }
 }
@@ -63,7 +63,7 @@ TEST(Flight, OfTheDuffingOscillatorConvergesWithTheOrderOfItsSeries) {
   const Flight flight(oscillator, start);
   const auto error = [&](double phase) {
     const double t = flight.max_step(phase);
-    const State end = flight.state_at_time(t), exact = by_short_flights(oscillator, start, t);
+    const State end = flight.state_at_time(t), exact = state_by_short_flights(oscillator, start, t);
     return std::hypot(end.y - exact.y, end.v - exact.v);
   };
   // v is a polynomial of degree kOrder - 1: its error is proportional to t^kOrder.
@@ -83,7 +83,8 @@ TEST(Flight, IsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
       const State start{std::abs(y), v * std::cos(angle)};
       const Flight flight(oscillator, start);
       const double t = flight.max_step(0.7);
-      const State end = flight.state_at_time(t), exact = by_short_flights(oscillator, start, t);
+      const State end = flight.state_at_time(t),
+                  exact = state_by_short_flights(oscillator, start, t);
       EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << v << " " << angle;
       EXPECT_NEAR(end.y, exact.y, 2e-6 * std::sqrt(v)) << v << " " << angle;
     }
@@ -91,14 +92,14 @@ TEST(Flight, IsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
 }
 
 TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
-  const Oscillator oscillator = duffing(1, 0);
+  const Oscillator oscillator = duffing_oscillator(1, 0);
   const double w = std::sqrt(1 - 0.05 * 0.05);
   for (const double before : {0.6, 0.1, 1e-3, 1e-9}) {
     // Motion that has an impact at the time `before`: y ~ exp(-ct/2) sin(w (before - t)).
     const State start{std::sin(w * before),
                       -0.05 * std::sin(w * before) - w * std::cos(w * before)};
     const Flight flight(oscillator, start);
-    const double time = impact_time(flight, flight.max_step(0.7));
+    const double time = impact_time_of_flight(flight, flight.max_step(0.7));
     // At 0.6, the far end of the flight, the error of the series is 1e-12.
     EXPECT_NEAR(time, before, before > 0.5 ? 1e-11 : 1e-14);
     EXPECT_NEAR(flight.state_at_time(time).y, 0.0, 1e-15);
@@ -110,7 +111,7 @@ TEST(Flight, FindsAGrazingImpact) {
   const Flight flight(oscillator, {1e-12, -1e-9});
   const double end = flight.max_step(0.7);
   ASSERT_LT(flight.state_at_time(end).y, 0.0);
-  EXPECT_NEAR(impact_time(flight, end), 1e-3, 1e-6);
+  EXPECT_NEAR(impact_time_of_flight(flight, end), 1e-3, 1e-6);
 }
 
 TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
@@ -120,14 +121,14 @@ TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
       const Flight flight(oscillator, {y, v});
       const double end = flight.max_step(1.2);
       if (flight.state_at_time(end).y >= 0) continue;
-      const double time = impact_time(flight, end);
+      const double time = impact_time_of_flight(flight, end);
       EXPECT_LT(std::abs(flight.state_at_time(time).y), 1e-15 + 1e-14 * y) << y << " " << v;
     }
   }
 }
 
 TEST(Flight, FindsTheHighestPoint) {
-  const Oscillator oscillator = duffing(1, 0, 0.2);
+  const Oscillator oscillator = duffing_oscillator(1, 0, 0.2);
   // The damped motion backwards from the maximum (y, 0), which is then `before` ahead.
   for (const double before : {0.5, 0.1, 1e-3}) {
     const Flight back(oscillator, {0.8, 0});
@@ -152,7 +153,7 @@ TEST(Flight, FromTheWallDoesNotComeBackWithinItsReach) {
 
 // Compares the formulas for k y + mu y^3 with those for any polynomial force.
 TEST(Flight, OfTheDuffingOscillatorIsThatOfAnyForce) {
-  const Oscillator oscillator = duffing(1, 0.7);
+  const Oscillator oscillator = duffing_oscillator(1, 0.7);
   for (const State& start : {State{0, 1}, State{1.2, 0.4}, State{20, -300}}) {
     const Flight a(oscillator, start);
     const PolynomialFlight<double, Flight::kOrder> b(oscillator, start);

@@ -15,12 +15,12 @@ Kind kind_of(const problem::SystemCoefficients& coefficients,
              const problem::WallParameters& walls = {}) {
   const auto problem =
       tests::with_impulses(problem::System(coefficients, walls), tests::gaussian_impulses(1, 0.1));
-  return make_oscillator(problem, problem::scales(problem)).kind;
+  return make_oscillator(problem, problem::motion_scales(problem)).kind;
 }
 
 TEST(Oscillator, OfTheProblemHasItsMechanics) {
   const auto problem = tests::make_problem({.damping = 0.3, .restitution = 0.7});
-  const Oscillator oscillator = make_oscillator(problem, problem::scales(problem));
+  const Oscillator oscillator = make_oscillator(problem, problem::motion_scales(problem));
   EXPECT_EQ(oscillator.damping[0], 0.3);
   EXPECT_TRUE(oscillator.left.exists);
   EXPECT_FALSE(oscillator.right.exists);

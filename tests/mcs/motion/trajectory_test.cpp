@@ -41,12 +41,12 @@ struct Chronicle {
   }
 };
 
-Trajectory trajectory_of(const problem::Problem& problem, const State& start,
-                         double step = kAutomaticStep) {
+Trajectory make_trajectory(const problem::Problem& problem, const State& start,
+                           double step = kAutomaticStep) {
   return {tests::oscillator_of(problem), ImpulseSource(problem.impulses, 5, 0), start, step};
 }
 
-double energy(const problem::System& system, const State& s) {
+double total_energy(const problem::System& system, const State& s) {
   return s.v * s.v / 2 + system.potential()(s.y);
 }
 
@@ -54,7 +54,7 @@ TEST(Trajectory, OfTheLinearOscillatorHitsTheWallEveryHalfPeriodAndLosesItsShare
   const double r = 0.8, c = 0.1;
   const auto problem = tests::make_problem(
       {.damping = c, .cubic = 0, .restitution = r, .rate = kNever, .intensity = kNever});
-  Trajectory trajectory = trajectory_of(problem, {0, 1});
+  Trajectory trajectory = make_trajectory(problem, {0, 1});
   Chronicle seen;
   trajectory.advance(100, seen);
   const double w = std::sqrt(1 - c * c / 4), half_period = std::numbers::pi / w;
@@ -78,14 +78,15 @@ TEST(Trajectory, AnImpactTakesItsShareOfTheEnergyAndTurnsTheVelocity) {
       tests::make_problem({.cubic = 1, .restitution = r, .rate = kNever, .intensity = kNever});
   // From just above the wall: the damping before and after the impact is negligible.
   const State start{1e-9, -2};
-  Trajectory trajectory = trajectory_of(problem, start);
+  Trajectory trajectory = make_trajectory(problem, start);
   Chronicle seen;
   trajectory.advance(1e-8, seen);
   ASSERT_EQ(seen.impacts.size(), 1u);
   EXPECT_NEAR(seen.impacts[0].time, 0.5e-9, 1e-18);
   EXPECT_GT(trajectory.state().v, 0.0);
-  EXPECT_NEAR(energy(problem.system, start) - energy(problem.system, trajectory.state()),
-              (1 - r * r) / 2 * 4, 1e-7);
+  EXPECT_NEAR(
+      total_energy(problem.system, start) - total_energy(problem.system, trajectory.state()),
+      (1 - r * r) / 2 * 4, 1e-7);
 }
 
 TEST(Trajectory, SatisfiesTheEnergyBalance) {
@@ -117,7 +118,7 @@ TEST(Trajectory, SatisfiesTheEnergyBalance) {
   const State start{0.5, 1.0};
   Trajectory trajectory(oscillator, ImpulseSource(problem.impulses, 5, 0), start, kAutomaticStep);
   Ledger ledger{oscillator};
-  const auto energy_of = [&](const State& s) { return energy(problem.system, s); };
+  const auto energy_of = [&](const State& s) { return total_energy(problem.system, s); };
   for (int k = 0; k < 20; ++k) {
     trajectory.advance(50.0, ledger);
     // The step limit gives errors of 1e-6 of the dissipation in this case.
@@ -128,7 +129,7 @@ TEST(Trajectory, SatisfiesTheEnergyBalance) {
 
 TEST(Trajectory, ImpulsesArriveAtTheTimesOfTheSourceWithItsAmplitudes) {
   const auto problem = tests::make_problem({.rate = 2, .mean = 0.1});
-  Trajectory trajectory = trajectory_of(problem, {1, 0});
+  Trajectory trajectory = make_trajectory(problem, {1, 0});
   Chronicle seen;
   trajectory.advance(200, seen);
   ImpulseSource source(problem.impulses, 5, 0);
@@ -144,7 +145,7 @@ TEST(Trajectory, ImpulsesArriveAtTheTimesOfTheSourceWithItsAmplitudes) {
 
 TEST(Trajectory, DoesNotDependOnWhereItIsInterrupted) {
   const auto problem = tests::make_problem({.restitution = 0.7});
-  Trajectory whole = trajectory_of(problem, {1, 0}), pieces = whole;
+  Trajectory whole = make_trajectory(problem, {1, 0}), pieces = whole;
   NullObserver nobody;
   whole.advance(30, nobody);
   for (int k = 0; k < 3000; ++k) pieces.advance(0.01, nobody);
@@ -154,8 +155,8 @@ TEST(Trajectory, DoesNotDependOnWhereItIsInterrupted) {
 
 TEST(Trajectory, HalvingTheStepChangesOnlyTheErrorOfTheSeries) {
   const auto problem = tests::paper_case(1);
-  Trajectory coarse = trajectory_of(problem, {1, 0}, 0.7),
-             fine = trajectory_of(problem, {1, 0}, 0.35);
+  Trajectory coarse = make_trajectory(problem, {1, 0}, 0.7),
+             fine = make_trajectory(problem, {1, 0}, 0.35);
   NullObserver nobody;
   for (int k = 0; k < 20; ++k) {
     coarse.advance(10, nobody);
@@ -168,7 +169,7 @@ TEST(Trajectory, HalvingTheStepChangesOnlyTheErrorOfTheSeries) {
 TEST(Trajectory, IsReflectedAtOnceWhereAnImpulsePushesItIntoTheWall) {
   const auto problem =
       tests::make_problem({.restitution = 0.5, .rate = kNever, .intensity = kNever});
-  Trajectory trajectory = trajectory_of(problem, {0, -1});
+  Trajectory trajectory = make_trajectory(problem, {0, -1});
   Chronicle seen;
   trajectory.advance(1e-6, seen);
   ASSERT_EQ(seen.impacts.size(), 1u);
@@ -181,7 +182,7 @@ TEST(Trajectory, AtRestStaysAtRestUntilAnImpulseAndIsThenThrownOff) {
   const double variance = 1e-8;
   const auto problem = tests::make_problem(
       {.restitution = 0.05, .rate = 0.1, .intensity = 0.1 * (1 + variance), .mean = -1});
-  Trajectory trajectory = trajectory_of(problem, {0, 0});
+  Trajectory trajectory = make_trajectory(problem, {0, 0});
   Chronicle seen;
   trajectory.advance(2000, seen);
   ASSERT_GT(seen.impulses.size(), 100u);
@@ -199,7 +200,7 @@ TEST(Trajectory, WithStrongLossesEndsAfterABoundedNumberOfEvents) {
       const auto problem =
           tests::make_problem({.restitution = r, .rate = rate, .intensity = 0.1 * rate});
       const double time = 400 / std::min(rate, 1.0);
-      Trajectory trajectory = trajectory_of(problem, {1, 0});
+      Trajectory trajectory = make_trajectory(problem, {1, 0});
       Chronicle seen;
       trajectory.advance(time, seen);
       const auto impulses = static_cast<double>(seen.impulses.size());
@@ -216,7 +217,7 @@ TEST(Trajectory, WithStrongLossesEndsAfterABoundedNumberOfEvents) {
 TEST(Trajectory, OfAnOverdampedOscillatorComesToRestWithoutImpacts) {
   const auto problem =
       tests::make_problem({.damping = 5, .cubic = 0, .rate = kNever, .intensity = kNever});
-  Trajectory trajectory = trajectory_of(problem, {1, 0});
+  Trajectory trajectory = make_trajectory(problem, {1, 0});
   Chronicle seen;
   trajectory.advance(1e4, seen);
   EXPECT_TRUE(seen.impacts.empty());

@@ -52,8 +52,7 @@ class Checkpoint : public testing::Test {
   problem::Problem problem_ = tests::make_problem({.restitution = 0.7});
 };
 
-// Shutdown waits for files being written and reserves all files; no other thread may then write
-// any.
+// A shutdown waits until open files are complete; afterwards no thread may write a file.
 TEST_F(Checkpoint, IsNotWrittenDuringShutdown) {
   const auto wait_in_vain = [&] {
     base::wait_and_block_other_writers();
@@ -185,9 +184,10 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
       expect_refused(options, "impossible");
     }
   }
-  // In the file the sums are stored after the branch and the numbers of impulses and normal numbers.
+  // In the file the sums are stored after the branch and the numbers of impulses and normal
+  // numbers.
   for (const double number : {HUGE_VAL, std::nan("")}) {
-    write_with_checksum(with(1 + sizeof(Branch) / sizeof(double) + 2, number));
+    write_with_checksum(with(1 + sizeof(TrajectoryBranch) / sizeof(double) + 2, number));
     expect_refused(options, "impossible");
   }
   write_with_checksum(text + "more");
@@ -196,7 +196,7 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
 
 TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
   Options options = brief(true);
-  options.progress = [](const Progress&) { FAIL() << "solved something"; };
+  options.progress = [](const SimulationProgress&) { FAIL() << "solved something"; };
   const auto refused = [&](const std::string& path) {
     file_ = path;
     options.checkpoint = path;
@@ -206,7 +206,7 @@ TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
   refused(directory_);
   EXPECT_TRUE(std::filesystem::is_empty(directory_));
   refused("/dev/null");
-  // A case file, named by mistake.
+  // The user names a case file instead of a checkpoint file.
   const std::string mine = directory_ / "mine.ini";
   std::ofstream(mine) << "[system]\n";
   refused(mine);
@@ -218,7 +218,7 @@ TEST_F(Checkpoint, WriteErrorsAreWarningsOnly) {
   const Result expected = solve(problem_, options);
   std::vector<std::string> told;
   options.checkpoint = file_;
-  options.progress = [&](const Progress&) { std::filesystem::remove_all(directory_); };
+  options.progress = [&](const SimulationProgress&) { std::filesystem::remove_all(directory_); };
   options.warn = [&](const std::string& warning) { told.push_back(warning); };
   const Result result = solve(problem_, options);
   EXPECT_EQ(result.solution.status, transform::Status::ok);
@@ -229,8 +229,8 @@ TEST_F(Checkpoint, WriteErrorsAreWarningsOnly) {
   EXPECT_EQ(result.summary.warnings, told);
 }
 
-// A directory of the same name appears and disappears. The first of two consecutive errors gives
-// the only warning.
+// A directory with the name of the checkpoint file makes writes fail until the directory is
+// removed. Two consecutive write errors cause one warning.
 TEST_F(Checkpoint, RetriesAfterAWriteError) {
   std::vector<std::string> told;
   CheckpointWriter writer(file_, [&](const std::string& warning) { told.push_back(warning); });

@@ -24,13 +24,13 @@ TEST(SimulationPlan, ComputesDefaultsFromTheEquivalentLinearisation) {
   EXPECT_GE(plan.threads, 1);
 }
 
-problem::Problem without_wall(double rate, double damping = 0.2, double stiffness = 1) {
+problem::Problem problem_without_wall(double rate, double damping = 0.2, double stiffness = 1) {
   return tests::with_impulses(
       problem::System({.damping = damping, .stiffness = stiffness, .cubic = 1}, {.none = true}),
       tests::gaussian_impulses(rate, 0.1));
 }
 
-double time_of(const SimulationPlan& plan) {
+double planned_time(const SimulationPlan& plan) {
   return plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
 }
 
@@ -38,28 +38,28 @@ double time_of(const SimulationPlan& plan) {
 // minute, and follows a sufficient burn-in. The full time of the paper's oscillator would have 3e11
 // impulses.
 TEST(SimulationPlan, OfFrequentImpulsesIsBoundedAndEnough) {
-  for (const auto& problem : {without_wall(1e4), tests::make_problem({.rate = 1e4})}) {
+  for (const auto& problem : {problem_without_wall(1e4), tests::make_problem({.rate = 1e4})}) {
     const SimulationPlan plan = make_simulation_plan(problem, {});
     EXPECT_EQ(plan.short_burn_in_cause, ShortBurnInCause::none);
-    EXPECT_LT((time_of(plan) + plan.burn_in * plan.streams) * 1e4, 4e9);
+    EXPECT_LT((planned_time(plan) + plan.burn_in * plan.streams) * 1e4, 4e9);
     // 2.5 / sqrt(1e4 decay times) = 0.025.
-    EXPECT_GT(time_of(plan) / (plan.burn_in / 20), 1e4);
+    EXPECT_GT(planned_time(plan) / (plan.burn_in / 20), 1e4);
     // A lower accuracy needs less time.
-    EXPECT_LE(time_of(make_simulation_plan(problem, {.accuracy = 0.1})), time_of(plan));
+    EXPECT_LE(planned_time(make_simulation_plan(problem, {.accuracy = 0.1})), planned_time(plan));
   }
-  EXPECT_LT(time_of(make_simulation_plan(without_wall(1e4), {.accuracy = 0.1})),
-            0.1 * time_of(make_simulation_plan(without_wall(1e4), {})));
+  EXPECT_LT(planned_time(make_simulation_plan(problem_without_wall(1e4), {.accuracy = 0.1})),
+            0.1 * planned_time(make_simulation_plan(problem_without_wall(1e4), {})));
 }
 
 TEST(SimulationPlan, StatesTheCauseOfAShortBurnIn) {
   const auto limit = [](const problem::Problem& problem) {
     return make_simulation_plan(problem, {}).short_burn_in_cause;
   };
-  EXPECT_EQ(limit(without_wall(1)), ShortBurnInCause::none);
-  EXPECT_EQ(limit(without_wall(1e7)), ShortBurnInCause::impulses);
+  EXPECT_EQ(limit(problem_without_wall(1)), ShortBurnInCause::none);
+  EXPECT_EQ(limit(problem_without_wall(1e7)), ShortBurnInCause::impulses);
   EXPECT_EQ(limit(tests::make_problem({.rate = 1e7})), ShortBurnInCause::impulses);
-  EXPECT_EQ(limit(without_wall(1, 1e-9)), ShortBurnInCause::decay);
-  problem::Problem two_wells = without_wall(1, 0.2, -1);
+  EXPECT_EQ(limit(problem_without_wall(1, 1e-9)), ShortBurnInCause::decay);
+  problem::Problem two_wells = problem_without_wall(1, 0.2, -1);
   two_wells.impulses = {};
   two_wells.noise.intensity = 0.006;
   EXPECT_EQ(limit(two_wells), ShortBurnInCause::wells);

@@ -9,7 +9,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-std::size_t by_search(const std::vector<double>& edges, double x) {
+std::size_t bin_by_linear_search(const std::vector<double>& edges, double x) {
   return static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), x) - edges.begin());
 }
 
@@ -24,7 +24,7 @@ TEST(BinFinder, AgreesWithASearchAtAndAroundEveryEdge) {
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const double next = k + 1 < edges.size() ? edges[k + 1] : edges[k] + 1;
       for (const double x : {std::nextafter(edges[k], -100.0), edges[k], (edges[k] + next) / 2}) {
-        EXPECT_EQ(bin(x), by_search(edges, x)) << x;
+        EXPECT_EQ(bin(x), bin_by_linear_search(edges, x)) << x;
       }
     }
   }

@@ -29,8 +29,8 @@ Stream make_stream(const problem::Problem& problem, double y, double v) {
           .record = StreamStatistics(bins, bins)};
 }
 
-/// Resumes every branch without advancing it. The results are the number of branches and the sum of
-/// their weights.
+/// Resumes every branch of a stream without advancing the branch, and computes the number and the
+/// total weight of the branches.
 struct Followed {
   std::size_t branches = 1;
   double weight = 0;
@@ -38,13 +38,13 @@ struct Followed {
   Followed(const ImportanceSplitting& splitting, Stream& stream)
       : weight(splitting.branch_weight(stream.branch)) {
     for (; !stream.is_on_main_branch(); ++branches) {
-      resume_next_branch(stream);
+      resume_pending_branch(stream);
       weight += splitting.branch_weight(stream.branch);
     }
   }
 };
 
-// U(y) + v^2/2 of k = 1, mu = 4 at (1, 1) is 1/2 + 1 + 1/2 = 2.
+// For k = 1 and mu = 4 the energy U(y) + v^2/2 at (1, 1) is 1/2 + 1 + 1/2 = 2.
 TEST(ImportanceSplitting, MakesFourBranchesForOneAboveEachEnergy) {
   const auto problem = tests::make_problem({.cubic = 4});
   const std::vector<std::size_t> copies{1, 4, 16};
@@ -84,7 +84,7 @@ TEST(ImportanceSplitting, BranchesGoOnBouncingWhereTheyBegan) {
   while (!stream.is_on_main_branch()) {
     EXPECT_EQ(stream.branch.time_to_rest, 0.25);
     stream.branch.time_to_rest = -1;
-    resume_next_branch(stream);
+    resume_pending_branch(stream);
   }
   EXPECT_EQ(stream.branch.time_to_rest, 0.25);
 }
@@ -123,10 +123,10 @@ struct Walk {
     stream.branch.remaining = steps;
     splitting.split_initial_state(stream);
     for (;;) {
-      Branch& branch = stream.branch;
+      TrajectoryBranch& branch = stream.branch;
       if (branch.remaining <= 0) {
         if (stream.is_on_main_branch()) break;
-        resume_next_branch(stream);
+        resume_pending_branch(stream);
         continue;
       }
       branch.remaining -= 1;
@@ -145,8 +145,8 @@ struct Walk {
 };
 
 struct Walks {
-  Estimate weight{};
-  std::array<Estimate, Walk::kSpeeds.size()> above{};
+  MeanEstimate weight{};
+  std::array<MeanEstimate, Walk::kSpeeds.size()> above{};
   std::size_t most_waiting = 0;
   double most_for_one =
       0;  // branch impulses per impulse of the main branch, beyond kImpulseAllowance
@@ -164,9 +164,9 @@ struct Walks {
                             static_cast<double>(ImportanceSplitting::kImpulseAllowance);
       most_for_one = std::max(most_for_one, beyond / static_cast<double>(walk.impulses));
     }
-    weight = unweighted_estimate(weights);
+    weight = estimate_unweighted_mean(weights);
     std::ranges::transform(all, above.begin(),
-                           [](const auto& of) { return unweighted_estimate(of); });
+                           [](const auto& of) { return estimate_unweighted_mean(of); });
   }
 };
 
@@ -188,11 +188,11 @@ TEST(ImportanceSplitting, IsUnbiasedWithinItsBoundsWhereverTheThresholdsAre) {
     if (thresholds == close) {  // the bound is active
       EXPECT_GT(split.most_for_one, 0.8 * 12 * ImportanceSplitting::kImpulsesPerThreshold);
     }
-    tests::expect_near(split.weight.mean, 1, split.weight.standard_error, "all");
+    tests::expect_within_four_errors(split.weight.mean, 1, split.weight.standard_error, "all");
     for (std::size_t i = 0; i < split.above.size(); ++i) {
-      const Estimate &one = split.above[i], &other = plain.above[i];
-      tests::expect_near(one.mean, other.mean, std::hypot(one.standard_error, other.standard_error),
-                         "tail");
+      const MeanEstimate &one = split.above[i], &other = plain.above[i];
+      tests::expect_within_four_errors(
+          one.mean, other.mean, std::hypot(one.standard_error, other.standard_error), "tail");
     }
   }
 }

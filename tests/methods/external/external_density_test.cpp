@@ -78,7 +78,7 @@ TEST_F(ExternalDensities, AreClosuresWithABudgetIfTheirEquationIsGiven) {
   EXPECT_EQ(one.find("nobody")->identity.role, transform::SolutionRole::external);
   EXPECT_EQ(own.status, Status::ok);
   // The error against the full problem is that of the white-noise model.
-  const double far = one.l1("own", "fd-kf", StateVariable::y).value();
+  const double far = one.l1_distance("own", "fd-kf", StateVariable::y).value();
   EXPECT_GT(own.error.value().y_l1, far);
   EXPECT_LT(own.error.value().y_l1, 1.7 * far);
   ASSERT_EQ(one.budget.size(), 2u);
@@ -146,7 +146,8 @@ TEST_F(ExternalDensities, SamplesEstimateTheirSamplingError) {
   const auto exact = solved(of([](double a, double b) { return std::exp(-a * a - b * b); }));
   for (const auto variable : transform::kVariables) {
     const auto& edges = compare::comparison_bin_edges(axes_, variable);
-    const double far = l1(marginal(drawn, variable, edges), marginal(exact, variable, edges));
+    const double far =
+        l1_distance(marginal(drawn, variable, edges), marginal(exact, variable, edges));
     const double expected = transform::expected_l1_error(*drawn.sampling, variable).value();
     EXPECT_NEAR(far / expected, 1, 0.3);
     EXPECT_LT(far, transform::l1_error_quantile_99(*drawn.sampling, variable).value());

@@ -63,7 +63,7 @@ class JointDensityFiles : public testing::Test {
 
   results::CaseResult case_with(const std::vector<std::string>& arguments) const {
     std::vector<transform::Solution> all;
-    for (const auto& method : external_methods(arguments, builtin_registry(), problem_.name)) {
+    for (const auto& method : read_external_methods(arguments, builtin_registry(), problem_.name)) {
       method.check ? method.check(problem_) : void();
       all.push_back(solve_with_method(method, problem_, {axes_, {}}));
     }
@@ -95,7 +95,9 @@ TEST_F(JointDensityFiles, WithAnEquationHaveABudget) {
   EXPECT_NEAR(mine.moments.v2 / solution("fd-km4-delta").moments.v2, 1, 1e-4);
   for (const auto& row : one.budget) {
     if (row.solution != "mine") continue;
-    const auto apart = [&](const char* a, const char* b) { return *one.l1(a, b, row.variable); };
+    const auto apart = [&](const char* a, const char* b) {
+      return *one.l1_distance(a, b, row.variable);
+    };
     EXPECT_LT(row.find("closure")->l1, 2e-4);
     EXPECT_DOUBLE_EQ(row.find("impact")->l1, apart("fd-km4-delta", "fd-km4"));
     EXPECT_DOUBLE_EQ(row.find("truncation")->l1, apart("fd-km4", "fd-kf"));
@@ -111,8 +113,8 @@ TEST_F(JointDensityFiles, WithoutAnEquationHaveDistancesOnly) {
   EXPECT_EQ(mine.identity.role, transform::SolutionRole::external);
   EXPECT_TRUE(transform::is_external(mine.identity));
   EXPECT_EQ(transform::equation_and_impact_text(mine.identity), "given/-");
-  EXPECT_LT(*one.l1("mine", "fd-kf", StateVariable::y), 2e-4);
-  EXPECT_LT(*one.l1("mine", "fd-kf", StateVariable::ydot), 2e-4);
+  EXPECT_LT(*one.l1_distance("mine", "fd-kf", StateVariable::y), 2e-4);
+  EXPECT_LT(*one.l1_distance("mine", "fd-kf", StateVariable::ydot), 2e-4);
   EXPECT_EQ(std::ranges::count(one.budget, "mine", &compare::ErrorBudgetRow::solution), 0);
   EXPECT_EQ(transform::metric_text(mine.metrics, "files[0].form"), "joint points");
 }
@@ -129,15 +131,15 @@ TEST_F(JointDensityFiles, WithExactImpactsHaveTheChainOfTheMap) {
 
 TEST_F(JointDensityFiles, OfARunReproduceItsDensities) {
   const results::Run run{results::current_program("fpkcheck run"), {case_with({})}};
-  std::ofstream(path("joint.nc"), std::ios::binary) << results::joint_netcdf(run);
+  std::ofstream(path("joint.nc"), std::ios::binary) << results::joint_netcdf_bytes(run);
   const std::string file = path("joint.nc");
   const auto one = case_with({file + ":a,solution=fd-kf", file + ",solution=fd-km4-delta"});
   EXPECT_EQ(one.solutions[0].id(), "a");
   EXPECT_EQ(one.solutions[1].id(), "given-fd-km4-delta");
   EXPECT_EQ(transform::equation_and_impact_text(one.solutions[1].identity), "km4/delta");
-  EXPECT_LT(*one.l1("a", "fd-kf", StateVariable::y), 2e-5);
-  EXPECT_LT(*one.l1("a", "fd-kf", StateVariable::ydot), 2e-5);
-  EXPECT_LT(*one.l1("given-fd-km4-delta", "fd-km4-delta", StateVariable::y), 2e-5);
+  EXPECT_LT(*one.l1_distance("a", "fd-kf", StateVariable::y), 2e-5);
+  EXPECT_LT(*one.l1_distance("a", "fd-kf", StateVariable::ydot), 2e-5);
+  EXPECT_LT(*one.l1_distance("given-fd-km4-delta", "fd-km4-delta", StateVariable::y), 2e-5);
   EXPECT_TRUE(contains(refusal({file}), "solutions; select one by solution=: "));
   EXPECT_TRUE(contains(refusal({file + ":a,solution=fd"}), "contains no solution 'fd'; use "));
   EXPECT_TRUE(contains(refusal({file + ":a,solution=fd-kf,case=case9"}), "no case 'case9'"));
@@ -166,10 +168,10 @@ TEST_F(JointDensityFiles, MayBeExternalNetCdf) {
   };
   const auto one = case_with({write("a.nc", false, "y"), write("b.nc", true, "y")});
   for (const char* id : {"a", "b"}) {
-    EXPECT_LT(*one.l1(id, "fd-kf", StateVariable::y), 1e-3);
-    EXPECT_LT(*one.l1(id, "fd-kf", StateVariable::ydot), 1e-3);
+    EXPECT_LT(*one.l1_distance(id, "fd-kf", StateVariable::y), 1e-3);
+    EXPECT_LT(*one.l1_distance(id, "fd-kf", StateVariable::ydot), 1e-3);
   }
-  EXPECT_LT(*one.l1("a", "b", StateVariable::y), 1e-12);
+  EXPECT_LT(*one.l1_distance("a", "b", StateVariable::y), 1e-12);
   EXPECT_TRUE(contains(refusal({write("c.nc", false, "q")}), "name them y and v"));
   EXPECT_TRUE(contains(refusal({path("a.nc") + ":d,solution=fd-kf"}), "omit the key solution"));
 }
@@ -188,8 +190,8 @@ TEST_F(JointDensityFiles, MayBeClosedForms) {
   const auto& mine = one.solutions.front();
   EXPECT_EQ(mine.status, Status::ok) << mine.reason;
   EXPECT_EQ(mine.identity.order, 4);
-  EXPECT_LT(*one.l1("mine", "fd-kf", StateVariable::y), 1e-4);
-  EXPECT_LT(*one.l1("mine", "fd-kf", StateVariable::ydot), 1e-3);
+  EXPECT_LT(*one.l1_distance("mine", "fd-kf", StateVariable::y), 1e-4);
+  EXPECT_LT(*one.l1_distance("mine", "fd-kf", StateVariable::ydot), 1e-3);
   // A given normalisation constant is used without normalisation.
   const auto wrong = case_with({write("wrong.json", support + "\"C\": 0.1, ")});
   EXPECT_EQ(wrong.solutions.front().status, Status::inadmissible);
@@ -201,7 +203,7 @@ TEST_F(JointDensityFiles, MayBeClosedForms) {
 TEST_F(JointDensityFiles, MayBeTheClosedFormOfASummary) {
   const epc::Options options{.order = 6};
   auto solved = epc::solve(tests::paper_case(2), options).solution;
-  solved.identity = builtin_registry().method_by_id("epc-gaussian-n6")->identity;
+  solved.identity = builtin_registry().find_method_by_id("epc-gaussian-n6")->identity;
   auto problem = tests::paper_case(2);
   problem.name = "case2";
   const results::Run run{
@@ -211,8 +213,8 @@ TEST_F(JointDensityFiles, MayBeTheClosedFormOfASummary) {
 
   const auto axes = compare::comparison_axes(problem);
   const auto method =
-      external_methods(std::vector{path("summary.json") + ",solution=epc-gaussian-n6"},
-                       builtin_registry())
+      read_external_methods(std::vector{path("summary.json") + ",solution=epc-gaussian-n6"},
+                            builtin_registry())
           .front();
   const auto again = solve_with_method(method, problem, {axes, {}});
   EXPECT_EQ(again.id(), "given-epc-gaussian-n6");
@@ -222,7 +224,8 @@ TEST_F(JointDensityFiles, MayBeTheClosedFormOfASummary) {
   EXPECT_NEAR(again.moments.v2 / solved.moments.v2, 1, 1e-7);
   for (const auto variable : transform::kVariables) {
     const auto& edges = compare::comparison_bin_edges(axes, variable);
-    EXPECT_LT(l1(marginal(again, variable, edges), marginal(solved, variable, edges)), 1e-6);
+    EXPECT_LT(l1_distance(marginal(again, variable, edges), marginal(solved, variable, edges)),
+              1e-6);
   }
   EXPECT_TRUE(contains(refusal({path("summary.json") + ":a,solution=mcs"}), "no solution 'mcs'"));
 }

@@ -222,7 +222,8 @@ class FilesOfAnyOscillator : public testing::Test {
     return path("joint.csv");
   }
   transform::Solution of(const std::string& argument, const Problem& problem) const {
-    return solved(external_methods(std::vector{argument}, builtin_registry()).front(), problem);
+    return solved(read_external_methods(std::vector{argument}, builtin_registry()).front(),
+                  problem);
   }
 
   tests::TemporaryDirectory directory_;
@@ -257,7 +258,7 @@ TEST_F(FilesOfAnyOscillator, OfBothMarginalsHaveAVirialResidual) {
     }
     out.close();
     const auto methods =
-        external_methods(std::vector{y + ":lab", path("v.csv") + ":lab"}, builtin_registry());
+        read_external_methods(std::vector{y + ":lab", path("v.csv") + ":lab"}, builtin_registry());
     const auto own = solved(methods.front(), problem);
     EXPECT_NEAR(transform::metric_number(own.metrics, "balances.virial").value(), 0, 2e-3);
   }
@@ -296,7 +297,7 @@ TEST_F(FilesOfAnyOscillator, OfARunReproduceItsDensities) {
     kept.density = cells;
     const results::Run run{results::current_program("fpkcheck run"),
                            {results::make_case_result(problem, axes, {kept})}};
-    std::ofstream(path("joint.nc"), std::ios::binary) << results::joint_netcdf(run);
+    std::ofstream(path("joint.nc"), std::ios::binary) << results::joint_netcdf_bytes(run);
     const auto own = of(path("joint.nc") + ",solution=fd-kf", problem);
     EXPECT_EQ(own.status, Status::ok) << own.reason;
     EXPECT_LT(distance_from_law(own, problem, StateVariable::y), 1e-3);

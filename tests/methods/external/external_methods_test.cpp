@@ -13,7 +13,7 @@
 #include "refusal.hpp"
 #include "report/findings.hpp"
 #include "report/report.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "results/saved_run.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
@@ -44,7 +44,7 @@ class ExternalMethods : public testing::Test {
 
   results::CaseResult case_with(const std::vector<std::string>& arguments) {
     std::vector<transform::Solution> all;
-    for (const auto& method : external_methods(arguments, builtin_registry())) {
+    for (const auto& method : read_external_methods(arguments, builtin_registry())) {
       all.push_back(solve_with_method(method, problem_, {axes_, {}}));
     }
     all.insert(all.end(), solutions_.begin(), solutions_.end());
@@ -52,7 +52,7 @@ class ExternalMethods : public testing::Test {
   }
 
   std::string refusal(const std::vector<std::string>& arguments) {
-    return tests::refusal([&] { external_methods(arguments, builtin_registry()); });
+    return tests::refusal([&] { read_external_methods(arguments, builtin_registry()); });
   }
 
   tests::TemporaryDirectory directory_;
@@ -73,9 +73,9 @@ TEST_F(ExternalMethods, AnExactFileHasNoDistanceFromItsSolution) {
   const auto &lab = one.solutions[0], &alone = one.solutions[1], &full = one.solutions[8];
   EXPECT_EQ(lab.id(), "lab");
   EXPECT_EQ(alone.id(), "alone");
-  EXPECT_LT(*one.l1("lab", "fd-kf", StateVariable::y), 1e-9);
-  EXPECT_LT(*one.l1("lab", "fd-kf", StateVariable::ydot), 1e-9);
-  EXPECT_GT(*one.l1("lab", "mcs", StateVariable::y), 1e-4);
+  EXPECT_LT(*one.l1_distance("lab", "fd-kf", StateVariable::y), 1e-9);
+  EXPECT_LT(*one.l1_distance("lab", "fd-kf", StateVariable::ydot), 1e-9);
+  EXPECT_GT(*one.l1_distance("lab", "mcs", StateVariable::y), 1e-4);
 
   EXPECT_EQ(lab.identity.method, "file");
   EXPECT_EQ(transform::equation_and_impact_text(lab.identity), "given/-");
@@ -94,7 +94,7 @@ TEST_F(ExternalMethods, AnExactFileHasNoDistanceFromItsSolution) {
 TEST_F(ExternalMethods, DifferencesAreComparedWithTheirErrors) {
   const auto sentence = [&](double standard_error) {
     const auto all =
-        report::findings(case_with({write("lab.csv", StateVariable::y, standard_error)}));
+        report::finding_sentences(case_with({write("lab.csv", StateVariable::y, standard_error)}));
     std::string own;
     for (const auto& text : all) {
       if (text.starts_with("lab differs")) own += text;
@@ -132,7 +132,7 @@ TEST_F(ExternalMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
                          0.05 * exact.density[k]);
     }
     out.close();
-    for (const auto& text : report::findings(case_with({file.string()}))) {
+    for (const auto& text : report::finding_sentences(case_with({file.string()}))) {
       if (contains(text, "dense differs from the full")) return text;
     }
     return std::string();
@@ -154,7 +154,7 @@ TEST_F(ExternalMethods, NoteMassBeyondTheAxes) {
   };
   const auto note = [&](const results::CaseResult& one) {
     std::string all;
-    for (const auto& text : report::findings(one)) {
+    for (const auto& text : report::finding_sentences(one)) {
       if (text.starts_with("Note on far.csv")) all += text;
     }
     return all;
@@ -200,20 +200,20 @@ TEST_F(ExternalMethods, AreReportedFromTheSavedRun) {
   fs::create_directory(saved);
   report::write_report(saved, run);
   const std::string again = report::rebuild_report(saved, results::load_run(saved), 80).text;
-  EXPECT_EQ(again, report::table(run, 80));
+  EXPECT_EQ(again, report::terminal_tables_text(run, 80));
   EXPECT_TRUE(contains(again, "given/-"));
   EXPECT_TRUE(contains(again, "given: an external density."));
-  EXPECT_FALSE(contains(report::table(tests::made_up_run(), 80), "given"));
+  EXPECT_FALSE(contains(report::terminal_tables_text(tests::made_up_run(), 80), "given"));
   std::istringstream lines(again);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
 }
 
 TEST_F(ExternalMethods, LabelsMustNotBeIdsOfMethods) {
   const std::string y = write("y.csv", StateVariable::y), v = write("v.csv", StateVariable::ydot);
-  EXPECT_EQ(external_methods(std::vector{y}, builtin_registry()).front().id(), "y");
+  EXPECT_EQ(read_external_methods(std::vector{y}, builtin_registry()).front().id(), "y");
   const std::string colon = write("a:b.csv", StateVariable::y);
-  EXPECT_EQ(external_methods(std::vector{colon}, builtin_registry()).front().id(), "a_b");
-  EXPECT_EQ(external_methods(std::vector{colon + ":c"}, builtin_registry()).front().id(), "c");
+  EXPECT_EQ(read_external_methods(std::vector{colon}, builtin_registry()).front().id(), "a_b");
+  EXPECT_EQ(read_external_methods(std::vector{colon + ":c"}, builtin_registry()).front().id(), "c");
   for (const char* label : {"", "a,b", "a b", "a/b", "much-too-long-for-a-table-of-80"}) {
     EXPECT_TRUE(contains(refusal({y + ":" + label}), "must be 1 to 24 letters")) << label;
   }

@@ -46,7 +46,7 @@ class JointTables : public testing::Test {
 
   double l1_of_y(const JointTable& table) const {
     const auto values = evaluate_at_quadrature_points(table, points_);
-    const auto averages = DensityIntegrals(points_, values).averages();
+    const auto averages = DensityIntegrals(points_, values).cell_averages();
     const auto found = transform::marginal(averages, StateVariable::y, axes_.y_edges);
     double sum = 0;
     for (std::size_t b = 0; b < found.size(); ++b) {
@@ -113,7 +113,7 @@ TEST_F(JointTables, OfCellsConserveTheirAverages) {
   const auto values = evaluate_at_quadrature_points(cells, points_);
   const DensityIntegrals integrals(points_, values);
   EXPECT_NEAR(integrals.mass(), transform::mass(cells), 1e-12);
-  const auto averages = integrals.averages();
+  const auto averages = integrals.cell_averages();
   std::size_t j0 = 0;
   while (averages.v_edges[j0] < cells.v_edges[0] - 1e-9) ++j0;
   for (const std::size_t i : {0, 7, 40}) {

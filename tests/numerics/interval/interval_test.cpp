@@ -136,11 +136,11 @@ TEST(Bernstein, PowersAndBackAndOfAnyHigherDegree) {
   call_with_upward_rounding([] {
     const BernsteinCoefficients b = bernstein_from_power_coefficients(kPowers);
     const BernsteinCoefficients back = power_coefficients_from_bernstein(b),
-                                higher = elevate_degree(b, 11);
+                                higher = elevate_bernstein_degree(b, 11);
     for (int k = 0; k < 4; ++k) expect_value(back[k], kPowers[k].lower());
     for (const double t : {0.0, 0.3, 0.77, 1.0}) {
-      expect_value(bernstein_value(b, Interval(t)), cubic(t));
-      expect_value(bernstein_value(higher, Interval(t)), cubic(t));
+      expect_value(evaluate_bernstein_polynomial(b, Interval(t)), cubic(t));
+      expect_value(evaluate_bernstein_polynomial(higher, Interval(t)), cubic(t));
     }
     return 0;
   });
@@ -152,8 +152,8 @@ TEST(Bernstein, ProductsAndDerivativesAreThoseOfThePolynomials) {
                                 line{Interval(2), Interval(-1)};  // 2 - 3t
     const BernsteinCoefficients p = bernstein_product(b, line), d = bernstein_derivative(b);
     for (const double t : {0.1, 0.5, 0.9}) {
-      expect_value(bernstein_value(p, Interval(t)), cubic(t) * (2 - 3 * t));
-      expect_value(bernstein_value(d, Interval(t)), -3 + 4 * t + 15 * t * t);
+      expect_value(evaluate_bernstein_polynomial(p, Interval(t)), cubic(t) * (2 - 3 * t));
+      expect_value(evaluate_bernstein_polynomial(d, Interval(t)), -3 + 4 * t + 15 * t * t);
     }
     return 0;
   });
@@ -164,7 +164,8 @@ TEST(Bernstein, APolynomialIsCarriedToASegment) {
     const BernsteinCoefficients b = bernstein_coefficients_on_segment(
         std::array{1.0, -3.0, 2.0, 5.0}, Interval(0.5), Interval(1), Interval(3));
     for (const double t : {0.0, 0.25, 1.0}) {
-      expect_value(bernstein_value(b, Interval(t)) / 100.0, cubic(1 + 2 * t - 0.5) / 100);
+      expect_value(evaluate_bernstein_polynomial(b, Interval(t)) / 100.0,
+                   cubic(1 + 2 * t - 0.5) / 100);
     }
     return 0;
   });

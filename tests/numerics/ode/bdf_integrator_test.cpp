@@ -31,7 +31,7 @@ OdeSystem stiff_linear_system() {
 // The solution from (1, 2) is x_1 = e^-t, x_2 = e^-t + e^(-1000 t).
 double error_at_one(double tolerance, long* steps = nullptr) {
   BdfIntegrator integrator(stiff_linear_system(), Vector2d(1, 2), {tolerance, tolerance});
-  EXPECT_TRUE(integrator.advance(1)) << integrator.error_message();
+  EXPECT_TRUE(integrator.advance_to_time(1)) << integrator.error_message();
   if (steps != nullptr) *steps = integrator.step_count();
   return (integrator.state() - Vector2d(std::exp(-1), std::exp(-1))).cwiseAbs().maxCoeff();
 }
@@ -60,9 +60,9 @@ OdeSystem falling_system() {
 
 TEST(BdfIntegrator, StopsWhereTheSolutionLeavesTheDomain) {
   BdfIntegrator integrator(falling_system(), VectorXd::Ones(1), {1e-8, 1e-8});
-  ASSERT_TRUE(integrator.advance(0.99)) << integrator.error_message();
+  ASSERT_TRUE(integrator.advance_to_time(0.99)) << integrator.error_message();
   EXPECT_NEAR(integrator.state()[0], 1 - 0.99 * 0.99, 1e-6);
-  EXPECT_FALSE(integrator.advance(1.1));
+  EXPECT_FALSE(integrator.advance_to_time(1.1));
 }
 
 // A pulse of the length 0.1 at t = 50 after a long rest
@@ -78,7 +78,7 @@ double integral_over_pulse(std::optional<double> max_step) {
                               return true;
                             }};
   BdfIntegrator integrator(pulse, VectorXd::Zero(1), {1e-6, 1e-6, max_step});
-  EXPECT_TRUE(integrator.advance(100)) << integrator.error_message();
+  EXPECT_TRUE(integrator.advance_to_time(100)) << integrator.error_message();
   return integrator.state()[0];
 }
 
@@ -93,7 +93,7 @@ TEST(BdfIntegrator, RethrowsExceptionsOfTheSystem) {
     throw std::domain_error("rate");
   };
   BdfIntegrator integrator(std::move(system), VectorXd::Ones(1), {1e-8, 1e-8});
-  EXPECT_THROW(integrator.advance(0.1), std::domain_error);
+  EXPECT_THROW(integrator.advance_to_time(0.1), std::domain_error);
 }
 
 }  // namespace

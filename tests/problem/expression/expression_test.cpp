@@ -23,7 +23,7 @@ int refused_column(const std::string& text) {
 }
 
 TEST(Expression, InBatchesHasTheSameValuesUpToRounding) {
-  for (const Function& f : kFunctions) {
+  for (const NamedFunction& f : kFunctions) {
     const std::string name(f.name);
     const Expression e = parse(name + (f.arguments == 1 ? "(3*y)" : "(3*y, v)") + " - v/k");
     const double ys[] = {0.3, -1.2, 1e-9, 0.019, 0.021, 0, -40, 300},
@@ -58,7 +58,7 @@ TEST(Expression, InBatchesHasTheSameValuesUpToRounding) {
 TEST(Expression, InBatchesHasTheSameSlopes) {
   std::vector<std::string> texts{"y^1.5*v", "(y+v)^-2.5",    "v^-3",           "2^v",
                                  "v^y",     "max(-v,0)^1.5", "v*max(v,0)^0.5", "(v/y)/(1+v*v)"};
-  for (const Function& f : kFunctions) {
+  for (const NamedFunction& f : kFunctions) {
     const std::string name(f.name);
     texts.push_back(name + (f.arguments == 1 ? "(3*v*y)" : "(3*v*y, v - y)") + " - v/k");
     texts.push_back(name + (f.arguments == 1 ? "(y)" : "(y, 2)") + "*v");
@@ -135,7 +135,7 @@ TEST(Expression, LimitsLengthNestingAndOperations) {
 // Every function of the grammar: slopes against differences, parity against values.
 TEST(Expression, FunctionsHaveTheirSlopesAndParity) {
   constexpr double kStep = 1e-5;
-  for (const Function& f : kFunctions) {
+  for (const NamedFunction& f : kFunctions) {
     for (const double a : {0.3, 0.8}) {
       const double b = 0.5;
       const double in_first = (f.value(a + kStep, b) - f.value(a - kStep, b)) / (2 * kStep);
@@ -238,7 +238,7 @@ double seconds(const auto& work) {
 // for kinks and coefficients whose time is linear in the number of operations.
 TEST(Expression, TakesAtMostAMicrosecondPerOperation) {
   std::vector<std::string> terms{"(y+v)^64", "y^(v+.3)", "y/(v+7)"};
-  for (const Function& f : kFunctions) {
+  for (const NamedFunction& f : kFunctions) {
     terms.push_back(std::string(f.name) + (f.arguments == 1 ? "(1e9*y)" : "(1e9*y, v)"));
   }
   for (const std::string& term : terms) {

@@ -5,7 +5,7 @@
 #include "../external_family.hpp"
 #include "../page/made_up_page.hpp"
 #include "report/figure/pictures.hpp"
-#include "report/page/plot.hpp"
+#include "report/page/page_plots.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::report {
@@ -17,12 +17,14 @@ using tests::trace_of;
 using tests::whole_case;
 using Names = std::vector<std::string>;
 
-std::vector<Plot> order_plots(const results::CaseResult& case_result, const std::string& prefix) {
-  return figure_plots(convergence_figure(case_result), prefix);
+std::vector<PagePlot> order_plots(const results::CaseResult& case_result,
+                                  const std::string& prefix) {
+  return make_page_plots(convergence_figure(case_result), prefix);
 }
 
-std::vector<Plot> cost_plots(const results::CaseResult& case_result, const std::string& prefix) {
-  return figure_plots(cost_figure(case_result), prefix);
+std::vector<PagePlot> cost_plots(const results::CaseResult& case_result,
+                                 const std::string& prefix) {
+  return make_page_plots(computing_time_figure(case_result), prefix);
 }
 
 std::vector<std::string> names_in(const FigurePanel& panel) {
@@ -57,7 +59,7 @@ TEST(ConvergenceFigure, HasOneSeriesForEachFamilyByOrder) {
 
 TEST(ConvergenceFigure, HasTheSameSeriesInAScript) {
   const auto case_result = tests::case_with_external_family({6, 2});
-  const std::string script = figure_script(convergence_figure(case_result), "case1-order");
+  const std::string script = make_gnuplot_script(convergence_figure(case_result), "case1-order");
   for (const char* text :
        {"title 'chi'", "title 'epc-gaussian'", "$data0 << EOD\n2 ", "$data7 << EOD"}) {
     EXPECT_TRUE(tests::contains(script, text)) << text;
@@ -69,14 +71,14 @@ TEST(ConvergencePicture, ExistsForAFamilyOfTwoOrders) {
   const tests::TemporaryDirectory directory;
   results::Run run{results::current_program(""), {tests::case_with_external_family({2, 4, 6})}};
   const FigureOptions svg{.formats = {FigureFormat::svg}};
-  const auto warnings = draw_pictures(directory.path(), run, svg);
+  const auto warnings = draw_pictures_of_cases(directory.path(), run, svg);
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const auto picture = directory.path() / "figures" / "case1-order.svg";
   for (const char* text : {"(a) displacement", ">chi<", "open: not ok"}) {
     EXPECT_TRUE(tests::contains(tests::contents(picture), text)) << text;
   }
   for (auto& solution : run.cases[0].solutions) solution.identity.order.reset();
-  draw_pictures(directory.path(), run, svg);
+  draw_pictures_of_cases(directory.path(), run, svg);
   EXPECT_FALSE(std::filesystem::exists(picture));
 }
 
@@ -92,7 +94,7 @@ TEST(OrderPlots, HaveACurveForEachFamilyOfClosures) {
   EXPECT_EQ(tests::figure_of(plots[1]).at("layout").at("yaxis").at("title").at("text"),
             "<i>L</i><sub>1</sub> distance of <i>p</i>(<i>y</i>\u2032) to fd-kf");
   EXPECT_EQ(curve.at("y")[2],
-            *case_result.l1("epc-gaussian-n6", "fd-kf", transform::StateVariable::y));
+            *case_result.l1_distance("epc-gaussian-n6", "fd-kf", transform::StateVariable::y));
   EXPECT_EQ(curve.at("marker").at("symbol"), Json({"circle", "circle-open", "circle"}));
   EXPECT_EQ(curve.at("customdata")[1], "epc-gaussian-n4 (inadmissible)");
   EXPECT_EQ(trace_of(plots[1], "error estimate of fd-kf").at("y")[0], 3e-5);
@@ -115,12 +117,13 @@ TEST(OrderPlots, HaveExternalDensitiesAtOrdersOrAsLines) {
   EXPECT_EQ(names_in(plots[0]), (Names{"epc-gaussian", "fd-white", "fd-km4",
                                        "distance of mcs to fd-kf", "error estimate of fd-kf"}));
   const Json level = trace_of(plots[0], "fd-white"), mark = trace_of(plots[0], "fd-km4");
-  const double l1 = *case_result.l1("fd-white", "fd-kf", transform::StateVariable::y);
+  const double l1 = *case_result.l1_distance("fd-white", "fd-kf", transform::StateVariable::y);
   EXPECT_EQ(level.at("y"), Json({l1, l1}));
   EXPECT_EQ(level.at("x"), Json({1.5, 8.5}));
   EXPECT_EQ(level.at("mode"), "lines");
   EXPECT_EQ(mark.at("x"), Json({8}));
-  EXPECT_EQ(mark.at("y"), Json({*case_result.l1("fd-km4", "fd-kf", transform::StateVariable::y)}));
+  EXPECT_EQ(mark.at("y"),
+            Json({*case_result.l1_distance("fd-km4", "fd-kf", transform::StateVariable::y)}));
   EXPECT_EQ(mark.at("mode"), "markers");
 }
 

@@ -27,8 +27,8 @@ TEST(CurveSelection, IsTheReferenceOtherSolutionsTheClosestClosuresAndNoMoreThan
     }
     case_result.solutions.insert(case_result.solutions.begin(), more);
   }
-  const auto ids = select_curves(case_result);
-  EXPECT_EQ(ids.size(), kMaxCurves);
+  const auto ids = select_solutions_to_draw(case_result);
+  EXPECT_EQ(ids.size(), kMaxDefaultCurves);
   for (const char* id : {"mcs", "fd-kf", "epc-gaussian-n2", "fd-km4"}) {
     EXPECT_TRUE(ids.contains(id)) << id;
   }
@@ -37,25 +37,26 @@ TEST(CurveSelection, IsTheReferenceOtherSolutionsTheClosestClosuresAndNoMoreThan
 TEST(CurveSelection, AlwaysContainsExternalDensities) {
   auto case_result = made_up_case();
   for (auto& solution : case_result.solutions) solution.identity.method = transform::kExternalFile;
-  EXPECT_EQ(select_curves(case_result).size(), select_curves(case_result, {"all"}).size());
+  EXPECT_EQ(select_solutions_to_draw(case_result).size(),
+            select_solutions_to_draw(case_result, {"all"}).size());
 }
 
 TEST(CurveSelection, SelectsByIdFamilyOrSolver) {
   const auto case_result = made_up_case();
-  EXPECT_EQ(select_curves(case_result, {"mcs"}), Ids{"mcs"});
-  const auto closures = select_curves(case_result, {"epc"});
+  EXPECT_EQ(select_solutions_to_draw(case_result, {"mcs"}), Ids{"mcs"});
+  const auto closures = select_solutions_to_draw(case_result, {"epc"});
   EXPECT_TRUE(closures.contains("epc-gaussian-n2") && closures.contains("epc-gaussian-n4"));
-  EXPECT_EQ(select_curves(case_result, {"epc-gaussian"}), closures);
+  EXPECT_EQ(select_solutions_to_draw(case_result, {"epc-gaussian"}), closures);
   EXPECT_FALSE(closures.contains("mcs"));
-  EXPECT_TRUE(select_curves(case_result, {"nothing"}).empty());
+  EXPECT_TRUE(select_solutions_to_draw(case_result, {"nothing"}).empty());
 }
 
 TEST(CurveSelection, RejectsAnUnknownName) {
   std::vector<transform::SolutionIdentity> available;
   for (const auto& solution : made_up_case().solutions) available.push_back(solution.identity);
-  EXPECT_NO_THROW(require_available_curves({"all", "mcs", "epc", "epc-gaussian"}, available));
+  EXPECT_NO_THROW(require_requested_curves_exist({"all", "mcs", "epc", "epc-gaussian"}, available));
   try {
-    require_available_curves({"mcs", "fd-kv"}, available);
+    require_requested_curves_exist({"mcs", "fd-kv"}, available);
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("--curves: 'fd-kv' matches no solution"))

@@ -20,7 +20,7 @@ using tests::solution_of;
 using Texts = std::vector<std::string>;
 
 Figure figure_of(const results::CaseResult& case_result, FigureWidth width = FigureWidth::screen) {
-  return density_figure(case_result.problem, figure_content(case_result), width);
+  return density_figure(case_result.problem, density_content_for_picture(case_result), width);
 }
 
 Texts titles(const Figure& figure) {
@@ -47,7 +47,7 @@ TEST(DensityFigure, HasTheLetteredPanelsOfThePaperWithEveryCurve) {
     EXPECT_EQ(panel.y.is_logarithmic, k % 3 == 1);
     for (const auto& solution : case_result.solutions) {
       const bool is_drawn =
-          case_result.curve(solution.id(), transform::StateVariable::y) != nullptr;
+          case_result.marginal_curve(solution.id(), transform::StateVariable::y) != nullptr;
       EXPECT_EQ(series_of(panel, solution.id()) != nullptr, is_drawn) << solution.id();
     }
     EXPECT_NE(series_of(panel, "epc-gaussian-n4 (inadmissible)"), nullptr);
@@ -83,7 +83,7 @@ TEST(DensityFigure, HasALegendEntryForEachStyle) {
     solution_of(*case_result, "epc-gaussian-n2").identity.plot_style.symbol = "square";
     for (const auto width :
          {FigureWidth::screen, FigureWidth::two_columns, FigureWidth::one_column}) {
-      const auto script = figure_script(figure_of(*case_result, width), "stem", width);
+      const auto script = make_gnuplot_script(figure_of(*case_result, width), "stem", width);
       EXPECT_GT(tests::plot_elements(script).size(), 20u);
       EXPECT_EQ(tests::elements_without_entry(script), Texts());
     }
@@ -93,7 +93,8 @@ TEST(DensityFigure, HasALegendEntryForEachStyle) {
 TEST(DensityFigure, IsAPlotOfThePageForEachMarginal) {
   const auto case_result = tests::whole_case();
   const std::set<std::string> visible{"epc-gaussian-n6", "fd-kf", "mcs"};
-  const auto figure = density_figure(case_result.problem, page_content(case_result, visible));
+  const auto figure =
+      density_figure(case_result.problem, density_content_for_page(case_result, visible));
   ASSERT_EQ(figure.panels.size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
     const auto& panel = figure.panels[k];
@@ -126,7 +127,8 @@ TEST(DensityFigure, HasNoDifferenceOnOtherBins) {
 TEST(DensityFigure, BeginsTheLogarithmBelowTheData) {
   auto case_result = tests::whole_case();
   const auto bottom = [&](std::size_t panel) {
-    return density_figure(case_result.problem, page_content(case_result, {"fd-kf", "mcs"}))
+    return density_figure(case_result.problem,
+                          density_content_for_page(case_result, {"fd-kf", "mcs"}))
         .panels[panel]
         .y.from;
   };
@@ -169,7 +171,7 @@ TEST(DensityFigure, RunsNoCommandOfAnIdOrAStyle) {
   auto& plot_style = solution_of(case_result, "fd-kf").identity.plot_style;
   plot_style.colour = "x'; system('rm')\n#";
   plot_style.dash = "solid; system('rm')";
-  const std::string script = figure_script(figure_of(case_result), "stem");
+  const std::string script = make_gnuplot_script(figure_of(case_result), "stem");
   EXPECT_TRUE(contains(script, "difference from x system ''touch PWNED'' #"));
   EXPECT_TRUE(contains(script, "linecolor rgb 'x''; system(''rm'') #' dashtype solid"));
   EXPECT_FALSE(contains(script, "\nsystem"));

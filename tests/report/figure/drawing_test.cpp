@@ -32,7 +32,7 @@ class Drawing : public testing::Test {
 
 TEST_F(Drawing, LeavesBothPicturesAndTheirScript) {
   const auto warnings =
-      write_pictures(figures_, "stem", "plot x\n", kBoth, gnuplot("echo $3 > \"$target\""));
+      write_script_and_draw(figures_, "stem", "plot x\n", kBoth, gnuplot("echo $3 > \"$target\""));
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(contents(figures_ / "stem.gp"), "plot x\n");
   EXPECT_TRUE(contains(contents(figures_ / "stem.png"), "format='png'"));
@@ -48,10 +48,10 @@ TEST_F(Drawing, LeavesBothPicturesAndTheirScript) {
 TEST_F(Drawing, OfLatexIncludesGraphicsByFileName) {
   fs::create_directories(figures_);
   std::ofstream(figures_ / "stem.pdf") << "the picture in another format";
-  const auto warnings =
-      write_pictures(figures_, "stem", "plot x\n", {.formats = {FigureFormat::tex}},
-                     gnuplot("echo \"includegraphics{${target%.tex}}\" > \"$target\"; echo art > "
-                             "\"${target%.tex}.pdf\""));
+  const auto warnings = write_script_and_draw(
+      figures_, "stem", "plot x\n", {.formats = {FigureFormat::tex}},
+      gnuplot("echo \"includegraphics{${target%.tex}}\" > \"$target\"; echo art > "
+              "\"${target%.tex}.pdf\""));
   EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(contents(figures_ / "stem.tex"), "includegraphics{stem-tex.pdf}\n");
   EXPECT_EQ(contents(figures_ / "stem-tex.pdf"), "art\n");
@@ -62,9 +62,9 @@ TEST_F(Drawing, OfLatexIncludesGraphicsByFileName) {
 
 TEST_F(Drawing, OfAnSvgForPrintStatesItsWidth) {
   const FigureOptions column{.formats = {FigureFormat::svg}, .width = FigureWidth::one_column};
-  write_pictures(figures_, "stem", "plot x\n", column,
-                 gnuplot("printf '<svg\\n width=\"400\" height=\"200\"\\n viewBox=\"0\">' > "
-                         "\"$target\""));
+  write_script_and_draw(figures_, "stem", "plot x\n", column,
+                        gnuplot("printf '<svg\\n width=\"400\" height=\"200\"\\n viewBox=\"0\">' > "
+                                "\"$target\""));
   EXPECT_EQ(contents(figures_ / "stem.svg"),
             "<svg\n width=\"85mm\" height=\"42.50mm\"\n viewBox=\"0\">");
 }
@@ -72,7 +72,7 @@ TEST_F(Drawing, OfAnSvgForPrintStatesItsWidth) {
 TEST_F(Drawing, ThatFailsIsAWarningForEachPictureAndLeavesTheEarlierOne) {
   fs::create_directories(figures_);
   std::ofstream(figures_ / "stem.png") << "earlier";
-  const auto warnings = write_pictures(
+  const auto warnings = write_script_and_draw(
       figures_, "stem", "plot x\n", kBoth,
       gnuplot("echo half > \"$target\"\necho 'line 7: undefined function' >&2\nexit 3\n"));
   ASSERT_EQ(warnings.size(), 2u);
@@ -86,7 +86,8 @@ TEST_F(Drawing, ThatFailsIsAWarningForEachPictureAndLeavesTheEarlierOne) {
 }
 
 TEST_F(Drawing, WithoutGnuplotIsOneWarningWithACommand) {
-  const auto warnings = write_pictures(figures_, "stem", "plot x\n", kBoth, "no-such-gnuplot");
+  const auto warnings =
+      write_script_and_draw(figures_, "stem", "plot x\n", kBoth, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings[0], "'no-such-gnuplot' was not found")) << warnings[0];
   EXPECT_TRUE(contains(warnings[0], "&& gnuplot stem.gp`")) << warnings[0];

@@ -95,7 +95,8 @@ TEST(ErrorSourceFigure, HasNoPanelsWithoutSourcesOrOnDifferentCells) {
 // A summary from an untrusted source must not inject commands.
 TEST(ErrorSourceFigure, RunsNoCommandOfAnId) {
   const std::string id = "x`touch PWNED`\"_'";
-  const auto script = figure_script(error_source_figure(tests::case_with_sources(id)), "stem");
+  const auto script =
+      make_gnuplot_script(error_source_figure(tests::case_with_sources(id)), "stem");
   EXPECT_TRUE(tests::contains(
       script, "set title say('(b) E[{/:Italic y}²] of x`touch PWNED`\"\\_\'\': +1.0 × 10^{−6}', "))
       << script.substr(0, 400);
@@ -104,9 +105,9 @@ TEST(ErrorSourceFigure, RunsNoCommandOfAnId) {
 TEST(ErrorSourceFigure, IsDrawn) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "no gnuplot";
   const tests::TemporaryDirectory directory;
-  const auto warnings = write_pictures(
+  const auto warnings = write_script_and_draw(
       directory.path(), "stem",
-      figure_script(error_source_figure(tests::case_with_sources()), "stem"), {}, "gnuplot");
+      make_gnuplot_script(error_source_figure(tests::case_with_sources()), "stem"), {}, "gnuplot");
   EXPECT_TRUE(warnings.empty()) << warnings.front();
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "stem.png"));
 }

@@ -58,7 +58,7 @@ Figure whole_figure() {
 
 TEST(FigureScript, HasALegendEntryForEveryElement) {
   for (const auto width : {FigureWidth::screen, FigureWidth::one_column}) {
-    const auto script = figure_script(whole_figure(), "stem", width);
+    const auto script = make_gnuplot_script(whole_figure(), "stem", width);
     EXPECT_EQ(tests::elements_without_entry(script), std::vector<std::string>());
     EXPECT_TRUE(contains(script, "'open: not ok'"));
     EXPECT_FALSE(contains(script, "nothing"));  // a series without points
@@ -66,7 +66,7 @@ TEST(FigureScript, HasALegendEntryForEveryElement) {
 }
 
 TEST(FigureScript, HasGapsAndSharesDataOfEqualSeries) {
-  const auto script = figure_script(whole_figure(), "stem");
+  const auto script = make_gnuplot_script(whole_figure(), "stem");
   EXPECT_TRUE(contains(script, "$data0 << EOD\n1 0.1 0\n2 NaN 0\n3 NaN 0\nEOD\n")) << script;
   EXPECT_TRUE(contains(script, "0.5 0.5 3\n1.5 0.5 NaN\n\nEOD\n")) << script;
   const auto plots = tests::plot_elements(script);
@@ -76,7 +76,7 @@ TEST(FigureScript, HasGapsAndSharesDataOfEqualSeries) {
 }
 
 TEST(FigureScript, DrawsBarsWithIntervalsAndPalerBarsThatAreOpen) {
-  const auto script = figure_script(whole_figure(), "stem");
+  const auto script = make_gnuplot_script(whole_figure(), "stem");
   EXPECT_TRUE(contains(script, "<< EOD\n1 0.2 0 0.5 0.1 0.3\n2 0.3 1 0.5 0.3 0.3\nEOD\n"))
       << script;
   EXPECT_TRUE(contains(script, "pattern 4 border rgb '#E69F00' linecolor rgb '#E69F00'"));
@@ -86,7 +86,7 @@ TEST(FigureScript, DrawsBarsWithIntervalsAndPalerBarsThatAreOpen) {
 }
 
 TEST(FigureScript, LetsTheLastPanelFillItsRow) {
-  const auto script = figure_script(whole_figure(), "stem");
+  const auto script = make_gnuplot_script(whole_figure(), "stem");
   const auto last = script.find("set title '(c) map'");
   ASSERT_NE(last, std::string::npos);
   const std::string right_margin = tests::first_match(script.substr(script.find("'(b) second'")),
@@ -98,8 +98,8 @@ TEST(FigureScript, LetsTheLastPanelFillItsRow) {
 TEST(FigureScript, IsDrawnInEveryFormat) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto warnings = write_pictures(
-      directory.path(), "stem", figure_script(whole_figure(), "stem"),
+  const auto warnings = write_script_and_draw(
+      directory.path(), "stem", make_gnuplot_script(whole_figure(), "stem"),
       {.formats = {FigureFormat::svg, FigureFormat::png, FigureFormat::pdf, FigureFormat::tex}},
       "gnuplot");
   ASSERT_TRUE(warnings.empty()) << warnings.front();

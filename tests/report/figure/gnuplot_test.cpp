@@ -18,9 +18,9 @@ using tests::contents;
 using tests::gnuplot_exists;
 
 TEST(GnuplotString, QuotesAndEscapes) {
-  EXPECT_EQ(gnuplot_string("it's"), "'it''s'");
+  EXPECT_EQ(quote_for_gnuplot("it's"), "'it''s'");
   // A string ends with its line: gnuplot would run the next line as a command.
-  EXPECT_EQ(gnuplot_string("x'\nsystem(\"rm\")\r#\x1b"), "'x'' system(\"rm\") # '");
+  EXPECT_EQ(quote_for_gnuplot("x'\nsystem(\"rm\")\r#\x1b"), "'x'' system(\"rm\") # '");
   EXPECT_EQ(escape_enhanced_text("a_b^{c}"), "a\\_b\\^\\{c\\}");
 }
 
@@ -86,7 +86,8 @@ TEST_F(Gnuplot, RefusesAFormatThatAScriptDoesNotDraw) {
   const auto drawn_as = [&](const std::string& format) {
     return run_gnuplot(
         "gnuplot",
-        {"format=" + gnuplot_string(format), "target=" + gnuplot_string(target.string())}, script);
+        {"format=" + quote_for_gnuplot(format), "target=" + quote_for_gnuplot(target.string())},
+        script);
   };
   const auto refused = drawn_as("gif");
   EXPECT_NE(refused.exit_code, 0);

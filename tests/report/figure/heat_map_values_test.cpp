@@ -12,22 +12,22 @@ namespace {
 const transform::GridDensity kDensity{
     {0, 1, 2}, {-2, -1, 0, 1, 2}, {0.001, 10, 4, 0.5, 0, 0.2, 0.3, 0.001}};
 
-TEST(CellWindow, HoldsAllThatExceedsThePart) {
-  const auto wide = cells_above_fraction(kDensity, 0.01);
+TEST(CellIndexWindow, HoldsAllThatExceedsThePart) {
+  const auto wide = cells_above_peak_fraction(kDensity, 0.01);
   EXPECT_EQ(wide.y_end, 2u);
   EXPECT_EQ(wide.v_begin, 1u);
   EXPECT_EQ(wide.v_end, 4u);
-  const auto narrow = cells_above_fraction(kDensity, 0.1);
+  const auto narrow = cells_above_peak_fraction(kDensity, 0.1);
   EXPECT_EQ(narrow.y_end, 1u);
   EXPECT_EQ(narrow.v_begin, 1u);
   EXPECT_EQ(narrow.v_end, 3u);
 }
 
-TEST(CellWindow, RowsAreOfConstantVelocity) {
+TEST(CellIndexWindow, RowsAreOfConstantVelocity) {
   EXPECT_EQ(rows_of_constant_velocity(kDensity, {2, 1, 3}), (std::vector<double>{10, 0.2, 4, 0.3}));
 }
 
-TEST(SignedRoots, ComeBackWithTheirSign) {
+TEST(QuantisedSignedRoots, ComeBackWithTheirSign) {
   const std::vector<double> values{-2, 2, 0, 0.5, -1e-4, 1e-6};
   constexpr int kMany = 4096;
   const auto packed = quantise_signed_roots(values, kMany);
@@ -41,11 +41,11 @@ TEST(SignedRoots, ComeBackWithTheirSign) {
   }
 }
 
-TEST(SignedRoots, OfNothingAreNothing) {
+TEST(QuantisedSignedRoots, OfNothingAreNothing) {
   EXPECT_EQ(quantise_signed_roots(std::vector<double>{0, 0}, 127).roots, (std::vector<int>{0, 0}));
 }
 
-TEST(SignedRoots, AreTheSumsOfTheirSteps) {
+TEST(QuantisedSignedRoots, AreTheSumsOfTheirSteps) {
   EXPECT_EQ(successive_differences(std::vector{5, 7, -1}), (std::vector{5, 2, -8}));
   EXPECT_TRUE(successive_differences({}).empty());
 }

@@ -18,7 +18,8 @@ using tests::contains;
 TEST(WallFrame, TitlesAFigureWithTheNameAndTheParameters) {
   auto problem = tests::paper_case(1);
   problem.name = "it's a_b";
-  const auto title = figure_title(problem_title(problem), {.width = 1500, .height = 900});
+  const auto title =
+      make_figure_title(problem_title_parts(problem), {.width = 1500, .height = 900});
   EXPECT_TRUE(title.command.starts_with(
       "set multiplot title say('it''s a\\_b: c = 0.1, k = 1, μ = 0.1, r = 0.98;"))
       << title.command;
@@ -26,9 +27,10 @@ TEST(WallFrame, TitlesAFigureWithTheNameAndTheParameters) {
 
 TEST(WallFrame, BreaksATitleThatIsLongerThanTheFigureIsWide) {
   const auto problem = tests::paper_case(1);
-  const auto wide = figure_title(problem_title(problem), {.width = 1500, .height = 900});
-  const auto narrow = figure_title(
-      problem_title(problem), {.width = 471, .height = 900, .medium = FigureWidth::one_column});
+  const auto wide = make_figure_title(problem_title_parts(problem), {.width = 1500, .height = 900});
+  const auto narrow =
+      make_figure_title(problem_title_parts(problem),
+                        {.width = 471, .height = 900, .medium = FigureWidth::one_column});
   EXPECT_EQ(wide.command.find("\"\\n\""), std::string::npos) << wide.command;
   EXPECT_NE(narrow.command.find(";').\"\\n\".say('gaussian impulses"), std::string::npos)
       << narrow.command;
@@ -47,8 +49,8 @@ TEST(WallFrame, DrawsMinusSignsNotHyphens) {
   const tests::TemporaryDirectory directory;
   const std::string script = gnuplot_output_commands("stem", {.width = 400, .height = 300}) +
                              "unset key\nplot [-2:2] [-2:2] x\n";
-  const auto warnings =
-      write_pictures(directory.path(), "stem", script, {.formats = {FigureFormat::svg}}, "gnuplot");
+  const auto warnings = write_script_and_draw(directory.path(), "stem", script,
+                                              {.formats = {FigureFormat::svg}}, "gnuplot");
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const std::string svg = tests::contents(directory.path() / "stem.svg");
   EXPECT_TRUE(tests::contains(svg, ">−2</tspan>"));
@@ -58,9 +60,9 @@ TEST(WallFrame, DrawsMinusSignsNotHyphens) {
 // 85 mm are 241 points, or 1004 pixels at 300 dots per inch; letters have 7.5 points.
 TEST(WallFrame, DrawsForPrintInItsSize) {
   constexpr auto kColumn = FigureWidth::one_column;
-  EXPECT_EQ(figure_width(kColumn, 1500), 471);
-  EXPECT_EQ(figure_width(FigureWidth::two_columns, 1500), 942);
-  EXPECT_EQ(figure_width(FigureWidth::screen, 1500), 1500);
+  EXPECT_EQ(layout_width_in_pixels(kColumn, 1500), 471);
+  EXPECT_EQ(layout_width_in_pixels(FigureWidth::two_columns, 1500), 942);
+  EXPECT_EQ(layout_width_in_pixels(FigureWidth::screen, 1500), 1500);
   const std::string text =
       gnuplot_output_commands("stem", {.width = 471, .height = 200, .medium = kColumn});
   EXPECT_NE(text.find("pngcairo size 1004,426 "), std::string::npos) << text;
@@ -91,7 +93,7 @@ std::size_t shown(const Legend& legend, const fs::path& directory) {
   std::ofstream(script) << gnuplot_output_commands("stem", size) << "set multiplot\n"
                         << legend_strip_commands(legend, size) << "unset multiplot\nunset output\n";
   const auto outcome =
-      run_gnuplot("gnuplot", {"format='svg'", "target=" + gnuplot_string(svg.string())}, script);
+      run_gnuplot("gnuplot", {"format='svg'", "target=" + quote_for_gnuplot(svg.string())}, script);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.message;
   const std::string text = tests::contents(svg);
   return count(text, "<text>");

@@ -31,7 +31,8 @@ const FigureOptions kAllOfBoth{.formats = kBothFormats.formats, .curves = {"all"
 TEST(Pictures, AreAPngAndAnSvg) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto warnings = draw_pictures(directory.path(), made_up_run("it's a_{case}"), kBothFormats);
+  const auto warnings =
+      draw_pictures_of_cases(directory.path(), made_up_run("it's a_{case}"), kBothFormats);
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const std::string png = contents(directory.path() / "figures" / "it_s_a__case_.png");
   const std::string svg = contents(directory.path() / "figures" / "it_s_a__case_.svg");
@@ -68,9 +69,9 @@ TEST_P(PictureLegend, HasAnEntryForEveryCurveThatIsDrawn) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
   const auto case_result = with_closures(GetParam());
-  ASSERT_TRUE(
-      draw_pictures(directory.path(), {results::current_program(""), {case_result}}, kAllOfBoth)
-          .empty());
+  ASSERT_TRUE(draw_pictures_of_cases(directory.path(),
+                                     {results::current_program(""), {case_result}}, kAllOfBoth)
+                  .empty());
   const std::string svg = contents(directory.path() / "figures" / "case1.svg");
   for (const auto& solution : case_result.solutions) {
     std::string label = solution.id();
@@ -78,7 +79,8 @@ TEST_P(PictureLegend, HasAnEntryForEveryCurveThatIsDrawn) {
     if (solution.identity.plot_style.as_points) label += ", with 95 % intervals";
     // The SVG contains hidden titles as comments.
     const bool shown = contains(svg, " >" + label + "</tspan></text>");
-    EXPECT_EQ(shown, case_result.curve(solution.id(), transform::StateVariable::y) != nullptr)
+    EXPECT_EQ(shown,
+              case_result.marginal_curve(solution.id(), transform::StateVariable::y) != nullptr)
         << label;
   }
 }
@@ -88,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Pictures, PictureLegend, testing::Values(0, 5, 18));
 TEST(Pictures, TheScriptDrawsTheSameAgainByHand) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  draw_pictures(directory.path(), made_up_run(), kBothFormats);
+  draw_pictures_of_cases(directory.path(), made_up_run(), kBothFormats);
   const fs::path figures = directory.path() / "figures";
   const std::string first = contents(figures / "case1.svg");
   fs::remove(figures / "case1.svg");
@@ -102,7 +104,7 @@ TEST(Pictures, OfTheErrorBudgetNameEveryPart) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
   auto run = made_up_run();
-  ASSERT_TRUE(draw_pictures(directory.path(), run, kBothFormats).empty());
+  ASSERT_TRUE(draw_pictures_of_cases(directory.path(), run, kBothFormats).empty());
   const fs::path figures = directory.path() / "figures";
   EXPECT_TRUE(contents(figures / "case1-budget.png").starts_with("\x89PNG\r\n\x1a\n"));
   const std::string svg = contents(figures / "case1-budget.svg");
@@ -111,7 +113,7 @@ TEST(Pictures, OfTheErrorBudgetNameEveryPart) {
     EXPECT_TRUE(contains(svg, text)) << text;
   }
   run.cases[0].budget.clear();
-  draw_pictures(directory.path(), run);
+  draw_pictures_of_cases(directory.path(), run);
   EXPECT_FALSE(fs::exists(figures / "case1-budget.png"));  // from the earlier run
   EXPECT_TRUE(fs::exists(figures / "case1.png"));
 }
@@ -133,7 +135,7 @@ TEST(Pictures, RunNoCommandOfADirectoryName) {
   const WorkingIn working(directory.path());
   for (const std::string name : {"<touch PWNED;#", "|touch PWNED;#", "it's; system 'touch PWNED'",
                                  "`touch PWNED`", "$(touch PWNED)"}) {
-    const auto warnings = draw_pictures(name, made_up_run(), kSvg);
+    const auto warnings = draw_pictures_of_cases(name, made_up_run(), kSvg);
     EXPECT_TRUE(warnings.empty()) << warnings.front();
     EXPECT_TRUE(fs::exists(fs::path(name) / "figures" / "case1.svg")) << name;
   }
@@ -144,7 +146,8 @@ TEST(Pictures, RunNoCommandOfADirectoryName) {
 
 TEST(Pictures, WithoutGnuplotAreOneWarningAndLeaveTheScripts) {
   const tests::TemporaryDirectory directory;
-  const auto warnings = draw_pictures(directory.path(), made_up_run(), {}, "no-such-gnuplot");
+  const auto warnings =
+      draw_pictures_of_cases(directory.path(), made_up_run(), {}, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings.front(), "'no-such-gnuplot' was not found")) << warnings.front();
   EXPECT_TRUE(fs::exists(directory.path() / "figures" / "case1.gp"));
@@ -155,7 +158,8 @@ TEST(Pictures, WithoutGnuplotAreOneWarningAndLeaveTheScripts) {
 TEST(Pictures, OfAGnuplotThatFailsAreAWarningAndNoFile) {
   const tests::TemporaryDirectory directory;
   for (const char* broken : {"false", "true"}) {  // exit code 1; exit code 0 without a picture
-    const auto warnings = draw_pictures(directory.path(), made_up_run(), kBothFormats, broken);
+    const auto warnings =
+        draw_pictures_of_cases(directory.path(), made_up_run(), kBothFormats, broken);
     ASSERT_EQ(warnings.size(), 6u);
     EXPECT_TRUE(contains(warnings.front(), "case1.png was not drawn")) << warnings.front();
     std::size_t files = 0;
@@ -170,7 +174,7 @@ TEST(Pictures, ACaseWithoutADensityIsAWarning) {
   const tests::TemporaryDirectory directory;
   auto run = made_up_run();
   run.cases[0].curves.clear();
-  const auto warnings = draw_pictures(directory.path(), run);
+  const auto warnings = draw_pictures_of_cases(directory.path(), run);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings.front(), "no picture of case1"));
 }
@@ -178,7 +182,7 @@ TEST(Pictures, ACaseWithoutADensityIsAWarning) {
 TEST(Pictures, ShowTheSelectedCurves) {
   const tests::TemporaryDirectory directory;
   const auto run = made_up_run();
-  draw_pictures(directory.path(), run, {.curves = {"epc", "mcs"}}, "no-such-gnuplot");
+  draw_pictures_of_cases(directory.path(), run, {.curves = {"epc", "mcs"}}, "no-such-gnuplot");
   const std::string script = contents(directory.path() / "figures" / "case1.gp");
   EXPECT_TRUE(contains(script, " title say('mcs"));
   EXPECT_TRUE(contains(script, " title 'epc-gaussian-n2"));
@@ -193,7 +197,8 @@ TEST(Pictures, StateTheNumberOfHiddenCurvesOnAScreen) {
     for (const auto width :
          {FigureWidth::screen, FigureWidth::two_columns, FigureWidth::one_column}) {
       const tests::TemporaryDirectory directory;
-      draw_pictures(directory.path(), run, {.width = width, .curves = curves}, "no-such-gnuplot");
+      draw_pictures_of_cases(directory.path(), run, {.width = width, .curves = curves},
+                             "no-such-gnuplot");
       const std::string script = contents(directory.path() / "figures" / "case1.gp");
       ASSERT_TRUE(contains(script, " title say('mcs"));
       EXPECT_EQ(contains(script, "--curves"), curves.empty() && width == FigureWidth::screen);
@@ -209,7 +214,7 @@ TEST(Pictures, OfOnlyThisRunAreRemoved) {
                            "case1-tex.pdf", "case2.png"}) {
     std::ofstream(figures / name) << name;
   }
-  remove_pictures(directory.path(), made_up_run());
+  remove_pictures_of_cases(directory.path(), made_up_run());
   ASSERT_EQ(std::distance(fs::directory_iterator(figures), {}), 1);
   EXPECT_TRUE(fs::exists(figures / "case2.png"));
 }

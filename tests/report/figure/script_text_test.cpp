@@ -11,7 +11,7 @@ TEST(ScriptParts, EveryShapeIsFilledOrOpen) {
   std::set<int> types;
   for (const char* symbol :
        {"circle", "square", "triangle-up", "triangle-down", "diamond", "pentagon", "anything"}) {
-    const auto [filled, open] = point_types(symbol);
+    const auto [filled, open] = gnuplot_point_types(symbol);
     EXPECT_TRUE(types.insert(filled).second) << symbol;
     EXPECT_TRUE(types.insert(open).second) << symbol;
   }
@@ -35,17 +35,17 @@ TEST(FigureText, IsConvertedToLatex) {
 }
 
 TEST(FigureText, HasNumbersWithMinusSigns) {
-  EXPECT_EQ(scientific_text(-1.24e-6), "−1.2 × 10^{−6}");
-  EXPECT_EQ(scientific_text(3e4), "+3.0 × 10^{4}");
-  EXPECT_EQ(scientific_text(0), "0");
+  EXPECT_EQ(scientific_notation_text(-1.24e-6), "−1.2 × 10^{−6}");
+  EXPECT_EQ(scientific_notation_text(3e4), "+3.0 × 10^{4}");
+  EXPECT_EQ(scientific_notation_text(0), "0");
 }
 
 // A name may contain characters with a meaning in LaTeX.
 TEST(FigureText, IsLiteralIfPlain) {
-  EXPECT_EQ(gnuplot_literal("a_b"), "'a\\_b'");
-  EXPECT_EQ(gnuplot_literal("\\input{x}$%#"),
+  EXPECT_EQ(literal_gnuplot_expression("a_b"), "'a\\_b'");
+  EXPECT_EQ(literal_gnuplot_expression("\\input{x}$%#"),
             "say('\\\\input\\{x\\}$%#', '\\textbackslash{}input\\{x\\}\\$\\%\\#')");
-  EXPECT_EQ(gnuplot_literal("it's"), "'it''s'");
+  EXPECT_EQ(literal_gnuplot_expression("it's"), "'it''s'");
 }
 
 TEST(FigureText, AcceptsAnIncompleteMark) {
@@ -55,8 +55,8 @@ TEST(FigureText, AcceptsAnIncompleteMark) {
 }
 
 TEST(Plot, VariablesAndDensitiesAreTypeset) {
-  EXPECT_EQ(variable_text(transform::StateVariable::y), "y");
-  EXPECT_EQ(density_text(transform::StateVariable::ydot), "p(y\u2032)");
+  EXPECT_EQ(variable_in_plain_text(transform::StateVariable::y), "y");
+  EXPECT_EQ(density_in_plain_text(transform::StateVariable::ydot), "p(y\u2032)");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using tests::whole_case;
 
 TEST(ResultsTable, HasDistancesToTheReferenceFirst) {
   const auto case_result = whole_case();
-  const std::string html = results_table(case_result);
+  const std::string html = solutions_table_html(case_result);
   EXPECT_EQ(headers_in(html, "All solutions"),
             "solution|solves|status|E[y]|E[y\u00b2]|E[y\u2032\u00b2]|E[y\u2074]|E[y\u2032\u2074]|"
             "L1 to fd-kf, p(y)|L1 to fd-kf, p(y\u2032)|L1 to mcs, p(y)|L1 to mcs, p(y\u2032)|"
@@ -27,22 +27,22 @@ TEST(ResultsTable, FollowsTheRuleForTheReference) {
   auto case_result = whole_case();
   solution_of(case_result, "fd-kf").error.reset();
   case_result.assess();
-  EXPECT_TRUE(tests::contains(headers_in(results_table(case_result), "All solutions"),
+  EXPECT_TRUE(tests::contains(headers_in(solutions_table_html(case_result), "All solutions"),
                               "|L1 to mcs, p(y)|L1 to mcs, p(y\u2032)|L1 to fd-kf, p(y)|"));
   for (const char* id : {"fd-kf", "mcs"})
     solution_of(case_result, id).status = transform::Status::failed;
   case_result.assess();
-  EXPECT_FALSE(tests::contains(results_table(case_result), "L1 to"));
+  EXPECT_FALSE(tests::contains(solutions_table_html(case_result), "L1 to"));
 }
 
 TEST(MomentErrors, AreDistancesFromTheMiddleOfTheBounds) {
   auto case_result = whole_case();
-  EXPECT_EQ(bound_errors_table(case_result), "");
+  EXPECT_EQ(bound_errors_table_html(case_result), "");
   const double y2 = case_result.find("fd-kf")->moments.y2;
   case_result.bounds =
       compare::GuaranteedBounds{.each = {{"E[y^2]", y2 - 1e-3, y2 + 3e-3}, {"w1", 1, 2}}};
   solution_of(case_result, "fd-white").moments.y2 = y2 + 5e-3;
-  const std::string html = bound_errors_table(case_result);
+  const std::string html = bound_errors_table_html(case_result);
   const std::string caption = "Errors of moments, from the guaranteed bounds";
   EXPECT_TRUE(tests::contains(headers_in(html, caption), "solution|E[y\u00b2] in ["));
   EXPECT_FALSE(tests::contains(html, "w1"));
@@ -53,18 +53,18 @@ TEST(MomentErrors, AreDistancesFromTheMiddleOfTheBounds) {
 TEST(Reasons, AreOfThoseThatAreNotOk) {
   auto case_result = whole_case();
   solution_of(case_result, "epc-gaussian-n4").reason = "because 1 < 2";
-  const std::string html = reasons_html(case_result);
+  const std::string html = status_reasons_html(case_result);
   EXPECT_EQ(tests::occurrences(html, "<li>"), 2u);
   EXPECT_TRUE(tests::contains(
       html, "<li><strong>epc-gaussian-n4 inadmissible</strong>: because 1 &lt; 2.</li>"));
   for (auto& solution : case_result.solutions) solution.status = transform::Status::ok;
-  EXPECT_EQ(reasons_html(case_result), "");
+  EXPECT_EQ(status_reasons_html(case_result), "");
 }
 
 TEST(Diagnostics, HaveErrorEstimatesOfAllSolutions) {
   auto case_result = whole_case();
   solution_of(case_result, "fd-kf").min_density = -3e-11;
-  const std::string html = diagnostics_tables(case_result);
+  const std::string html = diagnostics_tables_html(case_result);
   const std::string caption = "Mass, energy and error estimates";
   EXPECT_EQ(
       headers_in(html, caption),
@@ -85,7 +85,7 @@ TEST(Diagnostics, HaveErrorEstimatesOfAllSolutions) {
 }
 
 TEST(Diagnostics, ContainTheMetricsOfFamilies) {
-  EXPECT_TRUE(tests::contains(diagnostics_tables(whole_case()), "Metrics of mcs"));
+  EXPECT_TRUE(tests::contains(diagnostics_tables_html(whole_case()), "Metrics of mcs"));
 }
 
 }  // namespace

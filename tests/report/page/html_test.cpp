@@ -40,9 +40,9 @@ TEST(Html, ShowsAStatusAsAChip) {
 }
 
 TEST(Html, FoldsWhatIsThere) {
-  EXPECT_EQ(details_html("a", "1 < 2", "<p>"),
+  EXPECT_EQ(collapsible_html("a", "1 < 2", "<p>"),
             "<details id=\"a\">\n<summary>1 &lt; 2</summary>\n<p></details>\n");
-  EXPECT_EQ(details_html("a", "b", ""), "");
+  EXPECT_EQ(collapsible_html("a", "b", ""), "");
 }
 
 TEST(Html, NamesAloneAreNoTable) {
@@ -79,13 +79,13 @@ TEST(Gzip, OfTheSameTextIsTheSameAndSmaller) {
 
 TEST(TypedArray, IsLittleEndianBase64) {
   // 1.0f is 00 00 80 3f, -2.0f is 00 00 00 c0.
-  EXPECT_EQ(float_array(std::vector{1.0}).bdata, "AACAPw==");
-  EXPECT_EQ(float_array(std::vector{1.0, -2.0}).bdata, "AACAPwAAAMA=");
-  EXPECT_EQ(float_array(std::vector{1.0, -2.0, 1.0}).bdata, "AACAPwAAAMAAAIA/");
+  EXPECT_EQ(encode_float_array(std::vector{1.0}).bdata, "AACAPw==");
+  EXPECT_EQ(encode_float_array(std::vector{1.0, -2.0}).bdata, "AACAPwAAAMA=");
+  EXPECT_EQ(encode_float_array(std::vector{1.0, -2.0, 1.0}).bdata, "AACAPwAAAMAAAIA/");
 }
 
 TEST(TypedArray, NamesItsTypeInJson) {
-  EXPECT_EQ(nlohmann::ordered_json(float_array(std::vector{1.0})).dump(),
+  EXPECT_EQ(nlohmann::ordered_json(encode_float_array(std::vector{1.0})).dump(),
             R"({"dtype":"f4","bdata":"AACAPw=="})");
 }
 

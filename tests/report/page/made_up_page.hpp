@@ -6,8 +6,8 @@
 
 #include "gunzip_base64.hpp"
 #include "modified_case.hpp"
-#include "report/page/page.hpp"
-#include "report/page/plot.hpp"
+#include "report/page/page_plots.hpp"
+#include "report/page/report_page.hpp"
 #include "saved_run.hpp"
 
 /// Runs with the data for all parts of a page, and readers of a page.
@@ -42,12 +42,12 @@ inline nlohmann::json plots_in(const std::string& page) {
 }
 
 /// The figure of a plot.
-inline nlohmann::json figure_of(const report::Plot& plot) {
+inline nlohmann::json figure_of(const report::PagePlot& plot) {
   return nlohmann::json::parse(plot.figure);
 }
 
 /// The trace with this name.
-inline nlohmann::json trace_of(const report::Plot& plot, const std::string& name) {
+inline nlohmann::json trace_of(const report::PagePlot& plot, const std::string& name) {
   const auto figure = figure_of(plot);
   for (const auto& trace : figure.at("data")) {
     if (trace.at("name") == name) return trace;
@@ -55,7 +55,7 @@ inline nlohmann::json trace_of(const report::Plot& plot, const std::string& name
   return nullptr;
 }
 
-inline std::vector<std::string> names_in(const report::Plot& plot) {
+inline std::vector<std::string> names_in(const report::PagePlot& plot) {
   std::vector<std::string> names;
   const auto figure = figure_of(plot);
   for (const auto& trace : figure.at("data")) names.push_back(trace.at("name"));

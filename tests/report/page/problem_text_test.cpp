@@ -20,7 +20,7 @@ TEST(ProblemText, ListsCommonParametersOnceAndTheRestInATable) {
   run.cases.push_back(run.cases[0]);
   run.cases[1].problem = tests::make_problem({.cubic = 0.25, .mean = 0.125, .law = "laplace"});
   run.cases[1].problem.name = "<other>";
-  const std::string html = problem_html(run);
+  const std::string html = problem_description_html(run);
   const std::string caption = "Parameters that differ between cases";
   EXPECT_EQ(headers_in(html, caption), "parameter|case1|&lt;other&gt;");
   EXPECT_EQ(row_in(html, caption, "\u03bc, cubic stiffness"), "0.1|0.25");
@@ -33,15 +33,15 @@ TEST(ProblemText, ListsCommonParametersOnceAndTheRestInATable) {
   EXPECT_EQ(occurrences(html, "<th scope=\"row\">") +
                 occurrences(shared.substr(0, shared.find("</p>")), " = "),
             problem::displayed_parameters(run.cases[0].problem).size());
-  EXPECT_EQ(varying_parameters(run, run.cases[1]),
+  EXPECT_EQ(varying_parameters_text(run, run.cases[1]),
             "\u03bc = 0.25, law of the amplitudes = laplace, E[Y] = 0.125");
 }
 
 TEST(ProblemText, OfOneCaseHasNoTable) {
   const auto run = whole_run();
-  EXPECT_FALSE(contains(problem_html(run), "<table"));
-  EXPECT_TRUE(contains(problem_html(run), "<p>Parameters: c, damping = 0.1; "));
-  EXPECT_EQ(varying_parameters(run, run.cases[0]), "");
+  EXPECT_FALSE(contains(problem_description_html(run), "<table"));
+  EXPECT_TRUE(contains(problem_description_html(run), "<p>Parameters: c, damping = 0.1; "));
+  EXPECT_EQ(varying_parameters_text(run, run.cases[0]), "");
 }
 
 TEST(Glossary, ExplainsTheNamesOfThisRunFromTheirTables) {
@@ -77,7 +77,7 @@ TEST(Timings, AreThoseOfEachSolutionAndAllTogether) {
   run.cases[1].problem.name = "other";
   run.cases[1].solutions.erase(run.cases[1].solutions.begin() + 1, run.cases[1].solutions.end());
   run.cases[1].assess();
-  const std::string html = timings_table(run);
+  const std::string html = timings_table_html(run);
   EXPECT_EQ(headers_in(html, "Seconds per solution"), "solution|case1|other");
   EXPECT_EQ(row_in(html, "Seconds per solution", "epc-gaussian-n8"), "12.3|\u2013");
   EXPECT_EQ(row_in(html, "Seconds per solution", "all"), "15.2|0.42");

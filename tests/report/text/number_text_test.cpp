@@ -40,28 +40,28 @@ TEST(NumberText, ShowsADashForNonFiniteNumbers) {
   constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   for (const double value : {kNotANumber, std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(number_text(value, 4), kNoValue);
-    EXPECT_EQ(value_text(value), kNoValue);
+    EXPECT_EQ(parameter_value_text(value), kNoValue);
     EXPECT_EQ(l1_cell_text(value), kNoValue);
     EXPECT_EQ(seconds_text(value), kNoValue);
   }
 }
 
 TEST(ValueText, IsThatOfEachKindOfValue) {
-  EXPECT_EQ(value_text({}), kNoValue);
-  EXPECT_EQ(value_text(true), "yes");
-  EXPECT_EQ(value_text(false), "no");
-  EXPECT_EQ(value_text(std::int64_t{4207616}, 2), "4207616");
-  EXPECT_EQ(value_text(0.1), "0.1");
-  EXPECT_EQ(value_text(12.0), "12");
-  EXPECT_EQ(value_text(1.23456e-9, 4), "1.235e-9");
-  EXPECT_EQ(value_text(std::string("confined")), "confined");
+  EXPECT_EQ(parameter_value_text({}), kNoValue);
+  EXPECT_EQ(parameter_value_text(true), "yes");
+  EXPECT_EQ(parameter_value_text(false), "no");
+  EXPECT_EQ(parameter_value_text(std::int64_t{4207616}, 2), "4207616");
+  EXPECT_EQ(parameter_value_text(0.1), "0.1");
+  EXPECT_EQ(parameter_value_text(12.0), "12");
+  EXPECT_EQ(parameter_value_text(1.23456e-9, 4), "1.235e-9");
+  EXPECT_EQ(parameter_value_text(std::string("confined")), "confined");
 }
 
 TEST(L1Text, HasFiveDecimalsAndTwoDigitsBelowThem) {
-  EXPECT_EQ(l1_text(0.123456), "0.12346");
-  EXPECT_EQ(l1_text(1e-5), "1.0e-05");
-  EXPECT_EQ(l1_text(4.4e-6), "4.4e-06");
-  EXPECT_EQ(l1_text(0), "0");
+  EXPECT_EQ(l1_distance_text(0.123456), "0.12346");
+  EXPECT_EQ(l1_distance_text(1e-5), "1.0e-05");
+  EXPECT_EQ(l1_distance_text(4.4e-6), "4.4e-06");
+  EXPECT_EQ(l1_distance_text(0), "0");
 }
 
 TEST(RoundOutward, RoundsTheLowerEndDownAndTheUpperEndUp) {

@@ -174,7 +174,7 @@ TEST(Verdict, ConfirmsTheReferenceWhereTheFindingsExplainTheDifference) {
         << run_verdict.recommendation[0];
     EXPECT_EQ(contains(run_verdict.recommendation[0], "fd-kf differs by more"), !agree)
         << run_verdict.recommendation[0];
-    const auto found = findings(case_result);
+    const auto found = finding_sentences(case_result);
     EXPECT_EQ(std::ranges::any_of(found,
                                   [](const auto& s) { return contains(s, "the densities agree"); }),
               agree);

@@ -40,7 +40,7 @@ TEST(SavedProblem, IsReadBackFromASummary) {
     std::istringstream file(results::run_summary_text({results::current_program(""), {saved}}));
     const auto again = results::read_run_summary(file, "summary.json").cases.at(0).problem;
     EXPECT_EQ(again.name, problem.name);
-    const auto was = problem::sections(problem), is = problem::sections(again);
+    const auto was = problem::case_file_sections(problem), is = problem::case_file_sections(again);
     ASSERT_EQ(was.size(), is.size());
     for (std::size_t k = 0; k < was.size(); ++k) {
       EXPECT_EQ(was[k].name, is[k].name);
@@ -212,7 +212,7 @@ TEST(RunAgain, AgreesWithTheSavedBaseline) {
   EXPECT_EQ(run.program.command, "fpkcheck check");
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.back().total, baseline.cases[0].methods.size());
-  const auto same = check(baseline.run, run, {});
+  const auto same = compare_runs(baseline.run, run, {});
   for (const auto& quantity_change : same.changed_quantities())
     ADD_FAILURE() << quantity_change.solution << " " << quantity_change.name;
   EXPECT_GT(same.changes.size(), 300u);
@@ -233,7 +233,7 @@ TEST(RunAgain, FindsEveryRelativeChangeOf1e6InAClosure) {
       const auto kept = o.value;
       const double size = std::max(std::abs(*value), now->min_scale);
       o.value = *value + size * (now->is_rounding_sensitive ? 3e-6 : 1e-6);
-      EXPECT_GE(check(before, run, {}).changed_quantities().size(), 1u)
+      EXPECT_GE(compare_runs(before, run, {}).changed_quantities().size(), 1u)
           << was.id() << " " << o.path;
       o.value = kept;
       ++tried;
@@ -245,7 +245,7 @@ TEST(RunAgain, FindsEveryRelativeChangeOf1e6InAClosure) {
 /// A run of one simulation.
 results::Run simulated_run(std::uint64_t seed, double intensity = 0.1, double time = 2e5) {
   const auto problem = tests::make_problem({.intensity = intensity});
-  const auto method = methods::builtin_registry().method_by_id(
+  const auto method = methods::builtin_registry().find_method_by_id(
       "mcs",
       {{"time", time}, {"seed", static_cast<std::int64_t>(seed)}, {"streams", std::int64_t{64}}});
   return {results::current_program(""), methods::run_cases({problem}, {*method}, 0, {})};
@@ -254,7 +254,7 @@ results::Run simulated_run(std::uint64_t seed, double intensity = 0.1, double ti
 TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
   const auto baseline = simulated_run(1);
   for (std::uint64_t seed = 2; seed <= tests::part_unless_thorough(3u, 6u); ++seed) {
-    const auto other = check(baseline, simulated_run(seed), {});
+    const auto other = compare_runs(baseline, simulated_run(seed), {});
     for (const auto& quantity_change : other.changed_quantities())
       ADD_FAILURE() << seed << " " << quantity_change.name;
     // The runs differ: otherwise the agreement would prove nothing.
@@ -262,7 +262,7 @@ TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
         std::ranges::any_of(other.changes, [](const QuantityChange& f) { return f.change > 0.5; }));
   }
   constexpr double kShort = 2e4;  // identical digits at every length
-  const auto same = check(simulated_run(1, 0.1, kShort), simulated_run(1, 0.1, kShort), {});
+  const auto same = compare_runs(simulated_run(1, 0.1, kShort), simulated_run(1, 0.1, kShort), {});
   EXPECT_TRUE(
       std::ranges::all_of(same.changes, [](const QuantityChange& f) { return f.change == 0; }));
 }
@@ -270,7 +270,7 @@ TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
 TEST(SimulationCheck, FindsFivePercentStrongerImpulses) {
   constexpr double kTime = 4e4;
   const auto one = simulated_run(1, 0.1, kTime), stronger = simulated_run(2, 0.105, kTime);
-  EXPECT_GE(check(one, stronger, {}).changed_quantities().size(), 2u);
+  EXPECT_GE(compare_runs(one, stronger, {}).changed_quantities().size(), 2u);
 }
 
 }  // namespace

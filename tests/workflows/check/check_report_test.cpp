@@ -8,7 +8,7 @@
 
 #include "saved_run.hpp"
 #include "solved_run.hpp"
-#include "workflows/check/check.hpp"
+#include "workflows/check/compare_runs.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -17,7 +17,7 @@ TEST(CheckJson, HasEveryChangeAndEveryKind) {
   auto changed = tests::solved_run();
   tests::scale(tests::solution(changed, "epc-moment-n8").moments.y2, 1e-6);
   tests::solution(changed, "fd-kf").status = transform::Status::failed;
-  const auto two = check(tests::paper_baseline(), changed, {});
+  const auto two = compare_runs(tests::paper_baseline(), changed, {});
   const auto json = nlohmann::json::parse(check_result_json(two, "fpkcheck check b", "b"));
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["program"]["command"], "fpkcheck check b");
@@ -45,7 +45,7 @@ TEST(CheckTable, ListsTheChangesAndEndsWithASentence) {
   auto changed = solved_run();
   scale(solution(changed, "epc-moment-n8").moments.y2, 1e-6);
   solution(changed, "fd-kf").status = transform::Status::failed;
-  const auto two = check(paper_baseline(), changed, {});
+  const auto two = compare_runs(paper_baseline(), changed, {});
   for (const std::size_t width : {80u, 100u}) {
     const std::string text = check_result_table(two, width);
     for (const char* part : {"epc-moment-n8", "E[y^2]", "0.39453765", "1e-06", "failed"}) {
@@ -58,7 +58,7 @@ TEST(CheckTable, ListsTheChangesAndEndsWithASentence) {
 }
 
 TEST(CheckTable, HasARowForEveryKindAndTheNotes) {
-  auto same = check(paper_baseline(), solved_run(), {});
+  auto same = compare_runs(paper_baseline(), solved_run(), {});
   same.notes = {"The curves were drawn by hand."};
   const std::string text = check_result_table(same, 100);
   for (const auto& entry : kQuantityKindNames) {
@@ -73,7 +73,7 @@ TEST(CheckTable, ShowsTheLargestChangesAlone) {
   auto changed = solved_run();
   for (auto& pair : changed.cases[0].pairs) scale(pair.distances.l1, 0.3);
   solution(changed, "fd-kf").status = transform::Status::failed;
-  const auto all = check(paper_baseline(), changed, {});
+  const auto all = compare_runs(paper_baseline(), changed, {});
   ASSERT_GT(all.changed_quantities().size(), 50u);
   const std::string text = check_result_table(all, 100);
   EXPECT_LT(std::ranges::count(text, '\n'), 65);

@@ -1,4 +1,4 @@
-#include "workflows/check/check.hpp"
+#include "workflows/check/compare_runs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using transform::MetricKind;
 
 TEST(Check, ARunAgreesWithItselfAndWithItsFiles) {
   for (const results::Run* baseline : {&paper_baseline(), &solved_run()}) {
-    const auto same = check(*baseline, solved_run(), {});
+    const auto same = compare_runs(*baseline, solved_run(), {});
     for (const auto& quantity_change : same.changed_quantities())
       ADD_FAILURE() << quantity_change.solution << quantity_change.name;
     EXPECT_TRUE(same.agrees_with_baseline());
@@ -128,7 +128,7 @@ TEST(Check, FindsQuantitiesThatOneRunLacks) {
             paper_baseline().cases[0].budget.size());
   results::Run other = solved_run();
   other.cases[0].problem.name = "another";
-  EXPECT_THROW(check(paper_baseline(), other, {}), InputError);
+  EXPECT_THROW(compare_runs(paper_baseline(), other, {}), InputError);
 }
 
 TEST(Check, ToleratesRounding) {
@@ -189,8 +189,8 @@ TEST(Check, UsesTheGivenTolerance) {
 TEST(Check, WithoutMarginalsCurvesAreNotCompared) {
   results::Run other = solved_run();
   other.cases[0].curves.clear();
-  EXPECT_FALSE(check(paper_baseline(), other, {}).agrees_with_baseline());
-  EXPECT_TRUE(check(paper_baseline(), other, {}, false).agrees_with_baseline());
+  EXPECT_FALSE(compare_runs(paper_baseline(), other, {}).agrees_with_baseline());
+  EXPECT_TRUE(compare_runs(paper_baseline(), other, {}, false).agrees_with_baseline());
 }
 
 TEST(Check, ReportsTheLargestAllowedChangeOfEachKind) {
@@ -198,7 +198,7 @@ TEST(Check, ReportsTheLargestAllowedChangeOfEachKind) {
   scale(solution(other, "fd-kf").moments.y2, 3e-9);
   scale(solution(other, "fd-km4").moments.y2, 5e-9);
   scale(solution(other, "fd-white").moments.y2, 1e-6);
-  const auto compared = check(paper_baseline(), other, {});
+  const auto compared = compare_runs(paper_baseline(), other, {});
   for (const auto& summary : summarise_changes_by_kind(compared)) {
     if (summary.kind != QuantityKind::moment) continue;
     EXPECT_EQ(summary.moved, 1u);

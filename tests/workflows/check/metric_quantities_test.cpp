@@ -20,8 +20,8 @@ using transform::Metrics;
 
 /// The changes between two solutions that have these metrics alone.
 std::vector<QuantityChange> moved(const Metrics& was, const Metrics& is) {
-  return check({.program = {}, .cases = {case_of(was)}}, {.program = {}, .cases = {case_of(is)}},
-               {})
+  return compare_runs({.program = {}, .cases = {case_of(was)}},
+                      {.program = {}, .cases = {case_of(is)}}, {})
       .changed_quantities();
 }
 
@@ -71,7 +71,7 @@ TEST(MetricQuantities, IgnoresRoundingOfAZeroCoefficient) {
     results::Run baseline = tests::solved_run(), now = baseline;
     observation(solution(baseline, "epc-gaussian-n6"), "coefficients[1].a").value = was;
     observation(solution(now, "epc-gaussian-n6"), "coefficients[1].a").value = is;
-    return !check(baseline, now, {}).agrees_with_baseline();
+    return !compare_runs(baseline, now, {}).agrees_with_baseline();
   };
   EXPECT_FALSE(by(1e-16, -3e-16));
   EXPECT_FALSE(by(0, 2e-16));

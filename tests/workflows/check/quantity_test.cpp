@@ -30,9 +30,9 @@ TEST(QuantityChange, EveryKindHasADistinctName) {
     EXPECT_TRUE(seen.insert(entry.name).second) << entry.name;
   }
   EXPECT_EQ(name(QuantityKind::energy), "balance of power");
-  EXPECT_EQ(unit(QuantityKind::status), "");
-  EXPECT_EQ(unit(QuantityKind::simulated_bin), "std errors");
-  EXPECT_EQ(unit(QuantityKind::budget), "absolute");
+  EXPECT_EQ(unit_of_change(QuantityKind::status), "");
+  EXPECT_EQ(unit_of_change(QuantityKind::simulated_bin), "std errors");
+  EXPECT_EQ(unit_of_change(QuantityKind::budget), "absolute");
 }
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -118,15 +118,16 @@ TEST(Quantity, WordsMustBeTheSame) {
 Quantities list(std::size_t entries) {
   Quantities quantities;
   const PartQuantityAppender whole{quantities, "solution", kWholeSolutionPart};
-  whole.begin(QuantityKind::status);
+  whole.begin_part(QuantityKind::status);
   const PartQuantityAppender group =
-      PartQuantityAppender{quantities, "solution", "group"}.begin(QuantityKind::detail);
-  const PartQuantityAppender one = PartQuantityAppender{quantities, "solution", "group.list"}.begin(
-      QuantityKind::detail, static_cast<std::int64_t>(entries), group.name);
+      PartQuantityAppender{quantities, "solution", "group"}.begin_part(QuantityKind::detail);
+  const PartQuantityAppender one =
+      PartQuantityAppender{quantities, "solution", "group.list"}.begin_part(
+          QuantityKind::detail, static_cast<std::int64_t>(entries), group.name);
   for (std::size_t k = 0; k < entries; ++k) {
     const PartQuantityAppender entry{quantities, "solution",
                                      "group.list[" + std::to_string(k) + ']'};
-    entry.begin(QuantityKind::detail, "there", one.name)
+    entry.begin_part(QuantityKind::detail, "there", one.name)
         .append_number(entry.name + ".level", QuantityKind::detail, static_cast<double>(k), 0);
   }
   return quantities;
@@ -145,7 +146,7 @@ TEST(Quantity, ReportsAChangedPartOnce) {
 
 TEST(Quantity, ReportsAMissingPartOnce) {
   Quantities none;
-  PartQuantityAppender{none, "solution", kWholeSolutionPart}.begin(QuantityKind::status);
+  PartQuantityAppender{none, "solution", kWholeSolutionPart}.begin_part(QuantityKind::status);
   const auto lost = compare_quantities("case", list(3), none);
   ASSERT_EQ(lost.size(), 1u);
   EXPECT_EQ(lost[0].name, "group");
@@ -164,7 +165,7 @@ TEST(Quantity, IgnoresErrorsThatTheBaselineLacks) {
   EXPECT_EQ(compare_quantities("case", {error}, {}).size(), 1u);
   Quantities stated;
   PartQuantityAppender{stated, "s", kErrorEstimatePart}
-      .begin(QuantityKind::status)
+      .begin_part(QuantityKind::status)
       .append_number("error of E[y]", QuantityKind::detail, 1e-3, 1e-8);
   EXPECT_TRUE(compare_quantities("case", {}, stated).empty());
   EXPECT_FALSE(compare_quantities("case", stated, {}).empty());

@@ -67,8 +67,8 @@ TEST(SolutionClaims, StatedErrorsAreDetails) {
   const tests::TwoRuns runs;
   results::Run without = runs.solved;
   solution(without, "fd-kf").error.reset();
-  EXPECT_EQ(check::check(runs.files, without, {}).changed_quantities().size(), 1u);
-  EXPECT_TRUE(check::check(without, runs.solved, {}).changed_quantities().empty());
+  EXPECT_EQ(check::compare_runs(runs.files, without, {}).changed_quantities().size(), 1u);
+  EXPECT_TRUE(check::compare_runs(without, runs.solved, {}).changed_quantities().empty());
 }
 
 TEST(SolutionClaims, AMomentOfASimulationIsJudgedByBothStandardErrors) {

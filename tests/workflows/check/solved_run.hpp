@@ -11,7 +11,7 @@
 #include "paper_cases.hpp"
 #include "results/saved_run.hpp"
 #include "workflows/check/case_quantities.hpp"
-#include "workflows/check/check.hpp"
+#include "workflows/check/compare_runs.hpp"
 
 /// Runs to compare with each other; nothing is solved here.
 namespace fpkcheck::tests {
@@ -163,9 +163,9 @@ inline std::vector<check::QuantityChange> moved_by(const Change& change,
                                                    const TwoRuns& runs = {}) {
   results::Run changed = runs.solved;
   change(changed);
-  const auto forth = check::check(runs.files, changed, tolerances).changed_quantities();
+  const auto forth = check::compare_runs(runs.files, changed, tolerances).changed_quantities();
   // The result must be the same with the runs exchanged.
-  EXPECT_EQ(check::check(changed, runs.solved, tolerances).changed_quantities().size(),
+  EXPECT_EQ(check::compare_runs(changed, runs.solved, tolerances).changed_quantities().size(),
             forth.size());
   return forth;
 }

@@ -21,7 +21,7 @@ TEST(Claims, CoverEveryPanelAndBothDensitiesOfEveryCase) {
   for (const auto& claim : paper_claims()) {
     if (claim.cases.size() > 1) continue;
     for (const char panel : claim.panels) {
-      panels.insert(std::to_string(Claim::figure(claim.cases.front())) + panel);
+      panels.insert(std::to_string(Claim::figure_number(claim.cases.front())) + panel);
     }
     for (const auto variable : claim.variables) densities.insert({claim.cases.front(), variable});
   }

@@ -39,8 +39,8 @@ const std::vector<ClaimJudgement>& judgements() {
       std::vector<transform::Solution> solutions;
       for (const int order : {2, 4, 6, 8}) {
         // Without `accuracy` no error estimate is computed: the claims do not need it.
-        const auto method = methods::builtin_registry().method_by_id(paper_closure_id(order),
-                                                                     {{"accuracy", base::Value()}});
+        const auto method = methods::builtin_registry().find_method_by_id(
+            paper_closure_id(order), {{"accuracy", base::Value()}});
         solutions.push_back(methods::solve_with_method(*method, problem, {axes, {}}));
       }
       std::ranges::move(quick_references(problem), std::back_inserter(solutions));

@@ -9,7 +9,7 @@ namespace {
 
 TEST(OrderFiles, JsonHasTheReferenceAndTheMetricsOfEachClosure) {
   const auto found =
-      nlohmann::json::parse(json(tests::made_up_order_study(), "fpkcheck study order"));
+      nlohmann::json::parse(study_json_text(tests::made_up_order_study(), "fpkcheck study order"));
   EXPECT_EQ(found.at("study"), "order");
   EXPECT_EQ(found.at("reference").at("id"), "fd-kf");
   ASSERT_EQ(found.at("rows").size(), 5u);
@@ -29,7 +29,7 @@ TEST(OrderFiles, JsonHasTheReferenceAndTheMetricsOfEachClosure) {
 }
 
 TEST(OrderFiles, CsvHasEmptyCellsForMissingValues) {
-  const std::string text = csv(tests::made_up_order_study());
+  const std::string text = study_csv_text(tests::made_up_order_study());
   EXPECT_EQ(text,
             "formulation,order,status,iterations,residual,condition,l1_y,l1_ydot,tail_y,tail_ydot,"
             "seconds\n"
@@ -41,7 +41,7 @@ TEST(OrderFiles, CsvHasEmptyCellsForMissingValues) {
 }
 
 TEST(OrderTable, ShowsMetricsAndConvergence) {
-  const std::string text = tests::in_one_line(table(tests::made_up_order_study(), 120));
+  const std::string text = tests::in_one_line(study_table_text(tests::made_up_order_study(), 120));
   for (const char* expected :
        {"L1 to fd-kf", "gaussian 2 ok 14 - 1e-15 falls 1e-14 - 0.00400 0.00800 0.04 - 2",
         "gaussian 8 not_converged - - - - - - - - - - 2",
@@ -63,14 +63,14 @@ TEST(OrderTable, ReportsMissingDensitiesAndAReferenceThatIsNotOk) {
   study.rows.erase(study.rows.begin(), study.rows.begin() + 2);
   study.reference.status = transform::Status::failed;
   study.reference.reason = "the box is too small";
-  const std::string text = tests::in_one_line(table(study, 100));
+  const std::string text = tests::in_one_line(study_table_text(study, 100));
   EXPECT_NE(text.find("gaussian: no order gives a density."), std::string::npos) << text;
   EXPECT_NE(text.find("The reference fd-kf is failed: the box is too small"), std::string::npos);
 }
 
 TEST(OrderTable, FitsItsWidth) {
   for (const std::size_t width : {80u, 100u}) {
-    EXPECT_LE(tests::longest_line(table(tests::made_up_order_study(), width)), width);
+    EXPECT_LE(tests::longest_line(study_table_text(tests::made_up_order_study(), width)), width);
   }
 }
 

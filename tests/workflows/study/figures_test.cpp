@@ -34,9 +34,9 @@ std::string points_text(const FigureSeries& series) {
 void expect_drawn(const report::Figure& figure, const Names& texts) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto warnings =
-      report::write_pictures(directory.path(), "stem", report::figure_script(figure, "stem"),
-                             {.formats = {report::FigureFormat::svg}}, "gnuplot");
+  const auto warnings = report::write_script_and_draw(
+      directory.path(), "stem", report::make_gnuplot_script(figure, "stem"),
+      {.formats = {report::FigureFormat::svg}}, "gnuplot");
   ASSERT_TRUE(warnings.empty()) << warnings.front();
   const std::string svg = tests::contents(directory.path() / "stem.svg");
   for (const auto& text : texts) EXPECT_TRUE(tests::contains(svg, text)) << text;
@@ -44,7 +44,7 @@ void expect_drawn(const report::Figure& figure, const Names& texts) {
 
 TEST(StudySeries, OfNeighboursWithANameHaveTheStyleOfTheMiddle) {
   const auto study = tests::made_up_order_study();
-  const auto all = make_series(
+  const auto all = make_empty_series(
       study.rows, [](const ClosureOrderRow& row) { return row.formulation; },
       [](const ClosureOrderRow& row) -> std::optional<report::FigurePoint> {
         if (row.order == 8) return std::nullopt;
@@ -58,7 +58,7 @@ TEST(StudySeries, OfNeighboursWithANameHaveTheStyleOfTheMiddle) {
 }
 
 TEST(OrderFigure, DrawsFormulationsInTheirColoursAndOpensMarksThatAreNotOk) {
-  const auto drawn = figure(tests::made_up_order_study());
+  const auto drawn = study_figure(tests::made_up_order_study());
   ASSERT_EQ(drawn.panels.size(), 3u);
   EXPECT_EQ(names_in(drawn.panels[0]), (Names{"gaussian", "moment"}));
   const auto &gaussian = drawn.panels[0].series[0], &moment = drawn.panels[1].series[1];
@@ -79,11 +79,11 @@ TEST(OrderFigure, DrawsFormulationsInTheirColoursAndOpensMarksThatAreNotOk) {
 TEST(OrderFigure, HasNoThirdPanelWithoutABranch) {
   auto study = tests::made_up_order_study();
   study.rows[2].solution.metrics.clear();
-  EXPECT_EQ(figure(study).panels.size(), 2u);
+  EXPECT_EQ(study_figure(study).panels.size(), 2u);
 }
 
 TEST(GridFigure, HasALineForEachSchemeEachFormulationAndTheSimulation) {
-  const auto drawn = figure(tests::made_up_grid_study());
+  const auto drawn = study_figure(tests::made_up_grid_study());
   ASSERT_EQ(drawn.panels.size(), 4u);
   const std::string slope = "slope of the scheme's order";
   EXPECT_EQ(names_in(drawn.panels[0]),
@@ -109,7 +109,7 @@ TEST(GridFigure, IsEmptyWhereThereIsNothingToDraw) {
   auto study = tests::made_up_grid_study();
   for (auto& row : study.rows) row.l1.reset();
   study.others.clear();
-  EXPECT_TRUE(figure(study).panels.empty());
+  EXPECT_TRUE(study_figure(study).panels.empty());
 }
 
 TEST(TransientFigure, IsDrawnOfBothMarginals) {

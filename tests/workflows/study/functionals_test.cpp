@@ -37,7 +37,7 @@ SpectrumStudy spectrum_study() {
 }
 
 TEST(SpectrumReport, HasTheKeysOfTheContract) {
-  const Json found = Json::parse(study::json(spectrum_study(), "fpkcheck spectrum"));
+  const Json found = Json::parse(study::study_json_text(spectrum_study(), "fpkcheck spectrum"));
   const Json& spectra = found.at("cases").at(0).at("spectra");
   ASSERT_EQ(spectra.size(), 2u);
   EXPECT_EQ(spectra[0].at("solution"), "fd-kf");
@@ -55,7 +55,7 @@ TEST(SpectrumReport, HasTheKeysOfTheContract) {
 }
 
 TEST(SpectrumReport, HasARowOfTheCsvForEachFrequencyAndEachLag) {
-  const std::string text = csv(spectrum_study());
+  const std::string text = study_csv_text(spectrum_study());
   EXPECT_EQ(std::ranges::count(text, '\n'), 6);
   EXPECT_NE(text.find("test,fd-kf,y,2,2,0.3,,"), std::string::npos) << text;
   EXPECT_NE(text.find("test,fd-kf,y,,,0.01,0.5,4"), std::string::npos) << text;
@@ -90,7 +90,7 @@ TEST(SensitivityReport, HasDerivativesElasticitiesAndErrorsByParameter) {
        .parameter_values = {0.1},
        .expectations = {
            {.expectation = "E[y^2]", .value = 0.5, .derivatives = {-2}, .errors = {0.01}}}}};
-  const Json found = Json::parse(study::json(study, "fpkcheck sensitivity"));
+  const Json found = Json::parse(study::study_json_text(study, "fpkcheck sensitivity"));
   const Json& one = found.at("cases").at(0).at("sensitivities").at(0);
   EXPECT_EQ(one.at("of"), "E[y^2]");
   EXPECT_EQ(one.at("derivatives").at("system.damping"), -2);
@@ -106,7 +106,7 @@ TEST(PassageReport, HasTheKeysOfTheContract) {
                      .hazard = transform::ValueWithError{0.1, 0.01},
                      .times = {1, 2},
                      .survival_from_stationary = {{0.9, 0.01}, {0.8, 0.02}}}};
-  const Json found = Json::parse(study::json(study, "fpkcheck passage"));
+  const Json found = Json::parse(study::study_json_text(study, "fpkcheck passage"));
   const Json& passage = found.at("cases").at(0).at("passage");
   EXPECT_EQ(passage.at("barrier").at("displacement"), 1.5);
   const Json& one = passage.at("solutions").at(0);
@@ -128,7 +128,7 @@ TEST(PassageFigure, HasAMapOfTheMeanTimes) {
                      .mean_times = transform::MeanTimeMap{.y_edges = {0, 0.5, 1.5},
                                                           .v_edges = {-2, 1, 1.5, 2},
                                                           .averages = {1, 2, 3, 4, 5, -0.1}}}};
-  const report::Figure figure = study::figure(study);
+  const report::Figure figure = study::study_figure(study);
   ASSERT_EQ(figure.panels.size(), 2u);
   const report::FigureHeatMap& map = figure.panels[1].map.value();
   const auto value_at = [&](double y, double v) {
@@ -215,7 +215,7 @@ TEST(PassageFromAPoint, AgreesWithTheSimulation) {
   for (std::size_t k = 0; k < 2; ++k) {
     expect_agreement(fd.survival_from_point.at(k), simulated.survival_from_point.at(k));
   }
-  const Json found = Json::parse(study::json(study, "fpkcheck passage"));
+  const Json found = Json::parse(study::study_json_text(study, "fpkcheck passage"));
   const Json& passage = found.at("cases").at(0).at("passage");
   EXPECT_EQ(passage.at("start").at("ydot"), -1.2);
   EXPECT_EQ(passage.at("solutions").at(0).at("mean_from_start"), fd.mean_from_point->value);

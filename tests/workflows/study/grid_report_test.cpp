@@ -9,7 +9,7 @@ namespace {
 
 TEST(GridFiles, JsonHasTheLimitsTheGridsAndTheOtherMethods) {
   const auto found =
-      nlohmann::json::parse(json(tests::made_up_grid_study(), "fpkcheck study grid"));
+      nlohmann::json::parse(study_json_text(tests::made_up_grid_study(), "fpkcheck study grid"));
   EXPECT_EQ(found.at("study"), "grid");
   EXPECT_EQ(found.at("equation"), "kf");
   EXPECT_EQ(found.at("impact"), "map");
@@ -37,7 +37,7 @@ TEST(GridFiles, JsonHasTheLimitsTheGridsAndTheOtherMethods) {
 TEST(GridFiles, JsonHasTheReasonWithoutALimit) {
   auto study = tests::made_up_grid_study();
   study.limits.back() = {.order = 5, .failure = "nothing converges"};
-  const auto found = nlohmann::json::parse(json(study, ""));
+  const auto found = nlohmann::json::parse(study_json_text(study, ""));
   EXPECT_TRUE(found.at("truth").at("order").is_null());
   EXPECT_EQ(found.at("truth").at("reason"), "nothing converges");
   EXPECT_TRUE(found.at("limits").at(1).at("y2").is_null());
@@ -45,7 +45,7 @@ TEST(GridFiles, JsonHasTheReasonWithoutALimit) {
 }
 
 TEST(GridFiles, CsvHasGridsAndOthersUnderOneHeader) {
-  const std::string text = csv(tests::made_up_grid_study());
+  const std::string text = study_csv_text(tests::made_up_grid_study());
   EXPECT_TRUE(
       text.starts_with("id,order,level,nx,nv,status,l1_y,l1_ydot,observed_order,seconds\n"
                        "fd-kf,3,1,10,20,inadmissible,"))
@@ -57,7 +57,7 @@ TEST(GridFiles, CsvHasGridsAndOthersUnderOneHeader) {
 }
 
 TEST(GridTable, ShowsGridsLimitsOtherMethodsAndTheFastest) {
-  const std::string text = tests::in_one_line(table(tests::made_up_grid_study(), 100));
+  const std::string text = tests::in_one_line(study_table_text(tests::made_up_grid_study(), 100));
   for (const char* expected :
        {"finite volumes for kf, impact map", "3 30 x 60 ok 3.7e-03 7.4e-03 2.8 7.0 - 900",
         "3 10 x 20 inadmissible", "5 0.39451776 1e-06 0.4415 2e-06 0 0 0.0e+00 1.4e-04",
@@ -77,7 +77,7 @@ TEST(GridTable, ShowsGridsLimitsOtherMethodsAndTheFastest) {
 
 TEST(GridTable, FitsItsWidth) {
   for (const std::size_t width : {80u, 100u}) {
-    EXPECT_LE(tests::longest_line(table(tests::made_up_grid_study(), width)), width);
+    EXPECT_LE(tests::longest_line(study_table_text(tests::made_up_grid_study(), width)), width);
   }
 }
 
@@ -85,7 +85,7 @@ TEST(GridTable, HasTheReasonWithoutALimit) {
   auto study = tests::made_up_grid_study();
   study.limits.back() = {.order = 5, .failure = "nothing converges"};
   study.others.clear();
-  const std::string text = table(study, 100);
+  const std::string text = study_table_text(study, 100);
   EXPECT_NE(text.find("There is no limit at the highest order: nothing converges."),
             std::string::npos);
   EXPECT_EQ(text.find("other methods"), std::string::npos);

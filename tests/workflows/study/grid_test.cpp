@@ -83,7 +83,7 @@ TEST(GridStudy, HasNoLimitWithoutConvergence) {
   EXPECT_FALSE(study.reference_limit().density);
   EXPECT_TRUE(study.others.empty());
   EXPECT_FALSE(has_converged(study));
-  EXPECT_TRUE(figure(study).panels.empty());
+  EXPECT_TRUE(study_figure(study).panels.empty());
 }
 
 TEST(GridStudy, HasConvergedUnlessAFinestGridFailedOrDidNotConverge) {

@@ -17,12 +17,12 @@ const std::vector<StudyRecord> kRows{{{"name", std::string("one")},
                                      {{"name", std::string("two")}, {"at.x", HUGE_VAL}}};
 
 TEST(StudyRecord, IsALineOfCsvWithEmptyCellsForMissingValues) {
-  EXPECT_EQ(csv_text(kRows, "name n x=at.x none missing"),
+  EXPECT_EQ(records_csv_text(kRows, "name n x=at.x none missing"),
             "name,n,x,none,missing\none,7,0.125,,\ntwo,,,,\n");
 }
 
 TEST(StudyRecord, IsARowOfATableWithDashesForMissingValues) {
-  const std::string text = table_text(
+  const std::string text = records_table_text(
       kRows, {{"", "who", "name", ""}, {"", "n", "n", ""}, {"", "x", "at.x", "{:.1e}"}}, 80);
   EXPECT_EQ(text, "who  n        x\none  7  1.2e-01\ntwo  -        -\n");
 }
@@ -47,7 +47,7 @@ TEST(StudyRecord, ReasonsAreShownForSolutionsThatAreNotOk) {
 }
 
 TEST(RecordJson, HasProgramCaseAndRowsByPath) {
-  const auto found = nlohmann::json::parse(study_json(
+  const auto found = nlohmann::json::parse(study_records_to_json(
       "test", tests::make_problem({.restitution = 0.9}), "fpkcheck study test",
       {{"truth.order", transform::value_from_count(5)}, {"truth.reason", std::string()}},
       {{"rows", {{{"at.x", 0.125}, {"at.y", HUGE_VAL}}, {{"at", {}}}}}, {"others", {}}}));

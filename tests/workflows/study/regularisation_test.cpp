@@ -30,7 +30,8 @@ TEST(RegularisationStudy, HasConvergedIfTheDefaultLengthHasADensityOnTheFinestSt
 }
 
 TEST(RegularisationFiles, JsonHasNullForMissingValuesAndGrowthRates) {
-  const auto found = nlohmann::json::parse(json(tests::made_up_regularisation_study(), "fpkcheck"));
+  const auto found =
+      nlohmann::json::parse(study_json_text(tests::made_up_regularisation_study(), "fpkcheck"));
   EXPECT_EQ(found.at("system").at("restitution"), 0.98);
   EXPECT_EQ(found.at("default_length"), 0.4);
   const auto& rows = found.at("rows");
@@ -44,7 +45,7 @@ TEST(RegularisationFiles, JsonHasNullForMissingValuesAndGrowthRates) {
 }
 
 TEST(RegularisationFiles, CsvHasTheSameColumnsInEveryLine) {
-  const std::string text = csv(tests::made_up_regularisation_study());
+  const std::string text = study_csv_text(tests::made_up_regularisation_study());
   EXPECT_EQ(std::ranges::count(text, '\n'), 9);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -57,7 +58,8 @@ TEST(RegularisationFiles, CsvHasTheSameColumnsInEveryLine) {
 }
 
 TEST(RegularisationTable, ReportsWhichSchemesGrowAndWhichDecay) {
-  const std::string text = tests::in_one_line(table(tests::made_up_regularisation_study(), 100));
+  const std::string text =
+      tests::in_one_line(study_table_text(tests::made_up_regularisation_study(), 100));
   for (const char* expected :
        {"literal 0.1 0.1 16x60 352 30 320 - x10 in 0.0072 4.10000 2.30000 -5e-01",
         "literal 0.4 0.4 16x60 0 - -1e-15 -0.119+-2.1i settles 0.00030 0.00040 -1e-07",
@@ -72,7 +74,8 @@ TEST(RegularisationTable, ReportsWhichSchemesGrowAndWhichDecay) {
 
 TEST(RegularisationTable, FitsItsWidth) {
   for (const std::size_t width : {80u, 100u}) {
-    EXPECT_LE(tests::longest_line(table(tests::made_up_regularisation_study(), width)), width);
+    EXPECT_LE(tests::longest_line(study_table_text(tests::made_up_regularisation_study(), width)),
+              width);
   }
 }
 

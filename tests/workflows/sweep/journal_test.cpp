@@ -23,7 +23,7 @@ class JournalFile : public testing::Test {
   void rewrite(const std::string& text) const { std::ofstream(file_, std::ios::binary) << text; }
   std::string text() const { return tests::contents(file_); }
 
-  const Plan plan_ = tests::small_plan();
+  const SweepPlan plan_ = tests::small_plan();
   tests::TemporaryDirectory directory_;
   const std::filesystem::path file_ = directory_.path() / "journal";
 };
@@ -36,10 +36,10 @@ TEST_F(JournalFile, ResumesWithTheStoredPoints) {
     again.append(tests::result_of(plan_, 5));
   }
   const auto content = read_journal(file_);
-  EXPECT_EQ(
-      csv(make_sweep_results(plan_, content.points)),
-      csv(make_sweep_results(plan_, {tests::result_of(plan_, 0), tests::result_of(plan_, 2),
-                                     tests::result_of(plan_, 4), tests::result_of(plan_, 5)})));
+  EXPECT_EQ(sweep_csv_text(make_sweep_results(plan_, content.points)),
+            sweep_csv_text(make_sweep_results(
+                plan_, {tests::result_of(plan_, 0), tests::result_of(plan_, 2),
+                        tests::result_of(plan_, 4), tests::result_of(plan_, 5)})));
 }
 
 // A process may be killed at any byte of a line.
@@ -69,7 +69,7 @@ TEST_F(JournalFile, IgnoresDamagedLines) {
 }
 
 TEST_F(JournalFile, RefusesAnotherPlan) {
-  const Plan other = tests::plan_of({parse_axis("impulse.rate", "1,2", "x")});
+  const SweepPlan other = tests::plan_of({parse_sweep_axis("impulse.rate", "1,2", "x")});
   try {
     Journal journal(file_, other);
     ADD_FAILURE();

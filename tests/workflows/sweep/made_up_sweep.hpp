@@ -11,30 +11,30 @@
 /// Plans and results with invented numbers.
 namespace fpkcheck::tests {
 
-inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
-                           sweep::PlanDesign design = sweep::PlanDesign::product,
-                           const std::string& methods = "epc-gaussian-n2,fd-kf") {
-  sweep::Plan plan{.base = make_problem(), .axes = std::move(axes), .design = design};
+inline sweep::SweepPlan plan_of(std::vector<sweep::SweepAxis> axes,
+                                sweep::PlanDesign design = sweep::PlanDesign::product,
+                                const std::string& methods = "epc-gaussian-n2,fd-kf") {
+  sweep::SweepPlan plan{.base = make_problem(), .axes = std::move(axes), .design = design};
   plan.methods = methods::builtin_registry().select_methods(methods, {});
-  plan.points = sweep::make_points(plan.axes, design, 0);
+  plan.points = sweep::make_plan_points(plan.axes, design, 0);
   return plan;
 }
 
 /// A plan with one closure and without its error estimate: milliseconds for each point.
-inline sweep::Plan quick_plan(std::vector<sweep::Axis> axes) {
-  sweep::Plan plan = plan_of(std::move(axes));
+inline sweep::SweepPlan quick_plan(std::vector<sweep::SweepAxis> axes) {
+  sweep::SweepPlan plan = plan_of(std::move(axes));
   plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2", {{"accuracy", {}}});
   return plan;
 }
 
 /// Two rates and three restitutions.
-inline sweep::Plan small_plan() {
-  return plan_of({sweep::parse_axis("impulse.rate", "1,2", "test"),
-                  sweep::parse_axis("system.restitution", "0.8:1:3", "test")});
+inline sweep::SweepPlan small_plan() {
+  return plan_of({sweep::parse_sweep_axis("impulse.rate", "1,2", "test"),
+                  sweep::parse_sweep_axis("system.restitution", "0.8:1:3", "test")});
 }
 
 /// Numbers that identify the point and the method.
-inline sweep::PointResult result_of(const sweep::Plan& plan, std::size_t point) {
+inline sweep::PointResult result_of(const sweep::SweepPlan& plan, std::size_t point) {
   sweep::PointResult result{.point = point,
                             .seconds = 2 + 2 * static_cast<double>(point),
                             .reference = plan.methods.back().id()};
@@ -49,7 +49,7 @@ inline sweep::PointResult result_of(const sweep::Plan& plan, std::size_t point) 
   return result;
 }
 
-inline sweep::SweepResults results_of(const sweep::Plan& plan) {
+inline sweep::SweepResults results_of(const sweep::SweepPlan& plan) {
   std::vector<sweep::PointResult> points;
   for (std::size_t p = 0; p < plan.points.size(); ++p) points.push_back(result_of(plan, p));
   return sweep::make_sweep_results(plan, points);

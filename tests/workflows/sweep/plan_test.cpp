@@ -18,59 +18,61 @@ namespace {
 
 using base::Value;
 
-std::vector<double> numbers(const Axis& axis) {
+std::vector<double> numbers(const SweepAxis& axis) {
   std::vector<double> found;
   for (const auto& value : axis.values) found.push_back(std::get<double>(value));
   return found;
 }
 
-TEST(Axis, RangesHaveBothEndsAndEvenSteps) {
-  EXPECT_EQ(numbers(parse_axis("system.restitution", "0.5:0.99:8", "x")),
+TEST(SweepAxis, RangesHaveBothEndsAndEvenSteps) {
+  EXPECT_EQ(numbers(parse_sweep_axis("system.restitution", "0.5:0.99:8", "x")),
             (std::vector<double>{0.5, 0.57, 0.64, 0.71, 0.78, 0.85, 0.92, 0.99}));
-  EXPECT_EQ(numbers(parse_axis("system.restitution", "1:0.8:3", "x")),
+  EXPECT_EQ(numbers(parse_sweep_axis("system.restitution", "1:0.8:3", "x")),
             (std::vector<double>{1, 0.9, 0.8}));
 }
 
-TEST(Axis, LogarithmicRangesHaveEvenRatios) {
-  EXPECT_EQ(numbers(parse_axis("impulse.rate", "log:0.01:100:5", "x")),
+TEST(SweepAxis, LogarithmicRangesHaveEvenRatios) {
+  EXPECT_EQ(numbers(parse_sweep_axis("impulse.rate", "log:0.01:100:5", "x")),
             (std::vector<double>{0.01, 0.1, 1, 10, 100}));
 }
 
-TEST(Axis, ListsKeepTheirOrderAndMayHaveWords) {
-  EXPECT_EQ(numbers(parse_axis("impulse.rate", "3, 1 ,2", "x")), (std::vector<double>{3, 1, 2}));
-  EXPECT_EQ(parse_axis("impulse.law", "laplace,gaussian", "x").values,
+TEST(SweepAxis, ListsKeepTheirOrderAndMayHaveWords) {
+  EXPECT_EQ(numbers(parse_sweep_axis("impulse.rate", "3, 1 ,2", "x")),
+            (std::vector<double>{3, 1, 2}));
+  EXPECT_EQ(parse_sweep_axis("impulse.law", "laplace,gaussian", "x").values,
             (std::vector<Value>{std::string("laplace"), std::string("gaussian")}));
 }
 
-TEST(Axis, WithoutACountIsARangeWithoutValues) {
-  const Axis axis = parse_axis("impulse.rate", "log:0.1:10", "x");
+TEST(SweepAxis, WithoutACountIsARangeWithoutValues) {
+  const SweepAxis axis = parse_sweep_axis("impulse.rate", "log:0.1:10", "x");
   EXPECT_TRUE(axis.values.empty());
   EXPECT_NEAR(axis.value_at_fraction(0.5), 1, 1e-12);
-  EXPECT_EQ(axis.text(), "impulse.rate = log:0.1:10");
+  EXPECT_EQ(axis.definition_text(), "impulse.rate = log:0.1:10");
 }
 
-const Axis kRates = parse_axis("impulse.rate", "1,2", "x");
-const Axis kLosses = parse_axis("system.restitution", "0.8,0.9,1", "x");
+const SweepAxis kRates = parse_sweep_axis("impulse.rate", "1,2", "x");
+const SweepAxis kLosses = parse_sweep_axis("system.restitution", "0.8,0.9,1", "x");
 
 TEST(PlanPoints, OfAProductTheLastAxisVariesFastest) {
-  const PlanPoints points = make_points({kRates, kLosses}, PlanDesign::product, 0);
+  const PlanPoints points = make_plan_points({kRates, kLosses}, PlanDesign::product, 0);
   ASSERT_EQ(points.size(), 6);
   EXPECT_EQ(points[1], (std::vector<base::Value>{1.0, 0.9}));
   EXPECT_EQ(points[3], (std::vector<base::Value>{2.0, 0.8}));
 }
 
 TEST(PlanPoints, OfAListHaveTheKthValues) {
-  const Axis two = parse_axis("system.restitution", "0.8,0.9", "x");
-  EXPECT_EQ(make_points({kRates, two}, PlanDesign::list, 0), (PlanPoints{{1.0, 0.8}, {2.0, 0.9}}));
-  EXPECT_THROW(make_points({kRates, kLosses}, PlanDesign::list, 0), InputError);
+  const SweepAxis two = parse_sweep_axis("system.restitution", "0.8,0.9", "x");
+  EXPECT_EQ(make_plan_points({kRates, two}, PlanDesign::list, 0),
+            (PlanPoints{{1.0, 0.8}, {2.0, 0.9}}));
+  EXPECT_THROW(make_plan_points({kRates, kLosses}, PlanDesign::list, 0), InputError);
 }
 
 // Each sixteenth of each range gets the same number of points, unlike random points.
 TEST(PlanPoints, OfASobolSequenceFillTheBoxEvenly) {
-  const std::vector<Axis> axes{parse_axis("impulse.rate", "log:0.1:10", "x"),
-                               parse_axis("system.restitution", "0.5:1", "x"),
-                               parse_axis("system.cubic", "1:2", "x")};
-  const PlanPoints points = make_points(axes, PlanDesign::sobol, 255);
+  const std::vector<SweepAxis> axes{parse_sweep_axis("impulse.rate", "log:0.1:10", "x"),
+                                    parse_sweep_axis("system.restitution", "0.5:1", "x"),
+                                    parse_sweep_axis("system.cubic", "1:2", "x")};
+  const PlanPoints points = make_plan_points(axes, PlanDesign::sobol, 255);
   ASSERT_EQ(points.size(), 255);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     std::array<int, 16> counts{};
@@ -88,8 +90,8 @@ TEST(PlanPoints, OfASobolSequenceFillTheBoxEvenly) {
   }
 }
 
-TEST(Plan, AProblemHasTheValuesOfItsPoint) {
-  const Plan plan = tests::small_plan();
+TEST(SweepPlan, AProblemHasTheValuesOfItsPoint) {
+  const SweepPlan plan = tests::small_plan();
   const auto problem = plan.problem_at(4);
   EXPECT_EQ(problem.impulses.arrival_rate(), 2);
   EXPECT_EQ(problem.system.coefficients().restitution, 0.9);
@@ -98,10 +100,10 @@ TEST(Plan, AProblemHasTheValuesOfItsPoint) {
 }
 
 // A misspelt constant would solve the same problem at each point.
-TEST(Plan, VariesOnlyConstantsOfTheCase) {
+TEST(SweepPlan, VariesOnlyConstantsOfTheCase) {
   const auto base = problem::load_case("coulomb", {});
-  require_known_constants(base, {parse_axis("parameters.mu", "0.1,0.2", "x"), kRates});
-  EXPECT_THROW(require_known_constants(base, {parse_axis("parameters.mue", "0.1,0.2", "x")}),
+  require_known_constants(base, {parse_sweep_axis("parameters.mu", "0.1,0.2", "x"), kRates});
+  EXPECT_THROW(require_known_constants(base, {parse_sweep_axis("parameters.mue", "0.1,0.2", "x")}),
                InputError);
 }
 
@@ -128,7 +130,7 @@ TEST_F(PlanFile, HasACaseAndVariedKeys) {
   EXPECT_EQ(plan.base.name, "mine");
   EXPECT_EQ(plan.base.system.coefficients().damping, 0.3);
   ASSERT_EQ(plan.axes.size(), 2);
-  EXPECT_EQ(plan.axes[1].text(), "impulse.rate = log:1:2");
+  EXPECT_EQ(plan.axes[1].definition_text(), "impulse.rate = log:1:2");
   EXPECT_EQ(plan.design, PlanDesign::sobol);
   EXPECT_EQ(plan.points, 7);
   EXPECT_EQ(plan.methods, "epc,fd-kf");
@@ -143,35 +145,36 @@ TEST_F(PlanFile, MayNameItsCaseOrBeACaseAlone) {
   EXPECT_EQ(read_plan("case2", {}).base.name, "case2");
 }
 
-std::string difference(const Plan& before, const Plan& now) {
+std::string difference(const SweepPlan& before, const SweepPlan& now) {
   return first_plan_difference(plan_json(before), plan_json(now));
 }
 
 TEST(PlanJson, IsReadBackUnchanged) {
-  const Plan plan = tests::plan_of({parse_axis("impulse.law", "gaussian,laplace", "x"),
-                                    parse_axis("system.cubic", "log:1:100:3", "x")});
+  const SweepPlan plan = tests::plan_of({parse_sweep_axis("impulse.law", "gaussian,laplace", "x"),
+                                         parse_sweep_axis("system.cubic", "log:1:100:3", "x")});
   const auto json = results::Json::parse(plan_json(plan).dump());
-  const Plan again = plan_from_json(json, methods::builtin_registry());
+  const SweepPlan again = plan_from_json(json, methods::builtin_registry());
   EXPECT_EQ(again.points, plan.points);
   EXPECT_EQ(difference(plan, again), "");
   EXPECT_EQ(again.methods[1].id(), "fd-kf");
 }
 
 TEST(PlanJson, ReportsTheFirstDifference) {
-  const Plan plan = tests::small_plan();
+  const SweepPlan plan = tests::small_plan();
   const auto with = [&](auto change) {
-    Plan other = tests::small_plan();
+    SweepPlan other = tests::small_plan();
     change(other);
     return difference(plan, other);
   };
-  EXPECT_EQ(with([](Plan& p) { p.marginals = true; }), "/marginals: false then, true now");
-  EXPECT_EQ(with([](Plan& p) { p.closure_errors = ClosureErrorSource::residuals; }),
+  EXPECT_EQ(with([](SweepPlan& p) { p.marginals = true; }), "/marginals: false then, true now");
+  EXPECT_EQ(with([](SweepPlan& p) { p.closure_errors = ClosureErrorSource::residuals; }),
             "/closure_errors: \"reference\" then, \"residuals\" now");
-  EXPECT_TRUE(with([](Plan& p) { p.axes[0].values[1] = 3.0; }).starts_with("/vary/0/values/1: "));
-  EXPECT_TRUE(with([](Plan& p) { p.methods.pop_back(); }).ends_with(" then, nothing now"));
-  EXPECT_EQ(with([](Plan& p) { p.base = tests::make_problem({.damping = 0.2}); }),
+  EXPECT_TRUE(
+      with([](SweepPlan& p) { p.axes[0].values[1] = 3.0; }).starts_with("/vary/0/values/1: "));
+  EXPECT_TRUE(with([](SweepPlan& p) { p.methods.pop_back(); }).ends_with(" then, nothing now"));
+  EXPECT_EQ(with([](SweepPlan& p) { p.base = tests::make_problem({.damping = 0.2}); }),
             "/case/system/damping: 0.1 then, 0.2 now");
-  EXPECT_EQ(with([](Plan& p) {
+  EXPECT_EQ(with([](SweepPlan& p) {
               p.methods = methods::builtin_registry().select_methods("epc-gaussian-n2,fd-kf",
                                                                      {{"accuracy", 0.5}});
             }),

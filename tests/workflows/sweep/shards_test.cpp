@@ -18,10 +18,10 @@ namespace {
 TEST(Shard, EveryPointIsInOne) {
   std::multiset<std::size_t> all;
   for (std::size_t i = 1; i <= 4; ++i) {
-    for (const auto point : Shard{i, 4}.points(10)) all.insert(point);
+    for (const auto point : Shard{i, 4}.point_numbers(10)) all.insert(point);
   }
   EXPECT_EQ(all, (std::multiset<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
-  EXPECT_EQ((Shard{2, 4}.points(10)), (std::vector<std::size_t>{1, 5, 9}));
+  EXPECT_EQ((Shard{2, 4}.point_numbers(10)), (std::vector<std::size_t>{1, 5, 9}));
 }
 
 TEST(Shard, IsReadFromTheNameOfItsJournal) {
@@ -38,7 +38,7 @@ TEST(Shard, IsReadFromTheNameOfItsJournal) {
 
 TEST(Shard, HoldsItsPoints) {
   for (std::size_t i = 1; i <= 4; ++i) {
-    for (const auto point : Shard{i, 4}.points(10)) {
+    for (const auto point : Shard{i, 4}.point_numbers(10)) {
       EXPECT_EQ(Shard::containing(point, 4).number, i);
     }
   }
@@ -52,17 +52,18 @@ TEST(Shard, IsReadFromITheSlashAndN) {
   }
 }
 
-void write_shard(const Plan& plan, const std::filesystem::path& directory, const Shard& shard) {
+void write_shard(const SweepPlan& plan, const std::filesystem::path& directory,
+                 const Shard& shard) {
   std::filesystem::create_directories(directory);
   Journal journal(directory / shard.journal_name(), plan);
-  for (const auto point : shard.points(plan.points.size())) {
+  for (const auto point : shard.point_numbers(plan.points.size())) {
     journal.append(tests::result_of(plan, point));
   }
 }
 
 TEST(MergedSweep, JoinsShards) {
   const tests::TemporaryDirectory directory;
-  const Plan plan = tests::small_plan();
+  const SweepPlan plan = tests::small_plan();
   write_shard(plan, directory.path() / "a", {1, 3});
   write_shard(plan, directory.path() / "a", {2, 3});
   write_shard(plan, directory.path() / "b", {3, 3});
@@ -70,12 +71,12 @@ TEST(MergedSweep, JoinsShards) {
       merge_journals({directory.path() / "b", directory.path() / "a"}, methods::builtin_registry());
   EXPECT_TRUE(all.results.is_complete());
   EXPECT_TRUE(all.remarks.empty());
-  EXPECT_EQ(csv(all.results), csv(tests::results_of(plan)));
+  EXPECT_EQ(sweep_csv_text(all.results), sweep_csv_text(tests::results_of(plan)));
 }
 
 std::string remark_without(const std::vector<Shard>& missing, std::size_t of) {
   const tests::TemporaryDirectory directory;
-  const Plan plan = tests::small_plan();
+  const SweepPlan plan = tests::small_plan();
   for (std::size_t number = 1; number <= of; ++number) {
     if (std::ranges::find(missing, number, &Shard::number) != missing.end()) continue;
     write_shard(plan, directory.path(), {number, of});
@@ -97,7 +98,7 @@ TEST(MergedSweep, ReportsShardsWithMissingPoints) {
 
 TEST(MergedSweep, ReportsAnIncompleteShard) {
   const tests::TemporaryDirectory directory;
-  const Plan plan = tests::small_plan();
+  const SweepPlan plan = tests::small_plan();
   write_shard(plan, directory.path(), {1, 2});
   Journal(directory.path() / Shard{2, 2}.journal_name(), plan).append(tests::result_of(plan, 1));
   const auto all = merge_journals({directory.path()}, methods::builtin_registry());
@@ -107,7 +108,7 @@ TEST(MergedSweep, ReportsAnIncompleteShard) {
 
 TEST(MergedSweep, WithoutShardsSuggestsToRepeatTheSweep) {
   const tests::TemporaryDirectory directory;
-  const Plan plan = tests::small_plan();
+  const SweepPlan plan = tests::small_plan();
   Journal(directory.path() / "journal", plan).append(tests::result_of(plan, 1));
   const auto all = merge_journals({directory.path()}, methods::builtin_registry());
   ASSERT_EQ(all.remarks.size(), 1);
@@ -117,7 +118,8 @@ TEST(MergedSweep, WithoutShardsSuggestsToRepeatTheSweep) {
 TEST(MergedSweep, OtherPlansAndEmptyDirectoriesAreRefused) {
   const tests::TemporaryDirectory directory;
   write_shard(tests::small_plan(), directory.path(), {1, 2});
-  write_shard(tests::plan_of({parse_axis("impulse.rate", "1,2", "x")}), directory.path(), {2, 2});
+  write_shard(tests::plan_of({parse_sweep_axis("impulse.rate", "1,2", "x")}), directory.path(),
+              {2, 2});
   EXPECT_THROW(merge_journals({directory.path()}, methods::builtin_registry()), InputError);
   const tests::TemporaryDirectory empty;
   EXPECT_THROW(merge_journals({empty.path()}, methods::builtin_registry()), InputError);

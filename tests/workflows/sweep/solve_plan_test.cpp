@@ -17,14 +17,14 @@
 namespace fpkcheck::sweep {
 namespace {
 
-std::vector<std::size_t> all_of(const Plan& plan) {
+std::vector<std::size_t> all_of(const SweepPlan& plan) {
   std::vector<std::size_t> all(plan.points.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   return all;
 }
 
 TEST(PointQueue, AssignsEachPointOnceTheLongestFirst) {
-  const Plan plan = tests::plan_of({parse_axis("impulse.rate", "log:0.1:10:200", "x")});
+  const SweepPlan plan = tests::plan_of({parse_sweep_axis("impulse.rate", "log:0.1:10:200", "x")});
   PointQueue queue(plan, all_of(plan), {});
   const auto seconds = [&](std::size_t p) { return std::get<double>(plan.points[p][0]); };
   std::set<std::size_t> seen;
@@ -44,7 +44,7 @@ TEST(PointQueue, AssignsEachPointOnceTheLongestFirst) {
 }
 
 TEST(PointQueue, SkipsSolvedPoints) {
-  const Plan plan = tests::small_plan();
+  const SweepPlan plan = tests::small_plan();
   PointQueue queue(plan, {0, 2, 4}, {tests::result_of(plan, 2), tests::result_of(plan, 1)});
   std::set<std::size_t> seen;
   for (auto point = queue.take_next_point(); point; point = queue.take_next_point())
@@ -60,12 +60,13 @@ bool says(const std::string& text, const std::string& part) {
 
 TEST(JournaledPointQueue, ReportsThePointsOfAResumedSweep) {
   const tests::TemporaryDirectory directory;
-  const Plan plan = tests::small_plan();
+  const SweepPlan plan = tests::small_plan();
   const auto file = directory.path() / "journal";
   {
     JournaledPointQueue fresh(plan, directory.path(), {}, {});
     EXPECT_EQ(fresh.resumption_text(), "");
-    for (const std::size_t point : {4, 0}) fresh.store({tests::result_of(plan, point), {}});
+    for (const std::size_t point : {4, 0})
+      fresh.store_solved_point({tests::result_of(plan, point), {}});
   }
   {
     const JournaledPointQueue again(plan, directory.path(), {}, {});
@@ -83,7 +84,7 @@ TEST(JournaledPointQueue, ReportsThePointsOfAResumedSweep) {
 // A shard counts its own points alone.
 TEST(JournaledPointQueue, OfAShardCountsItsPoints) {
   const tests::TemporaryDirectory directory;
-  const Plan plan = tests::small_plan();
+  const SweepPlan plan = tests::small_plan();
   Journal(directory.path() / "journal.2-of-3", plan).append(tests::result_of(plan, 1));
   const std::string text =
       JournaledPointQueue(plan, directory.path(), {2, 3}, {}).resumption_text();
@@ -94,7 +95,7 @@ using transform::Status;
 
 // With residuals the result is that of `run`.
 TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
-  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
+  SweepPlan plan = tests::plan_of({parse_sweep_axis("system.restitution", "0.9,0.98", "x")});
   plan.closure_errors = ClosureErrorSource::residuals;
   plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n4,fd-white,fd-kf",
                                                             {{"stepper", "direct"}});
@@ -109,8 +110,9 @@ TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
     EXPECT_EQ(kept.moments->y4, solution.moments.y4);
     EXPECT_EQ(kept.error->ydot, solution.error->ydot_l1);
     if (m == 2) continue;
-    EXPECT_EQ(kept.l1->y, run[0].l1(solution.id(), "fd-kf", transform::StateVariable::y));
-    EXPECT_EQ(kept.l1->ydot, run[0].l1(solution.id(), "fd-kf", transform::StateVariable::ydot));
+    EXPECT_EQ(kept.l1->y, run[0].l1_distance(solution.id(), "fd-kf", transform::StateVariable::y));
+    EXPECT_EQ(kept.l1->ydot,
+              run[0].l1_distance(solution.id(), "fd-kf", transform::StateVariable::ydot));
   }
   ASSERT_FALSE(point.result.methods[0].budget.empty());
   EXPECT_EQ(point.result.methods[0].budget[0].l1.y, run[0].budget[0].parts[0].l1);
@@ -118,7 +120,7 @@ TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
 }
 
 TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
-  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
+  SweepPlan plan = tests::plan_of({parse_sweep_axis("system.restitution", "0.9,0.98", "x")});
   // In case 1 the L1 distances of n = 2 are 0.0044 and 0.030, those of n = 6 0.0023 and 0.0047.
   plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2,epc-gaussian-n6,fd-kf",
                                                             {{"stepper", "direct"}});
@@ -136,7 +138,7 @@ TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
 }
 
 TEST(SolvePoint, ErrorOfAClosureComesFromResidualsWithoutAReference) {
-  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
+  SweepPlan plan = tests::plan_of({parse_sweep_axis("system.restitution", "0.9,0.98", "x")});
   plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2", {});
   const auto by_default = solve_point(plan, 1).result.methods[0];
   plan.closure_errors = ClosureErrorSource::residuals;
@@ -148,7 +150,7 @@ TEST(SolvePoint, ErrorOfAClosureComesFromResidualsWithoutAReference) {
 
 // No variance remains for this mean: E[Y]^2 must be below intensity / rate = 0.1.
 TEST(SolvePoint, InconsistentValuesAreAFailedResult) {
-  const Plan plan = tests::plan_of({parse_axis("impulse.mean", "0,0.5", "x")});
+  const SweepPlan plan = tests::plan_of({parse_sweep_axis("impulse.mean", "0,0.5", "x")});
   const auto point = solve_point(plan, 1).result;
   ASSERT_EQ(point.methods.size(), 2);
   EXPECT_EQ(point.methods[0].status, Status::failed);
@@ -157,7 +159,7 @@ TEST(SolvePoint, InconsistentValuesAreAFailedResult) {
 }
 
 TEST(SolvePoint, AMethodThatHasNoMemoryFailsAlone) {
-  Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9,0.98", "x")});
+  SweepPlan plan = tests::quick_plan({parse_sweep_axis("system.restitution", "0.9,0.98", "x")});
   methods::Method greedy = plan.methods[0];
   greedy.solve = [](const auto&, const auto&) -> transform::Solution { throw std::bad_alloc(); };
   plan.methods.insert(plan.methods.begin(), greedy);
@@ -168,7 +170,7 @@ TEST(SolvePoint, AMethodThatHasNoMemoryFailsAlone) {
 
 TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
   const tests::TemporaryDirectory directory;
-  Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9:1:5", "x")});
+  SweepPlan plan = tests::quick_plan({parse_sweep_axis("system.restitution", "0.9:1:5", "x")});
   plan.marginals = true;
   std::size_t told = 0;
   {
@@ -177,7 +179,7 @@ TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
       told = at.done;
     });
     solve_remaining_points(plan, progress, 2);
-    EXPECT_EQ(progress.points().size(), 5);
+    EXPECT_EQ(progress.solved_points().size(), 5);
   }
   EXPECT_EQ(told, 5);
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "marginals" / "000004.csv"));

@@ -27,7 +27,7 @@ std::string groups_text(std::size_t point) {
 }
 
 TEST(SweepCsv, HasARowForEachPointAndMethod) {
-  const auto lines = lines_of(csv(tests::results_of(tests::small_plan())));
+  const auto lines = lines_of(sweep_csv_text(tests::results_of(tests::small_plan())));
   ASSERT_EQ(lines.size(), 1 + 6 * 2);
   EXPECT_EQ(lines[0],
             "impulse.rate,system.restitution,solution,status,reason,y1,y2,y4,v1,v2,v4,l1_y,l1_ydot,"
@@ -44,14 +44,14 @@ TEST(SweepCsv, QuotesReasonsAndHasEmptyCellsForNaN) {
   results.points[0].methods[0].reason = "a \"b\", c";
   results.points[0].methods[0].status = transform::Status::inadmissible;
   results.points[0].methods[0].moments->y2 = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(lines_of(csv(results))[1],
+  EXPECT_EQ(lines_of(sweep_csv_text(results))[1],
             "1,0.8,epc-gaussian-n2,inadmissible,\"a \"\"b\"\", c\",0,,0,0,0,0,0.01,0.02,fd-kf,1,,,"
             "0.3,0.4," +
                 groups_text(0));
 }
 
 results::NetCdfReader reader_of(const SweepResults& results) {
-  return results::NetCdfReader(netcdf_bytes(results, "fpkcheck sweep"));
+  return results::NetCdfReader(sweep_netcdf_bytes(results, "fpkcheck sweep"));
 }
 
 TEST(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {
@@ -75,9 +75,9 @@ TEST(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {
 }
 
 TEST(SweepNetCdf, OfAListHasItsPointsAndWords) {
-  const Plan plan = tests::plan_of(
-      {parse_axis("impulse.law", "gaussian,laplace", "x"), parse_axis("system.cubic", "1,2", "x")},
-      PlanDesign::list);
+  const SweepPlan plan = tests::plan_of({parse_sweep_axis("impulse.law", "gaussian,laplace", "x"),
+                                         parse_sweep_axis("system.cubic", "1,2", "x")},
+                                        PlanDesign::list);
   auto file = reader_of(tests::results_of(plan));
   EXPECT_EQ(file.dimension_names("v2"), (std::vector<std::string>{"point", "solution"}));
   EXPECT_EQ(file.read_labels("impulse.law"), (std::vector<std::string>{"gaussian", "laplace"}));
@@ -87,7 +87,7 @@ TEST(SweepNetCdf, OfAListHasItsPointsAndWords) {
 TEST(SweepTable, CountsStatusesAndRanksDistancesOfOkSolutions) {
   auto results = tests::results_of(tests::small_plan());
   results.points[5].methods[0].status = transform::Status::inaccurate;  // the worst, 0.06
-  const std::string text = table(results, {100, false});
+  const std::string text = sweep_table_text(results, {100, false});
   EXPECT_NE(text.find("6 points of test, impulse.rate = 1,2, system.restitution = 0.8:1:3"),
             std::string::npos);
   // 0.02, 0.02, 0.03, 0.04, 0.05 are ok: the larger value of both marginals.
@@ -98,7 +98,7 @@ TEST(SweepTable, CountsStatusesAndRanksDistancesOfOkSolutions) {
 }
 
 TEST(SweepTable, FitsTheNarrowestTerminal) {
-  std::istringstream lines(table(tests::results_of(tests::small_plan()), {80, false}));
+  std::istringstream lines(sweep_table_text(tests::results_of(tests::small_plan()), {80, false}));
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80) << line;
 }
 

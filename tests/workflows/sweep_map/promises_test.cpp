@@ -95,7 +95,7 @@ TEST(Promises, HoldForProblemsBetweenThePoints) {
     if (promised.empty() || promised.front().id == "fd-kf") continue;
     SCOPED_TRACE(problem.name + ": " + problem::parameters_text(problem));
     const std::string id = promised.front().id;
-    Plan plan{.base = problem, .axes = {}, .points = {{}}};
+    SweepPlan plan{.base = problem, .axes = {}, .points = {{}}};
     plan.methods = methods::builtin_registry().select_methods(id + ",fd-kf",
                                                               {{"stepper", std::string("direct")}});
     const auto result = solve_point(plan, 0).result;

@@ -106,7 +106,7 @@ TEST(ShippedValidityMap, HasExistingMethods) {
   EXPECT_GT(map.points.size(), 100);
   EXPECT_EQ(map.methods.back(), "fd-kf");
   for (const auto& id : map.methods)
-    EXPECT_TRUE(methods::builtin_registry().method_by_id(id)) << id;
+    EXPECT_TRUE(methods::builtin_registry().find_method_by_id(id)) << id;
 }
 
 using tests::made_up_place;

@@ -57,7 +57,8 @@ TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutWarnings) {
       base::write_file_atomically(script, picture.script);
       const auto image = directory.path() / "picture.svg";
       const auto outcome = report::run_gnuplot(
-          "gnuplot", {"format='svg'", "target=" + report::gnuplot_string(image.string())}, script);
+          "gnuplot", {"format='svg'", "target=" + report::quote_for_gnuplot(image.string())},
+          script);
       EXPECT_EQ(outcome.exit_code, 0) << script << outcome.message << picture.script;
       EXPECT_EQ(outcome.message, "") << script << picture.script;
       EXPECT_GT(std::filesystem::file_size(image), 1000u);

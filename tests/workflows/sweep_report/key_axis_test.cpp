@@ -14,10 +14,10 @@ using tests::contains;
 KeyAxis axis_of(const tests::KeyAndValues& axis) { return {tests::made_up_plan({axis}), 0}; }
 
 TEST(KeyAxis, IsLogarithmicForLogarithmicSpacing) {
-  const auto even = axis_of(tests::kFiveRestitutions).axis();
+  const auto even = axis_of(tests::kFiveRestitutions).figure_axis();
   EXPECT_FALSE(even.is_logarithmic);
   EXPECT_EQ(even.label, "system.restitution, {/:Italic r}");
-  const auto by_decades = axis_of(tests::kThreeRates).axis();
+  const auto by_decades = axis_of(tests::kThreeRates).figure_axis();
   EXPECT_TRUE(by_decades.is_logarithmic);
   EXPECT_TRUE(tests::tics_of(by_decades).starts_with("0.1 0.1, "));
   EXPECT_TRUE(tests::tics_of(by_decades).ends_with(", 10 10"));
@@ -29,9 +29,9 @@ TEST(KeyAxis, PlacesWordsAtEqualDistances) {
   const KeyAxis laws = axis_of(tests::kTwoLaws);
   EXPECT_TRUE(laws.is_categorical());
   EXPECT_EQ(laws.coordinate(std::string("laplace")), 1);
-  EXPECT_EQ(tests::tics_of(laws.axis()), "gaussian 0, laplace 1");
-  EXPECT_EQ(laws.axis().from, -0.5);
-  EXPECT_EQ(laws.axis().to, 1.5);
+  EXPECT_EQ(tests::tics_of(laws.figure_axis()), "gaussian 0, laplace 1");
+  EXPECT_EQ(laws.figure_axis().from, -0.5);
+  EXPECT_EQ(laws.figure_axis().to, 1.5);
 }
 
 TEST(KeyAxis, OfCellsHasRoundNumbersAtTheirPositions) {

@@ -18,29 +18,29 @@ using KeyAndValues = std::pair<std::string, std::string>;
 /// Indices of the methods.
 enum MadeUpMethod { made_up_gaussian, made_up_moment, made_up_white, made_up_reference };
 
-inline sweep::Plan made_up_plan(const std::vector<KeyAndValues>& axes,
-                                sweep::PlanDesign design = sweep::PlanDesign::product,
-                                std::size_t sobol_points = 0) {
+inline sweep::SweepPlan made_up_plan(const std::vector<KeyAndValues>& axes,
+                                     sweep::PlanDesign design = sweep::PlanDesign::product,
+                                     std::size_t sobol_points = 0) {
   using problem::DensityEquation;
   using problem::ImpactCondition;
-  sweep::Plan plan{.base = paper_case(1), .axes = {}, .design = design};
+  sweep::SweepPlan plan{.base = paper_case(1), .axes = {}, .design = design};
   plan.sobol_points = sobol_points;
   plan.base.name = "case1";
   for (const auto& [key, values] : axes)
-    plan.axes.push_back(sweep::parse_axis(key, values, "test"));
+    plan.axes.push_back(sweep::parse_sweep_axis(key, values, "test"));
   for (const auto& who : {closure_identity("gaussian", 4), closure_identity("moment", 4),
                           identity("fd-white", "fd", DensityEquation::white, ImpactCondition::map),
                           identity("fd-kf", "fd", DensityEquation::kf, ImpactCondition::map)}) {
     plan.methods.emplace_back();
     plan.methods.back().identity = who;
   }
-  plan.points = sweep::make_points(plan.axes, design, sobol_points);
+  plan.points = sweep::make_plan_points(plan.axes, design, sobol_points);
   return plan;
 }
 
 /// Distances of moment fall from 0.2 to 0.002 over the points, those of fd-white are 0.03, those of
 /// gaussian 0.4. gaussian is inadmissible except at the second point. fd-kf is the reference.
-inline sweep::SweepResults made_up_sweep(sweep::Plan plan) {
+inline sweep::SweepResults made_up_sweep(sweep::SweepPlan plan) {
   using transform::Status;
   std::vector<sweep::PointResult> points;
   for (std::size_t k = 0; k < plan.points.size(); ++k) {

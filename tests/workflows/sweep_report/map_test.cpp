@@ -100,8 +100,9 @@ TEST(Map, LeavesCellsWithoutADistanceEmpty) {
   EXPECT_EQ(std::ranges::count_if(values, [](double value) { return std::isnan(value); }), 2);
   EXPECT_TRUE(std::isnan(values[0]));
   const std::string entry = "title 'white: no distance'";
-  EXPECT_NE(report::figure_script(figure, "sweep-map").find(entry), std::string::npos);
-  EXPECT_EQ(report::figure_script(map_of(two_keys()), "sweep-map").find(entry), std::string::npos);
+  EXPECT_NE(report::make_gnuplot_script(figure, "sweep-map").find(entry), std::string::npos);
+  EXPECT_EQ(report::make_gnuplot_script(map_of(two_keys()), "sweep-map").find(entry),
+            std::string::npos);
 }
 
 TEST(Map, MarksTheReferenceWhereItIsNotAlwaysTheSame) {

@@ -18,7 +18,7 @@ TEST(SweepFiles, TablesReplaceEarlierFiles) {
   base::write_file_atomically(directory.path() / "sweep.csv", "other numbers");
   const auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   write_sweep_tables(directory.path(), results, "fpkcheck sweep");
-  EXPECT_EQ(tests::contents(directory.path() / "sweep.csv"), csv(results));
+  EXPECT_EQ(tests::contents(directory.path() / "sweep.csv"), sweep_csv_text(results));
   EXPECT_TRUE(exists(directory.path() / "sweep.nc"));
   EXPECT_FALSE(exists(directory.path() / "report.html"));
 }

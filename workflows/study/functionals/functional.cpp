@@ -85,7 +85,9 @@ void for_each_selected_method(const problem::Problem& problem, const FunctionalO
                 .fraction = fraction});
     };
     if (selected[k].mcs) {
-      selected[k].mcs->progress = [&](const mcs::Progress& now) { progress(now.fraction); };
+      selected[k].mcs->progress = [&](const mcs::SimulationProgress& now) {
+        progress(now.fraction);
+      };
     }
     progress(0);
     compute(selected[k]);
@@ -102,12 +104,12 @@ std::string functional_json(const problem::Problem& problem, const std::string& 
   return results::serialise_json(results::replace_non_finite_by_null(json));
 }
 
-std::string solution_line(const std::string& id, Status status, const std::string& reason) {
+std::string solution_status_line(const std::string& id, Status status, const std::string& reason) {
   return status == Status::ok ? fmt::format("{}: ", id)
                               : fmt::format("{}: {}: {}; ", id, transform::name(status), reason);
 }
 
-std::string error_kind(bool has_standard_errors) {
+std::string error_kind_text(bool has_standard_errors) {
   return has_standard_errors ? "standard error" : "discretisation error";
 }
 

@@ -19,10 +19,11 @@
 #include "transform/solution.hpp"
 #include "workflows/study/record.hpp"
 
-/// Functionals of the generator: what the commands spectrum, sensitivity and passage share.
+/// Options, methods and texts that the commands `spectrum`, `sensitivity` and `passage` share. Each
+/// of these commands computes a functional of the generator of the process.
 namespace fpkcheck::study {
 
-/// Options that all commands of functionals have.
+/// Options that the commands `spectrum`, `sensitivity` and `passage` share.
 struct FunctionalOptions {
   std::string methods = "fd-kf,mcs";
   double accuracy = 1e-2;
@@ -32,7 +33,8 @@ struct FunctionalOptions {
   std::optional<int> threads{};
 };
 
-/// Returns the description of the options of a functional, with those of FunctionalOptions.
+/// Returns the descriptions `own` of the options of one command, followed by the descriptions of
+/// the options in FunctionalOptions.
 /// @tparam Options a struct derived from FunctionalOptions
 /// @param accuracy_help meaning of the option --accuracy
 /// @param time_help meaning of the option --time
@@ -72,7 +74,8 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
            closed_interval(1, 4096));
 }
 
-/// A method with its options; one of `fd`, `characteristics`, `epc` and `mcs` is present.
+/// A method that computes a functional. Exactly one of the members `fd`, `characteristics`, `epc`
+/// and `mcs` has a value, the options of the method.
 struct SelectedMethod {
   transform::SolutionIdentity identity;  ///< with the plot style of the method
   std::optional<fd_fpk::Options> fd = {};
@@ -94,11 +97,12 @@ std::vector<SelectedMethod> select_methods(
     const FunctionalOptions& options,
     SelectableMethods selectable = SelectableMethods::finite_volumes_and_simulations);
 
-/// Returns the method with an id, or the end of the list.
+/// Returns an iterator to the method with the given id, or the end iterator of the list.
 std::vector<SelectedMethod>::const_iterator find_method(const std::vector<SelectedMethod>& methods,
                                                         const std::string& id);
 
-/// Calls `compute` with each selected method. The options of a simulation report its progress.
+/// Calls `compute` with each selected method. The listener receives the progress of each
+/// simulation.
 /// @throws InputError as select_methods()
 void for_each_selected_method(
     const problem::Problem& problem, const FunctionalOptions& options,
@@ -110,15 +114,16 @@ void for_each_selected_method(
 std::string functional_json(const problem::Problem& problem, const std::string& key,
                             const results::Json& list, const std::string& command);
 
-/// Returns "ID: " and the status and reason of a result other than `ok`.
-std::string solution_line(const std::string& id, transform::Status status,
-                          const std::string& reason);
+/// Returns the text "ID: " for a result with the status `ok`, and "ID: STATUS: REASON; " for a
+/// result with another status.
+std::string solution_status_line(const std::string& id, transform::Status status,
+                                 const std::string& reason);
 
 /// Returns the kind of the errors of a result: "standard error" or "discretisation error".
-std::string error_kind(bool has_standard_errors);
+std::string error_kind_text(bool has_standard_errors);
 
-/// Appends the table columns of the values of a solution and of their errors, with the paths ID and
-/// ID-error.
+/// Appends two table columns of a solution: the values with the path ID, and the errors of the
+/// values with the path ID-error.
 /// @param format format of the values
 void append_value_columns(const std::string& id, const std::string& header,
                           bool has_standard_errors, std::vector<TableColumn>& columns,
@@ -127,11 +132,12 @@ void append_value_columns(const std::string& id, const std::string& header,
 /// Returns the items of a comma-separated list.
 std::vector<std::string> split_at_commas(const std::string& list);
 
-/// Returns the finite number of a text; empty for any other text.
+/// Returns the finite number that a text represents, or an empty value if the text represents no
+/// finite number.
 std::optional<double> parse_finite_number(const std::string& text);
 
-/// Returns whether the statuses of all results of methods that support the problem are `ok`, and a
-/// method supports the problem.
+/// Returns whether at least one result has the status `ok`, and all results have the status `ok` or
+/// `not_offered`.
 template <class Result>
 bool are_converged(const std::vector<Result>& results) {
   const auto is_ok = [](const Result& result) { return result.status == transform::Status::ok; };
@@ -141,8 +147,8 @@ bool are_converged(const std::vector<Result>& results) {
   return std::ranges::all_of(results, is_acceptable) && std::ranges::any_of(results, is_ok);
 }
 
-/// Returns the results of finite volumes and simulations: closures may fail, because their accuracy
-/// is a result of the command.
+/// Returns the results of all methods except closures. Closures may fail, because the accuracy of
+/// closures is a result of the command.
 template <class Result>
 std::vector<Result> without_closures(const std::vector<Result>& results) {
   std::vector<Result> others;

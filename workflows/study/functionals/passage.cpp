@@ -16,7 +16,7 @@
 #include "mcs/passage.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::study {
@@ -28,10 +28,10 @@ using transform::ValueWithError;
 using Quantity = std::optional<ValueWithError> Passage::*;
 
 // Name of the start other than the stationary law, in keys and tables.
-struct PointName {
+struct StartName {
   std::string key, text;
 };
-PointName point_name(const PassageOptions& options) {
+StartName start_name(const PassageOptions& options) {
   if (!options.start) return {"rest", "rest"};
   return {"start", "(" + *options.start + ")"};
 }
@@ -41,8 +41,8 @@ struct NamedQuantity {
   std::string name;  // name in tables
   Quantity quantity;
 };
-std::vector<NamedQuantity> named_quantities(const PassageOptions& options) {
-  const auto [key, text] = point_name(options);
+std::vector<NamedQuantity> passage_quantities(const PassageOptions& options) {
+  const auto [key, text] = start_name(options);
   return {{"hazard", "hazard", &Passage::hazard},
           {"mean_from_" + key, "mean time from " + text, &Passage::mean_from_point},
           {"mean_from_stationary", "mean time, stationary start", &Passage::mean_from_stationary},
@@ -50,7 +50,7 @@ std::vector<NamedQuantity> named_quantities(const PassageOptions& options) {
           {"probability_below", "probability below the barrier", &Passage::probability_below}};
 }
 
-std::vector<double> parse_times(const PassageOptions& options) {
+std::vector<double> parse_survival_times(const PassageOptions& options) {
   std::vector<double> times;
   if (!options.times) return times;
   for (const std::string& item : split_at_commas(*options.times)) {
@@ -103,7 +103,7 @@ Passage rice_approximation(const Passage& of) {
   return rice;
 }
 
-bool is_rice(const Passage& passage) { return passage.id == "rice"; }
+bool is_rice_approximation(const Passage& passage) { return passage.id == "rice"; }
 
 }  // namespace
 
@@ -132,7 +132,7 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
     throw InputError("no barrier; give one, e.g. --displacement 1.5");
   }
   const double barrier = *options.displacement;
-  std::vector<double> times = parse_times(options);
+  std::vector<double> times = parse_survival_times(options);
   const auto start = parse_start(problem, options);
   PassageStudy study{problem, options, {}};
   for_each_selected_method(
@@ -155,14 +155,14 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
 
 bool has_converged(const PassageStudy& study) {
   std::vector<Passage> computed;
-  std::ranges::remove_copy_if(study.passages, std::back_inserter(computed), is_rice);
+  std::ranges::remove_copy_if(study.passages, std::back_inserter(computed), is_rice_approximation);
   return are_converged(computed);
 }
 
-std::string json(const PassageStudy& study, const std::string& command) {
+std::string study_json_text(const PassageStudy& study, const std::string& command) {
   using results::Json;
-  const auto quantities = named_quantities(study.options);
-  const std::string from_point = "from_" + point_name(study.options).key;
+  const auto quantities = passage_quantities(study.options);
+  const std::string from_point = "from_" + start_name(study.options).key;
   Json solutions = Json::array();
   for (const Passage& p : study.passages) {
     Json one{{"solution", p.id},
@@ -173,7 +173,7 @@ std::string json(const PassageStudy& study, const std::string& command) {
     for (const auto& [key, label, quantity] : quantities) {
       const auto& value = p.*quantity;
       one[key] = value ? Json(value->value) : Json();
-      error[key] = value && !is_rice(p) ? Json(value->error) : Json();
+      error[key] = value && !is_rice_approximation(p) ? Json(value->error) : Json();
     }
     Json survival = Json::array(), survival_error = Json::array();
     for (std::size_t k = 0; k < p.times.size(); ++k) {
@@ -190,9 +190,10 @@ std::string json(const PassageStudy& study, const std::string& command) {
            {"from_stationary", at(p.survival_from_stationary, &ValueWithError::error)}});
     }
     one["survival"] = std::move(survival);
-    if (!is_rice(p)) error["survival"] = std::move(survival_error);
+    if (!is_rice_approximation(p)) error["survival"] = std::move(survival_error);
     one["error"] = std::move(error);
-    one["error_is"] = is_rice(p) ? Json() : Json(error_kind(p.has_standard_errors));
+    one["error_is"] =
+        is_rice_approximation(p) ? Json() : Json(error_kind_text(p.has_standard_errors));
     solutions.push_back(std::move(one));
   }
   Json passage{{"barrier", {{"displacement", *study.options.displacement}}},
@@ -203,19 +204,20 @@ std::string json(const PassageStudy& study, const std::string& command) {
   return functional_json(study.problem, "passage", passage, command);
 }
 
-std::string csv(const PassageStudy& study) {
-  const auto quantities = named_quantities(study.options);
-  const std::string from_point = "survival_from_" + point_name(study.options).key;
+std::string study_csv_text(const PassageStudy& study) {
+  const auto quantities = passage_quantities(study.options);
+  const std::string from_point = "survival_from_" + start_name(study.options).key;
   std::vector<StudyRecord> rows;
   for (const Passage& p : study.passages) {
     const auto add = [&](const std::string& quantity, base::Value time,
                          const ValueWithError& value) {
-      rows.push_back({{"case", study.problem.name},
-                      {"solution", p.id},
-                      {"quantity", quantity},
-                      {"time", time},
-                      {"value", value.value},
-                      {"error", is_rice(p) ? base::Value() : base::Value(value.error)}});
+      rows.push_back(
+          {{"case", study.problem.name},
+           {"solution", p.id},
+           {"quantity", quantity},
+           {"time", time},
+           {"value", value.value},
+           {"error", is_rice_approximation(p) ? base::Value() : base::Value(value.error)}});
     };
     for (const auto& [key, label, quantity] : quantities) {
       if (p.*quantity) add(key, {}, *(p.*quantity));
@@ -227,16 +229,16 @@ std::string csv(const PassageStudy& study) {
       add("survival_from_stationary", p.times[k], p.survival_from_stationary[k]);
     }
   }
-  return csv_text(rows, "case solution quantity time value error");
+  return records_csv_text(rows, "case solution quantity time value error");
 }
 
-std::string table(const PassageStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const PassageStudy& study, const report::TextFormat& format) {
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
       fmt::format("first passage of y above {:g}; survival: probability that y has stayed below",
                   *study.options.displacement),
       format.width);
-  const auto quantities = named_quantities(study.options);
+  const auto quantities = passage_quantities(study.options);
   std::vector<TableColumn> columns{{"", "", "what", "", report::kAlwaysShown, true}};
   std::vector<StudyRecord> rows;
   for (const auto& named : quantities) rows.push_back({{"what", std::string(named.name)}});
@@ -244,7 +246,7 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
       std::ranges::find_if(study.passages, [](const Passage& p) { return !p.times.empty(); });
   const std::vector<double> times =
       with_times == study.passages.end() ? std::vector<double>{} : with_times->times;
-  for (const std::string& start : {point_name(study.options).text, std::string("stationary")}) {
+  for (const std::string& start : {start_name(study.options).text, std::string("stationary")}) {
     for (const double t : times) {
       rows.push_back({{"what", fmt::format("survival from {}, t = {:g}", start, t)}});
     }
@@ -253,10 +255,10 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
     if (!p.hazard && !p.mean_from_stationary) continue;
     constexpr double kSmallError = 1e-5;  // a relative error that six digits do not show
     const bool is_precise =
-        !is_rice(p) && p.hazard && p.hazard->error < kSmallError * p.hazard->value;
+        !is_rice_approximation(p) && p.hazard && p.hazard->error < kSmallError * p.hazard->value;
     append_value_columns(p.id, "value", p.has_standard_errors, columns,
                          is_precise ? "{:.9g}" : "{:.6g}");
-    if (is_rice(p)) columns.pop_back();  // without errors
+    if (is_rice_approximation(p)) columns.pop_back();  // without errors
     std::size_t row = 0;
     const auto add = [&](const ValueWithError* value) {
       if (value != nullptr) {
@@ -276,10 +278,11 @@ std::string table(const PassageStudy& study, const report::TextFormat& format) {
     }
   }
   std::erase_if(rows, [](const StudyRecord& row) { return row.size() == 1; });
-  if (columns.size() > 1) text += table_text(rows, columns, format);
+  if (columns.size() > 1) text += records_table_text(rows, columns, format);
   for (const Passage& p : study.passages) {
-    const std::string seconds = is_rice(p) ? "" : fmt::format(" ({:.1f} s)", p.seconds);
-    text += report::wrap_text(solution_line(p.id, p.status, p.reason) + p.details + seconds,
+    const std::string seconds =
+        is_rice_approximation(p) ? "" : fmt::format(" ({:.1f} s)", p.seconds);
+    text += report::wrap_text(solution_status_line(p.id, p.status, p.reason) + p.details + seconds,
                               format.width, 2);
   }
   return text;
@@ -333,13 +336,13 @@ report::FigurePanel mean_time_panel(const Passage& passage) {
 
 }  // namespace
 
-report::Figure figure(const PassageStudy& study) {
+report::Figure study_figure(const PassageStudy& study) {
   std::vector<report::FigureSeries> series;
   const auto methods = select_methods(study.options, SelectableMethods::with_characteristics);
   for (const Passage& p : study.passages) {
     if (p.survival_from_stationary.empty()) continue;
     const auto method = find_method(methods, p.id);
-    report::FigureSeries one = report::make_series(
+    report::FigureSeries one = report::make_empty_series(
         p.id, method == methods.end()
                   ? transform::PlotStyle{.colour = "#D55E00", .dash = "(6,3)", .symbol = ""}
                   : method->identity.plot_style);
@@ -364,7 +367,7 @@ report::Figure figure(const PassageStudy& study) {
       .y = report::logarithmic_axis("survival probability", series, &report::FigurePoint::y),
       .series = series};
   report::Figure figure{
-      .title = report::problem_title(study.problem), .panels = {panel}, .columns = 1};
+      .title = report::problem_title_parts(study.problem), .panels = {panel}, .columns = 1};
   const auto with_map = std::ranges::find_if(
       study.passages, [](const Passage& p) { return p.mean_times.has_value(); });
   if (with_map != study.passages.end()) {

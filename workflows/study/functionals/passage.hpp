@@ -8,7 +8,7 @@
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
 #include "report/figure/figure.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 #include "transform/passage.hpp"
 #include "workflows/study/functionals/functional.hpp"
 
@@ -17,9 +17,9 @@ namespace fpkcheck::study {
 
 struct PassageOptions : FunctionalOptions {
   std::optional<double> displacement{};
-  /// Start Y,V; a start at rest if empty
+  /// Initial state "Y,V"; empty for a start at rest.
   std::optional<std::string> start{};
-  /// Times of the survival probabilities, comma-separated
+  /// Comma-separated times of the survival probabilities.
   std::optional<std::string> times{};
 };
 
@@ -29,7 +29,8 @@ struct PassageStudy {
   static constexpr const char* kFileStem = "passage";
   problem::Problem problem;
   PassageOptions options;
-  /// Passages by the selected methods, and by Rice's rate if finite volumes have it
+  /// Passage results of the selected methods, and of the approximation by Rice's rate if the
+  /// finite-volume solution has an upcrossing rate.
   std::vector<transform::Passage> passages;
 };
 
@@ -40,11 +41,11 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
 /// Returns whether the status of every method that supports the problem is `ok`.
 bool has_converged(const PassageStudy& study);
 
-std::string json(const PassageStudy& study, const std::string& command);
-std::string csv(const PassageStudy& study);
-std::string table(const PassageStudy& study, const report::TextFormat& format);
+std::string study_json_text(const PassageStudy& study, const std::string& command);
+std::string study_csv_text(const PassageStudy& study);
+std::string study_table_text(const PassageStudy& study, const report::TextFormat& format);
 /// Returns a figure of the survival probabilities, and of the mean times over all starts if a method
 /// computes them.
-report::Figure figure(const PassageStudy& study);
+report::Figure study_figure(const PassageStudy& study);
 
 }  // namespace fpkcheck::study

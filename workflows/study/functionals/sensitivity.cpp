@@ -14,7 +14,7 @@
 #include "mcs/sensitivities.hpp"
 #include "problem/parameter_derivative.hpp"
 #include "report/figure/layout.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/json.hpp"
 
@@ -47,7 +47,8 @@ double elasticity(const Sensitivities& s, const ExpectationDerivatives& one, std
   return is_zero ? std::numeric_limits<double>::quiet_NaN()
                  : one.derivatives[k] * s.parameter_values[k] / one.value;
 }
-double elasticity_error(const Sensitivities& s, const ExpectationDerivatives& one, std::size_t k) {
+double elasticity_error_estimate(const Sensitivities& s, const ExpectationDerivatives& one,
+                                 std::size_t k) {
   return std::abs(one.errors[k] * s.parameter_values[k] / one.value);
 }
 
@@ -59,7 +60,7 @@ void require_accurate(double accuracy, Sensitivities& s) {
   for (const ExpectationDerivatives& one : s.expectations) {
     for (std::size_t k = 0; k < s.parameters.size(); ++k) {
       if (std::isnan(elasticity(s, one, k))) continue;
-      const double error = elasticity_error(s, one, k);
+      const double error = elasticity_error_estimate(s, one, k);
       if (!std::isnan(largest) && !(error <= largest)) largest = error;
     }
   }
@@ -116,7 +117,7 @@ bool has_converged(const SensitivityStudy& study) {
   return are_converged(without_closures(study.solutions));
 }
 
-std::string json(const SensitivityStudy& study, const std::string& command) {
+std::string study_json_text(const SensitivityStudy& study, const std::string& command) {
   using results::Json;
   Json list = Json::array();
   for (const Sensitivities& s : study.solutions) {
@@ -134,14 +135,14 @@ std::string json(const SensitivityStudy& study, const std::string& command) {
         entry["elasticities"][s.parameters[k]] = elasticity(s, one, k);
         entry["error"][s.parameters[k]] = one.errors[k];
       }
-      entry["error_is"] = error_kind(s.has_standard_errors);
+      entry["error_is"] = error_kind_text(s.has_standard_errors);
       list.push_back(std::move(entry));
     }
   }
   return functional_json(study.problem, "sensitivities", list, command);
 }
 
-std::string csv(const SensitivityStudy& study) {
+std::string study_csv_text(const SensitivityStudy& study) {
   std::vector<StudyRecord> rows;
   for (const Sensitivities& s : study.solutions) {
     for (const ExpectationDerivatives& one : s.expectations) {
@@ -156,10 +157,10 @@ std::string csv(const SensitivityStudy& study) {
       }
     }
   }
-  return csv_text(rows, "case solution of parameter derivative elasticity error");
+  return records_csv_text(rows, "case solution of parameter derivative elasticity error");
 }
 
-std::string table(const SensitivityStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const SensitivityStudy& study, const report::TextFormat& format) {
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
       "derivative of each moment with respect to each parameter, all other parameters fixed, and "
@@ -180,7 +181,7 @@ std::string table(const SensitivityStudy& study, const report::TextFormat& forma
     for (const ExpectationDerivatives& one : s.expectations) {
       for (std::size_t k = 0; k < s.parameters.size(); ++k, ++row) {
         if (row == rows.size()) {
-          // A blank is shown as such, an empty text as a missing value.
+          // The table shows an empty text as a missing value, but shows a blank as a blank.
           rows.push_back({{"of", k == 0 ? one.expectation : std::string(" ")},
                           {"parameter", s.parameters[k]},
                           {"elasticity", elasticity(s, one, k)}});
@@ -190,17 +191,17 @@ std::string table(const SensitivityStudy& study, const report::TextFormat& forma
       }
     }
   }
-  if (first != nullptr) text += table_text(rows, columns, format);
+  if (first != nullptr) text += records_table_text(rows, columns, format);
   for (const Sensitivities& s : study.solutions) {
-    std::string line = solution_line(s.id, s.status, s.reason);
+    std::string line = solution_status_line(s.id, s.status, s.reason);
     if (has_derivatives(s)) line += fmt::format("{} ({:.1f} s)", s.details, s.seconds);
     text += report::wrap_text(line, format.width, 2);
   }
   return text;
 }
 
-report::Figure figure(const SensitivityStudy& study) {
-  report::Figure figure{.title = report::problem_title(study.problem), .columns = 1};
+report::Figure study_figure(const SensitivityStudy& study) {
+  report::Figure figure{.title = report::problem_title_parts(study.problem), .columns = 1};
   const auto with_values = std::ranges::find_if(study.solutions, has_derivatives);
   if (with_values == study.solutions.end()) return {};
   const Sensitivities& reference = *with_values;
@@ -213,7 +214,8 @@ report::Figure figure(const SensitivityStudy& study) {
       if (found == study.solutions.end() || !has_derivatives(*found)) continue;
       const auto one =
           std::ranges::find(found->expectations, wanted, &ExpectationDerivatives::expectation);
-      report::FigureSeries points = report::make_series(found->id, method.identity.plot_style);
+      report::FigureSeries points =
+          report::make_empty_series(found->id, method.identity.plot_style);
       points.dash = "";
       // The marks of a parameter are drawn side by side.
       const double shift =
@@ -221,7 +223,7 @@ report::Figure figure(const SensitivityStudy& study) {
       for (std::size_t k = 0; k < found->parameters.size(); ++k) {
         const double value = elasticity(*found, *one, k);
         const double half =
-            (found->has_standard_errors ? 2 : 1) * elasticity_error(*found, *one, k);
+            (found->has_standard_errors ? 2 : 1) * elasticity_error_estimate(*found, *one, k);
         points.points.push_back({.x = static_cast<double>(k + 1) + shift,
                                  .y = value,
                                  .lower = value - half,

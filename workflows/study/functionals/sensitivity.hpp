@@ -8,7 +8,7 @@
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
 #include "report/figure/figure.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 #include "transform/sensitivities.hpp"
 #include "workflows/study/functionals/functional.hpp"
 
@@ -16,7 +16,7 @@
 namespace fpkcheck::study {
 
 struct SensitivityOptions : FunctionalOptions {
-  /// Comma-separated keys; the default is differentiable_parameters()
+  /// Comma-separated keys of the parameters; empty for all of differentiable_parameters().
   std::optional<std::string> parameters{};
 };
 
@@ -37,10 +37,10 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
 /// Returns whether the status of every method that supports the problem is `ok`.
 bool has_converged(const SensitivityStudy& study);
 
-std::string json(const SensitivityStudy& study, const std::string& command);
-std::string csv(const SensitivityStudy& study);
-std::string table(const SensitivityStudy& study, const report::TextFormat& format);
+std::string study_json_text(const SensitivityStudy& study, const std::string& command);
+std::string study_csv_text(const SensitivityStudy& study);
+std::string study_table_text(const SensitivityStudy& study, const report::TextFormat& format);
 /// Returns a figure with the elasticities as bars.
-report::Figure figure(const SensitivityStudy& study);
+report::Figure study_figure(const SensitivityStudy& study);
 
 }  // namespace fpkcheck::study

@@ -14,7 +14,7 @@
 #include "mcs/spectrum.hpp"
 #include "problem/motion_scales.hpp"
 #include "report/figure/layout.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/json.hpp"
 
@@ -26,20 +26,21 @@ using transform::StateVariable;
 
 constexpr int kAutomaticIntervals = 200, kMostIntervals = 10000;
 
-std::vector<double> evenly_spaced(double from, double to, int intervals) {
+std::vector<double> evenly_spaced_values(double from, double to, int intervals) {
   std::vector<double> values;
   for (int k = 0; k <= intervals; ++k) values.push_back(from + (to - from) * k / intervals);
   return values;
 }
 
-std::vector<double> frequencies(const problem::Problem& problem, const SpectrumOptions& options) {
-  const auto scales =
-      problem::scales(problem::to_wall_coordinates(problem::wall_frame(problem.system), problem));
+std::vector<double> parse_frequencies(const problem::Problem& problem,
+                                      const SpectrumOptions& options) {
+  const auto scales = problem::motion_scales(
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem));
   const double mean_frequency = scales.velocity_deviation / scales.displacement_deviation;
   if (!options.frequencies) {
     const double last = 4 * mean_frequency;
     const double unit = std::pow(10, std::floor(std::log10(last)) - 1);
-    return evenly_spaced(0, std::ceil(last / unit) * unit, kAutomaticIntervals);
+    return evenly_spaced_values(0, std::ceil(last / unit) * unit, kAutomaticIntervals);
   }
   const std::string& text = *options.frequencies;
   const auto refuse = [&](const std::string& requirement) {
@@ -64,27 +65,27 @@ std::vector<double> frequencies(const problem::Problem& problem, const SpectrumO
     refuse(fmt::format("TO must be at most {:g}, {:g} times the mean frequency",
                        kMostFrequencies * mean_frequency, kMostFrequencies));
   }
-  return evenly_spaced(from, to, static_cast<int>(intervals));
+  return evenly_spaced_values(from, to, static_cast<int>(intervals));
 }
 
 // Returns the times of the autocovariance, up to two decay times of the slowest mode of energy
 // averaging.
-std::vector<double> lags(const problem::Problem& problem) {
+std::vector<double> autocovariance_lags(const problem::Problem& problem) {
   constexpr double kDecayTimes = 2;
   constexpr int kIntervals = 200;
-  const auto scales =
-      problem::scales(problem::to_wall_coordinates(problem::wall_frame(problem.system), problem));
+  const auto scales = problem::motion_scales(
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem));
   const double last = kDecayTimes / scales.slowest_decay_rate;
   const double unit = std::pow(10, std::floor(std::log10(last)) - 1);
-  return evenly_spaced(0, std::ceil(last / unit) * unit, kIntervals);
+  return evenly_spaced_values(0, std::ceil(last / unit) * unit, kIntervals);
 }
 
-// Distance of two spectra over all frequencies.
+// Distances between two spectral densities over all frequencies.
 struct SpectrumDistance {
   double largest_in_errors;  // largest |difference| / combined error
   double root_mean_square;   // root mean square of |difference| / combined error
 };
-SpectrumDistance distance(const Spectrum& a, const Spectrum& b) {
+SpectrumDistance spectrum_distance(const Spectrum& a, const Spectrum& b) {
   SpectrumDistance result{0, 0};
   for (std::size_t k = 0; k < a.density.size(); ++k) {
     const double error = std::hypot(a.error[k], b.error[k]);
@@ -97,9 +98,11 @@ SpectrumDistance distance(const Spectrum& a, const Spectrum& b) {
   return result;
 }
 
-bool has_density(const Spectrum& spectrum) { return !spectrum.density.empty(); }
+bool has_spectral_density(const Spectrum& spectrum) { return !spectrum.density.empty(); }
 
-std::string symbol(StateVariable variable) { return variable == StateVariable::y ? "y" : "y'"; }
+std::string variable_symbol(StateVariable variable) {
+  return variable == StateVariable::y ? "y" : "y'";
+}
 
 }  // namespace
 
@@ -118,7 +121,8 @@ const base::Description<SpectrumOptions>& spectrum_option_descriptions() {
 
 SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOptions& options,
                              const methods::ProgressListener& listener) {
-  const std::vector<double> at = frequencies(problem, options), times = lags(problem);
+  const std::vector<double> at = parse_frequencies(problem, options),
+                            times = autocovariance_lags(problem);
   SpectrumStudy study{problem, options, {}};
   for_each_selected_method(problem, options, listener, [&](const SelectedMethod& method) {
     study.spectra.push_back(
@@ -130,7 +134,7 @@ SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOpti
 
 bool has_converged(const SpectrumStudy& study) { return are_converged(study.spectra); }
 
-std::string json(const SpectrumStudy& study, const std::string& command) {
+std::string study_json_text(const SpectrumStudy& study, const std::string& command) {
   using results::Json;
   Json spectra = Json::array();
   for (const Spectrum& s : study.spectra) {
@@ -139,10 +143,10 @@ std::string json(const SpectrumStudy& study, const std::string& command) {
              {"status", name(s.status)},
              {"reason", s.reason},
              {"seconds", s.seconds},
-             {"frequency", has_density(s) ? Json(s.frequencies) : Json::array()},
+             {"frequency", has_spectral_density(s) ? Json(s.frequencies) : Json::array()},
              {"density", s.density},
              {"error", s.error},
-             {"error_is", error_kind(s.has_standard_errors)},
+             {"error_is", error_kind_text(s.has_standard_errors)},
              {"variance", s.variance},
              {"variance_error", s.variance_error},
              {"autocovariance",
@@ -165,7 +169,7 @@ std::string json(const SpectrumStudy& study, const std::string& command) {
   return functional_json(study.problem, "spectra", spectra, command);
 }
 
-std::string csv(const SpectrumStudy& study) {
+std::string study_csv_text(const SpectrumStudy& study) {
   std::vector<StudyRecord> rows;
   for (const Spectrum& s : study.spectra) {
     const auto add = [&](const char* abscissa, const std::vector<double>& x, const char* quantity,
@@ -182,21 +186,22 @@ std::string csv(const SpectrumStudy& study) {
     add("frequency", s.frequencies, "density", s.density, s.error);
     add("lag", s.lags, "autocovariance", s.autocovariance, s.autocovariance_error);
   }
-  return csv_text(rows, "case solution variable frequency density error lag autocovariance");
+  return records_csv_text(rows,
+                          "case solution variable frequency density error lag autocovariance");
 }
 
-std::string table(const SpectrumStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const SpectrumStudy& study, const report::TextFormat& format) {
   constexpr std::size_t kRows = 16;
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
       fmt::format("one-sided spectral density of {}; its integral over w >= 0 is the variance",
-                  symbol(study.options.variable)),
+                  variable_symbol(study.options.variable)),
       format.width);
   std::vector<TableColumn> columns{{"", "w", "w", "{:.4g}"}};
   std::vector<StudyRecord> rows;
   const Spectrum* first = nullptr;
   for (const Spectrum& s : study.spectra) {
-    if (!has_density(s)) continue;
+    if (!has_spectral_density(s)) continue;
     if (first == nullptr) first = &s;
     append_value_columns(s.id, "density", s.has_standard_errors, columns);
     const std::size_t last = s.density.size() - 1, step = (last + kRows - 1) / kRows;
@@ -206,10 +211,10 @@ std::string table(const SpectrumStudy& study, const report::TextFormat& format) 
       rows[row].push_back({s.id + "-error", s.error[k]});
     }
   }
-  if (first != nullptr) text += table_text(rows, columns, format);
+  if (first != nullptr) text += records_table_text(rows, columns, format);
   for (const Spectrum& s : study.spectra) {
-    std::string line = solution_line(s.id, s.status, s.reason);
-    if (has_density(s)) {
+    std::string line = solution_status_line(s.id, s.status, s.reason);
+    if (has_spectral_density(s)) {
       line += fmt::format("variance {:.6g} +- {:.1e}", s.variance, s.variance_error);
       if (s.peak) {
         line += fmt::format(", peak {:.5g} at w = {:.5g}", s.peak->density, s.peak->frequency);
@@ -224,7 +229,7 @@ std::string table(const SpectrumStudy& study, const report::TextFormat& format) 
       }
       line += fmt::format("; {}", s.details);
       if (&s != first) {
-        const auto [largest, mean] = distance(*first, s);
+        const auto [largest, mean] = spectrum_distance(*first, s);
         line += fmt::format(
             "; differs from {} by {:.1f} combined errors at most, {:.1f} in root "
             "mean square",
@@ -239,8 +244,8 @@ std::string table(const SpectrumStudy& study, const report::TextFormat& format) 
 
 namespace {
 
-// Returns one series for each solution; those of a simulation have marks with intervals of two
-// standard errors at about 50 points.
+// Returns one series for each solution. The series of a simulation has marks at about 50 points,
+// with intervals of two standard errors.
 std::vector<report::FigureSeries> series_of_solutions(const SpectrumStudy& study,
                                                       std::vector<double> Spectrum::*abscissas,
                                                       std::vector<double> Spectrum::*values,
@@ -250,7 +255,7 @@ std::vector<report::FigureSeries> series_of_solutions(const SpectrumStudy& study
     const auto found = std::ranges::find(study.spectra, method.identity.id, &Spectrum::id);
     if (found == study.spectra.end() || ((*found).*values).empty()) continue;
     const Spectrum& s = *found;
-    report::FigureSeries one = report::make_series(s.id, method.identity.plot_style);
+    report::FigureSeries one = report::make_empty_series(s.id, method.identity.plot_style);
     const std::vector<double>&x = s.*abscissas, &y = s.*values, &error = s.*errors;
     const std::size_t step = s.has_standard_errors ? std::max<std::size_t>(y.size() / 50, 1) : 1;
     one.mark_step = s.has_standard_errors ? 1 : std::max<std::size_t>(y.size() / 25, 1);
@@ -269,12 +274,12 @@ std::vector<report::FigureSeries> series_of_solutions(const SpectrumStudy& study
 
 }  // namespace
 
-report::Figure figure(const SpectrumStudy& study) {
-  const std::string of = symbol(study.options.variable);
+report::Figure study_figure(const SpectrumStudy& study) {
+  const std::string of = variable_symbol(study.options.variable);
   const auto densities =
       series_of_solutions(study, &Spectrum::frequencies, &Spectrum::density, &Spectrum::error);
   if (densities.empty()) return {};
-  const Spectrum& first = *std::ranges::find_if(study.spectra, has_density);
+  const Spectrum& first = *std::ranges::find_if(study.spectra, has_spectral_density);
   std::vector<report::FigurePanel> panels{
       {.title = fmt::format("one-sided spectral density of {}", of),
        .x = {"{/:Italic w}", first.frequencies.front(), first.frequencies.back()},
@@ -290,7 +295,7 @@ report::Figure figure(const SpectrumStudy& study) {
                                                &report::FigurePoint::y),
                       .series = covariances});
   }
-  return {.title = report::problem_title(study.problem), .panels = panels, .columns = 1};
+  return {.title = report::problem_title_parts(study.problem), .panels = panels, .columns = 1};
 }
 
 }  // namespace fpkcheck::study

@@ -8,7 +8,7 @@
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
 #include "report/figure/figure.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 #include "transform/spectrum.hpp"
 #include "workflows/study/functionals/functional.hpp"
 
@@ -17,7 +17,8 @@ namespace fpkcheck::study {
 
 struct SpectrumOptions : FunctionalOptions {
   transform::StateVariable variable = transform::StateVariable::y;
-  /// Frequencies FROM:TO:N; the default is 0 to four mean frequencies in 200 intervals
+  /// Frequencies "FROM:TO:N". If empty, the range from 0 to four times the mean frequency is
+  /// divided into 200 intervals.
   std::optional<std::string> frequencies{};
 };
 
@@ -37,9 +38,9 @@ SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOpti
 /// Returns whether the status of every method that supports the problem is `ok`.
 bool has_converged(const SpectrumStudy& study);
 
-std::string json(const SpectrumStudy& study, const std::string& command);
-std::string csv(const SpectrumStudy& study);
-std::string table(const SpectrumStudy& study, const report::TextFormat& format);
-report::Figure figure(const SpectrumStudy& study);
+std::string study_json_text(const SpectrumStudy& study, const std::string& command);
+std::string study_csv_text(const SpectrumStudy& study);
+std::string study_table_text(const SpectrumStudy& study, const report::TextFormat& format);
+report::Figure study_figure(const SpectrumStudy& study);
 
 }  // namespace fpkcheck::study

@@ -19,7 +19,7 @@ using transform::Moments;
 using transform::Solution;
 using transform::StateVariable;
 
-fd_fpk::Options grids(int order, double refinement) {
+fd_fpk::Options fd_options(int order, double refinement) {
   return {.equation = problem::DensityEquation::kf,
           .stepper = fd_fpk::StationarySolver::direct,
           .order = order,
@@ -31,19 +31,20 @@ fd_fpk::Options grids(int order, double refinement) {
 }
 
 fd_fpk::Options seventh_order_options(const ReferenceOptions& options) {
-  return grids(7, options.refinement);
+  return fd_options(7, options.refinement);
 }
 
 fd_fpk::Options fifth_order_options(const ReferenceOptions& options) {
-  return grids(5, options.refinement * std::sqrt(2.0));
+  return fd_options(5, options.refinement * std::sqrt(2.0));
 }
 
-mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOptions& options) {
+mcs::Options long_simulation_options(const problem::Problem& problem,
+                                     const ReferenceOptions& options) {
   constexpr double kTime = 1e7;  // default simulated time, in decay times of the slowest mode
   const auto axes = compare::comparison_axes(problem);
   mcs::Options simulation;
   simulation.time =
-      options.simulation_time.value_or(kTime / problem::scales(problem).slowest_decay_rate);
+      options.simulation_time.value_or(kTime / problem::motion_scales(problem).slowest_decay_rate);
   simulation.seed = options.seed;
   simulation.y_edges = axes.y_edges;
   simulation.v_edges = axes.v_edges;
@@ -62,8 +63,8 @@ double round_to_two_digits(double x) {
   return std::round(x / unit) * unit;
 }
 
-std::vector<ReferencePoint> points(const Solution& seventh, const Solution& fifth,
-                                   StateVariable variable) {
+std::vector<ReferencePoint> reference_points(const Solution& seventh, const Solution& fifth,
+                                             StateVariable variable) {
   const bool is_y = variable == StateVariable::y;
   const double deviation = std::sqrt(is_y ? seventh.moments.y2 : seventh.moments.v2);
   const double step = round_to_two_digits(deviation * (is_y ? 0.15 : 0.3));
@@ -103,11 +104,11 @@ int ReferenceValue::agreed_digits(int most) const {
 void validate(const problem::Problem& problem, const ReferenceOptions& options) {
   fd_fpk::validate(seventh_order_options(options));
   fd_fpk::validate(fifth_order_options(options));
-  mcs::make_simulation_plan(problem, long_simulation(problem, options));
+  mcs::make_simulation_plan(problem, long_simulation_options(problem, options));
 }
 
-Reference compute_reference(const problem::Problem& problem, const ReferenceOptions& options) {
-  Reference result{.problem = problem, .failure = {}, .moments = {}, .y = {}, .ydot = {}};
+CaseReference compute_reference(const problem::Problem& problem, const ReferenceOptions& options) {
+  CaseReference result{.problem = problem, .failure = {}, .moments = {}, .y = {}, .ydot = {}};
   const auto seventh = fd_fpk::solve(problem, seventh_order_options(options));
   const auto fifth = fd_fpk::solve(problem, fifth_order_options(options));
   for (const auto* run : {&seventh, &fifth}) {
@@ -115,7 +116,7 @@ Reference compute_reference(const problem::Problem& problem, const ReferenceOpti
     result.failure = run->solution.reason.empty() ? "no error estimate" : run->solution.reason;
     return result;
   }
-  const auto simulated = mcs::solve(problem, long_simulation(problem, options));
+  const auto simulated = mcs::solve(problem, long_simulation_options(problem, options));
 
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     if (moment == &Moments::v1) continue;  // E[y'] = 0 for every stationary density
@@ -126,8 +127,8 @@ Reference compute_reference(const problem::Problem& problem, const ReferenceOpti
          simulated.solution.moments.*moment,
          simulated.solution.standard_errors->moments.*moment});
   }
-  result.y = points(seventh.solution, fifth.solution, StateVariable::y);
-  result.ydot = points(seventh.solution, fifth.solution, StateVariable::ydot);
+  result.y = reference_points(seventh.solution, fifth.solution, StateVariable::y);
+  result.ydot = reference_points(seventh.solution, fifth.solution, StateVariable::ydot);
   result.energy_residual = seventh.solution.energy_residual;
   result.simulated_time = simulated.summary.time;
   for (const auto& [variable, marginal] : simulated.solution.estimated_marginals) {
@@ -143,39 +144,39 @@ constexpr int kMomentDigits = 7;
 constexpr int kDensityDigits = 5;
 
 // Returns the text of a number with trailing zeros, which count as significant digits.
-std::string digits(double x, int significant) {
+std::string significant_digits_text(double x, int significant) {
   if (x == 0) return "0";
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));
   return exponent < -3 ? fmt::format("{:.{}e}", x, significant - 1)
                        : fmt::format("{:.{}f}", x, std::max(0, significant - 1 - exponent));
 }
 
-void add_moments(const Reference& r, std::string& text) {
+void append_moment_table(const CaseReference& r, std::string& text) {
   text +=
       "| | value | difference of the orders | simulation | deviation in standard errors |\n"
       "|---|---|---|---|---|\n";
   for (const auto& [name, symbol, value, simulated, error] : r.moments) {
     text += fmt::format("| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol,
-                        digits(value.seventh, value.agreed_digits(kMomentDigits)),
+                        significant_digits_text(value.seventh, value.agreed_digits(kMomentDigits)),
                         std::abs(value.seventh - value.fifth), simulated, error,
                         (simulated - value.seventh) / error);
   }
 }
 
-void add_points(const Reference& r, std::string& text) {
+void append_density_table(const CaseReference& r, std::string& text) {
   text += "| y | p(y) | y' | p(y') |\n|---|---|---|---|\n";
   for (std::size_t k = 0; k < r.y.size(); ++k) {
     const auto& [y, p] = r.y[k];
     const auto& [v, q] = r.ydot[k];
     text += fmt::format("| {:.6g} | {} | {:.6g} | {} |\n", y,
-                        digits(p.seventh, p.agreed_digits(kDensityDigits)), v,
-                        digits(q.seventh, q.agreed_digits(kDensityDigits)));
+                        significant_digits_text(p.seventh, p.agreed_digits(kDensityDigits)), v,
+                        significant_digits_text(q.seventh, q.agreed_digits(kDensityDigits)));
   }
 }
 
 }  // namespace
 
-std::string reference_markdown(const std::vector<Reference>& references,
+std::string reference_markdown(const std::vector<CaseReference>& references,
                                const std::string& command) {
   std::string text = fmt::format(R"(# Reference values
 
@@ -198,9 +199,9 @@ The last two columns of each table of moments compare the values with an indepen
       text += fmt::format("No reference: {}.\n\n", r.failure);
       continue;
     }
-    add_moments(r, text);
+    append_moment_table(r, text);
     text += '\n';
-    add_points(r, text);
+    append_density_table(r, text);
     text += fmt::format(
         "\nEnergy residual {:.0e}. Simulated time {:.2g}; the 95 % intervals of its histogram "
         "contain the reference in {:.1f} % of the bins of p(y) and {:.1f} % of the bins of "
@@ -210,7 +211,7 @@ The last two columns of each table of moments compare the values with an indepen
   return text;
 }
 
-std::string reference_csv(const std::vector<Reference>& references) {
+std::string reference_csv(const std::vector<CaseReference>& references) {
   std::string text = "case,quantity,abscissa,value,uncertainty\n";
   for (const auto& r : references) {
     const auto add = [&](const std::string& quantity, const std::string& abscissa,

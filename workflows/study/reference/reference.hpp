@@ -11,8 +11,8 @@
 namespace fpkcheck::study {
 
 struct ReferenceOptions {
-  /// Grid refinement for the seventh-order scheme. Grids for the fifth-order scheme have cells
-  /// smaller by a factor sqrt(2).
+  /// Grid refinement for the seventh-order scheme. The cells of the fifth-order scheme are smaller
+  /// than the cells of the seventh-order scheme by a factor sqrt(2).
   double refinement = 2;
   /// Simulated time; the default is 1e7 decay times of the slowest mode.
   std::optional<double> simulation_time{};
@@ -42,7 +42,7 @@ struct ReferencePoint {
   ReferenceValue density;
 };
 
-struct Reference {
+struct CaseReference {
   problem::Problem problem;
   std::string failure;  ///< reason why there is no reference; empty if the reference exists
   std::vector<ReferenceMoment> moments;
@@ -59,12 +59,12 @@ void validate(const problem::Problem& problem, const ReferenceOptions& options);
 
 /// Solves a problem by a fifth-order scheme, a seventh-order scheme and a simulation. Each scheme
 /// uses three grids that are refined towards the origin.
-Reference compute_reference(const problem::Problem& problem, const ReferenceOptions& options);
+CaseReference compute_reference(const problem::Problem& problem, const ReferenceOptions& options);
 
 /// The CSV has the header case,quantity,abscissa,value,uncertainty. The uncertainty of a reference
 /// value is the difference between the seventh-order and the fifth-order value.
-std::string reference_markdown(const std::vector<Reference>& references,
+std::string reference_markdown(const std::vector<CaseReference>& references,
                                const std::string& command);
-std::string reference_csv(const std::vector<Reference>& references);
+std::string reference_csv(const std::vector<CaseReference>& references);
 
 }  // namespace fpkcheck::study

@@ -14,12 +14,12 @@
 #include "fd_fpk/transient_with_error.hpp"
 #include "mcs/transient.hpp"
 #include "report/figure/layout.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/json.hpp"
 #include "results/netcdf/writer.hpp"
 #include "results/run.hpp"
-#include "workflows/study/transient/density_panel.hpp"
+#include "workflows/study/transient/density_heat_map_panel.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -34,7 +34,7 @@ using transform::TransientSnapshot;
 
 constexpr int kMostIntervals = 1000;
 
-const Marginal& marginal(const TransientSnapshot& snapshot, StateVariable variable) {
+const Marginal& marginal_of_variable(const TransientSnapshot& snapshot, StateVariable variable) {
   return variable == StateVariable::y ? snapshot.y : snapshot.ydot;
 }
 
@@ -43,17 +43,18 @@ struct Distances {
   double y, ydot;
 };
 
-std::optional<Distances> distances(const Transient& solution, const Transient& reference,
-                                   std::size_t snapshot) {
+std::optional<Distances> l1_distances_at(const Transient& solution, const Transient& reference,
+                                         std::size_t snapshot) {
   if (&solution == &reference || snapshot >= solution.snapshots.size() ||
       snapshot >= reference.snapshots.size()) {
     return std::nullopt;
   }
   const TransientSnapshot &a = solution.snapshots[snapshot], &b = reference.snapshots[snapshot];
-  return Distances{l1(a.y, b.y), l1(a.ydot, b.ydot)};
+  return Distances{l1_distance(a.y, b.y), l1_distance(a.ydot, b.ydot)};
 }
 
-std::optional<double> moment_error(const TransientSnapshot& snapshot, double Moments::*moment) {
+std::optional<double> moment_error_estimate(const TransientSnapshot& snapshot,
+                                            double Moments::*moment) {
   return snapshot.error ? std::optional(snapshot.error->moments.*moment) : std::nullopt;
 }
 
@@ -62,9 +63,10 @@ std::optional<double> moment_error(const TransientSnapshot& snapshot, double Mom
 struct LargestDistances {
   double y = 0, y_time = 0;
   double ydot = 0, ydot_time = 0;
-  /// Difference of a second moment, in units of the combined errors
+  /// Largest difference of a second moment from the reference, in units of the combined errors.
   double moment_in_errors = 0;
-  /// First time from which on both distances stay below the accuracy; empty if there is none
+  /// Earliest time after which both L1 distances are at most the accuracy; empty if no such time
+  /// exists.
   std::optional<double> accurate_from;
 };
 
@@ -72,7 +74,7 @@ LargestDistances largest_distances(const Transient& solution, const Transient& r
                                    double accuracy) {
   LargestDistances largest;
   for (std::size_t k = 0; k < solution.snapshots.size(); ++k) {
-    const auto at = distances(solution, reference, k);
+    const auto at = l1_distances_at(solution, reference, k);
     if (!at) break;
     const TransientSnapshot &a = solution.snapshots[k], &b = reference.snapshots[k];
     if (at->y > largest.y) {
@@ -89,10 +91,11 @@ LargestDistances largest_distances(const Transient& solution, const Transient& r
       largest.accurate_from = a.time;
     }
     for (double Moments::*moment : {&Moments::y2, &Moments::v2}) {
-      const auto of_a = moment_error(a, moment), of_b = moment_error(b, moment);
+      const auto of_a = moment_error_estimate(a, moment), of_b = moment_error_estimate(b, moment);
       const double combined = std::hypot(of_a.value_or(0), of_b.value_or(0));
       if (!of_a || !of_b || combined == 0) continue;
-      // At the start finite volumes have rounding errors, which the estimates do not contain.
+      // The error estimates of finite volumes do not contain the rounding errors of the initial
+      // density.
       if (a.time == 0 && !solution.has_standard_errors) continue;
       largest.moment_in_errors = std::max(
           largest.moment_in_errors, std::abs(a.moments.*moment - b.moments.*moment) / combined);
@@ -101,8 +104,8 @@ LargestDistances largest_distances(const Transient& solution, const Transient& r
   return largest;
 }
 
-// Returns the largest L1 error of the estimates; NaN if a snapshot has no estimate.
-double largest_estimate(const Transient& solution) {
+// Returns the largest L1 error estimate over all snapshots; NaN if a snapshot has no estimate.
+double largest_l1_error_estimate(const Transient& solution) {
   double largest = 0;
   for (const TransientSnapshot& s : solution.snapshots) {
     if (!s.error) return std::numeric_limits<double>::quiet_NaN();
@@ -114,7 +117,7 @@ double largest_estimate(const Transient& solution) {
   return largest;
 }
 
-// Returns the largest difference between 1 and the mass of a marginal in its bins.
+// Returns the largest difference between 1 and the integral of a marginal density over its bins.
 double largest_missing_mass(const Transient& solution) {
   double largest = 0;
   for (const TransientSnapshot& s : solution.snapshots) {
@@ -147,12 +150,12 @@ void require_accurate(double accuracy, const Transient* compared_with, Transient
                               missing, kMassLimit));
   }
   if (solution.has_standard_errors) return;
-  const double estimate = largest_estimate(solution);
+  const double estimate = largest_l1_error_estimate(solution);
   double error = estimate;
   if (compared_with && compared_with != &solution) {
     const LargestDistances largest = largest_distances(solution, *compared_with, accuracy);
     const double distance = std::max(largest.y, largest.ydot);
-    const double of_reference = largest_estimate(*compared_with);
+    const double of_reference = largest_l1_error_estimate(*compared_with);
     if (distance - of_reference > accuracy) {
       return refuse(fmt::format("the L1 distance to {} is {:.1e} (--accuracy {:g})",
                                 compared_with->id, distance, accuracy));
@@ -167,7 +170,7 @@ void require_accurate(double accuracy, const Transient* compared_with, Transient
 
 namespace {
 
-// Returns edges that continue evenly spaced edges with their spacing, to cover [low, high].
+// Extends evenly spaced edges with the same spacing, so that the edges cover [low, high].
 std::vector<double> extended_edges(std::vector<double> edges, double low, double high) {
   constexpr std::size_t kMostBins = 2000;
   const double width = edges[1] - edges[0];
@@ -184,18 +187,18 @@ std::vector<double> extended_edges(std::vector<double> edges, double low, double
 
 // Sets bins that cover the stationary density and all states that the initial density reaches,
 // extended by the motion under the force F(t).
-void set_bins(const problem::Problem& given, transform::TransientRequest& request) {
-  const problem::Problem problem = problem::with_largest_excitation(given, request.span());
+void set_histogram_bins(const problem::Problem& given, transform::TransientRequest& request) {
+  const problem::Problem problem = problem::with_largest_excitation(given, request.time_span());
   const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  const problem::StateRange reached = problem::reachable_states(
+  const problem::StateRange reached = problem::reachable_state_range(
       transformed,
-      problem::initial_density(transformed, problem::scales(transformed), request.start));
+      problem::initial_density(transformed, problem::motion_scales(transformed), request.start));
   const auto [low, high] = std::minmax(
       {transformed.frame.physical_y(reached.y_low), transformed.frame.physical_y(reached.y_high)});
   const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
-  const problem::MotionExtent forced = problem::forced_motion_extent(problem, request.span());
+  const problem::MotionExtent forced = problem::forced_motion_extent(problem, request.time_span());
   const auto &y = axes.y_edges, &v = axes.v_edges;
   request.y_edges =
       extended_edges(y, left ? y.front() : std::min(low, y.front()) - forced.displacement,
@@ -250,7 +253,7 @@ TransientComparison compare_over_time(const problem::Problem& problem,
                                       .until = options.until,
                                       .periodic = options.periodic,
                                       .snapshots = options.snapshots};
-  set_bins(problem, request);
+  set_histogram_bins(problem, request);
   TransientComparison study{problem, options, {}};
   for_each_selected_method(
       problem, options, listener,
@@ -262,7 +265,7 @@ TransientComparison compare_over_time(const problem::Problem& problem,
         study.solutions.push_back(std::move(solution));
       },
       SelectableMethods::with_closures);
-  const Transient* const compared_with = reference(study);
+  const Transient* const compared_with = find_reference_solution(study);
   const auto selected = select_methods(options, SelectableMethods::with_closures);
   const auto equation = [&](const Transient& solution) {
     return find_method(selected, solution.id)->identity.equation;
@@ -277,18 +280,18 @@ TransientComparison compare_over_time(const problem::Problem& problem,
 
 namespace {
 
-bool is_complete(const TransientComparison& study, const Transient& solution) {
+bool has_all_snapshots(const TransientComparison& study, const Transient& solution) {
   return (solution.status == Status::ok || solution.status == Status::inaccurate) &&
          static_cast<int>(solution.snapshots.size()) == study.options.snapshots + 1;
 }
 
-// Returns the means of the moments over a period, by the trapezoidal rule; empty with too few
-// phases for the harmonics of the moments.
+// Returns the means of the moments over a period, by the trapezoidal rule. The result is empty if
+// the number of phases is too small for the harmonics of the moments.
 std::optional<Moments> mean_over_period(const TransientComparison& study,
                                         const Transient& solution) {
   constexpr int kFewestPhases = 8;
   if (!study.options.periodic || study.options.snapshots < kFewestPhases ||
-      !is_complete(study, solution)) {
+      !has_all_snapshots(study, solution)) {
     return std::nullopt;
   }
   Moments mean{};
@@ -304,10 +307,10 @@ std::optional<Moments> mean_over_period(const TransientComparison& study,
 
 }  // namespace
 
-const Transient* reference(const TransientComparison& study) {
+const Transient* find_reference_solution(const TransientComparison& study) {
   for (const char* solver : {"fd", "mcs"}) {
     for (const Transient& solution : study.solutions) {
-      if (solution.id.starts_with(solver) && is_complete(study, solution)) return &solution;
+      if (solution.id.starts_with(solver) && has_all_snapshots(study, solution)) return &solution;
     }
   }
   return nullptr;
@@ -317,8 +320,8 @@ bool has_converged(const TransientComparison& study) {
   return are_converged(without_closures(study.solutions));
 }
 
-std::string json(const TransientComparison& study, const std::string& command) {
-  const Transient* const compared_with = reference(study);
+std::string study_json_text(const TransientComparison& study, const std::string& command) {
+  const Transient* const compared_with = find_reference_solution(study);
   Json list = Json::array();
   for (const Transient& solution : study.solutions) {
     Json times = Json::array(), moments = Json::array(), errors = Json::array();
@@ -330,7 +333,7 @@ std::string json(const TransientComparison& study, const std::string& command) {
       errors.push_back(s.error ? results::moments_to_json(s.error->moments) : Json());
       l1_errors.push_back(s.error ? Json{{"y", s.error->y_l1}, {"ydot", s.error->ydot_l1}}
                                   : Json());
-      const auto at = compared_with ? distances(solution, *compared_with, k) : std::nullopt;
+      const auto at = compared_with ? l1_distances_at(solution, *compared_with, k) : std::nullopt;
       l1.push_back(at ? Json{{"y", at->y}, {"ydot", at->ydot}} : Json());
     }
     const auto mean = mean_over_period(study, solution);
@@ -349,12 +352,12 @@ std::string json(const TransientComparison& study, const std::string& command) {
   return functional_json(study.problem, "over_time", list, command);
 }
 
-std::string csv(const TransientComparison& study) {
+std::string study_csv_text(const TransientComparison& study) {
   std::vector<StudyRecord> rows;
   for (const Transient& solution : study.solutions) {
     for (const TransientSnapshot& s : solution.snapshots) {
       for (const StateVariable variable : transform::kVariables) {
-        const Marginal& p = marginal(s, variable);
+        const Marginal& p = marginal_of_variable(s, variable);
         for (std::size_t b = 0; b < p.size(); ++b) {
           StudyRecord row{{"case", study.problem.name},
                           {"solution", solution.id},
@@ -371,13 +374,13 @@ std::string csv(const TransientComparison& study) {
       }
     }
   }
-  return csv_text(rows, "case solution time variable abscissa density lower upper");
+  return records_csv_text(rows, "case solution time variable abscissa density lower upper");
 }
 
 namespace {
 
 /// Returns the indices of at most kRows + 1 evenly spaced snapshots.
-std::vector<std::size_t> shown_snapshots(const TransientComparison& study) {
+std::vector<std::size_t> shown_snapshot_indices(const TransientComparison& study) {
   constexpr int kRows = 10;
   const int last = study.options.snapshots, step = (last + kRows - 1) / kRows;
   std::vector<std::size_t> shown;
@@ -389,19 +392,20 @@ std::vector<std::size_t> shown_snapshots(const TransientComparison& study) {
 // Two values of a solution at one snapshot, such as E[y^2] and E[y'^2].
 using ValuePair = std::array<double, 2>;
 
-/// Returns a table with two columns for each solution, and a row for each shown snapshot; empty if
-/// no solution has values.
-/// @param values function that returns the values of a solution at a snapshot, if there are any
+/// Returns a table with two columns for each solution, and a row for each shown snapshot. The text
+/// is empty if no solution has values.
+/// @param values function that returns the two values of a solution at a snapshot, or an empty
+///        value
 std::string table_over_time(
     const TransientComparison& study, const std::array<const char*, 2>& headers,
     const std::function<std::optional<ValuePair>(const Transient&, std::size_t snapshot)>& values,
     const report::TextFormat& format) {
   const transform::TransientRequest request{.until = study.options.until,
                                             .snapshots = study.options.snapshots};
-  const std::vector<std::size_t> shown = shown_snapshots(study);
+  const std::vector<std::size_t> shown = shown_snapshot_indices(study);
   std::vector<StudyRecord> rows;
   for (const std::size_t k : shown) {
-    rows.push_back({{"time", request.time(static_cast<int>(k))}});
+    rows.push_back({{"time", request.time_of_snapshot(static_cast<int>(k))}});
   }
   std::vector<TableColumn> columns{{"", "t", "time", "{:.4g}"}};
   for (const Transient& solution : study.solutions) {
@@ -415,7 +419,7 @@ std::string table_over_time(
       }
     }
   }
-  return columns.size() == 1 ? "" : table_text(rows, columns, format);
+  return columns.size() == 1 ? "" : records_table_text(rows, columns, format);
 }
 
 std::string moment_table(const TransientComparison& study, const report::TextFormat& format) {
@@ -430,17 +434,17 @@ std::string moment_table(const TransientComparison& study, const report::TextFor
 std::string distance_table(const TransientComparison& study, const Transient& compared_with,
                            const report::TextFormat& format) {
   const auto values = [&](const Transient& solution, std::size_t k) -> std::optional<ValuePair> {
-    const auto at = distances(solution, compared_with, k);
+    const auto at = l1_distances_at(solution, compared_with, k);
     return at ? std::optional(ValuePair{at->y, at->ydot}) : std::nullopt;
   };
   return table_over_time(study, {"p(y)", "p(y')"}, values, format);
 }
 
-std::string solution_text(const TransientComparison& study, const Transient& solution,
-                          const Transient* compared_with) {
-  std::string line = solution_line(solution.id, solution.status, solution.reason);
+std::string solution_summary_text(const TransientComparison& study, const Transient& solution,
+                                  const Transient* compared_with) {
+  std::string line = solution_status_line(solution.id, solution.status, solution.reason);
   if (solution.snapshots.empty()) return line.substr(0, line.rfind(';'));
-  const double estimate = largest_estimate(solution);
+  const double estimate = largest_l1_error_estimate(solution);
   if (std::isfinite(estimate)) {
     line += fmt::format("{} at most {:.1e} in L1",
                         solution.has_standard_errors     ? "expected sampling error"
@@ -477,8 +481,8 @@ std::string solution_text(const TransientComparison& study, const Transient& sol
 
 }  // namespace
 
-std::string table(const TransientComparison& study, const report::TextFormat& format) {
-  const Transient* const compared_with = reference(study);
+std::string study_table_text(const TransientComparison& study, const report::TextFormat& format) {
+  const Transient* const compared_with = find_reference_solution(study);
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
       study.options.periodic ? fmt::format("second moments of the periodic state of period {:.6g}",
@@ -494,7 +498,8 @@ std::string table(const TransientComparison& study, const report::TextFormat& fo
     }
   }
   for (const Transient& solution : study.solutions) {
-    text += report::wrap_text(solution_text(study, solution, compared_with), format.width, 2);
+    text +=
+        report::wrap_text(solution_summary_text(study, solution, compared_with), format.width, 2);
   }
   return text;
 }
@@ -503,10 +508,11 @@ namespace {
 
 using Methods = std::vector<SelectedMethod>;
 
-// Returns a series without points. The marks of different solutions are at different times.
-report::FigureSeries series_of(const Methods& methods, const Transient& solution) {
+// Returns a series without points, in the plot style of the method. The marks of different
+// solutions are at different times.
+report::FigureSeries make_empty_series(const Methods& methods, const Transient& solution) {
   const auto method = find_method(methods, solution.id);
-  report::FigureSeries series = report::make_series(solution.id, method->identity.plot_style);
+  report::FigureSeries series = report::make_empty_series(solution.id, method->identity.plot_style);
   series.mark_step = methods.size();
   series.first_mark = static_cast<std::size_t>(method - methods.begin());
   if (solution.has_standard_errors) series.dash = "";
@@ -519,7 +525,7 @@ report::FigurePanel moment_panel(const TransientComparison& study, const Methods
   std::vector<report::FigureSeries> all;
   for (const Transient& solution : study.solutions) {
     if (solution.snapshots.empty()) continue;
-    report::FigureSeries series = series_of(methods, solution);
+    report::FigureSeries series = make_empty_series(methods, solution);
     for (const TransientSnapshot& s : solution.snapshots) {
       report::FigurePoint point{.x = s.time, .y = s.moments.*moment};
       if (solution.has_standard_errors) {
@@ -542,9 +548,9 @@ report::FigurePanel distance_panel(const TransientComparison& study, const Metho
                                    double Distances::*distance) {
   std::vector<report::FigureSeries> all;
   for (const Transient& solution : study.solutions) {
-    report::FigureSeries series = series_of(methods, solution);
+    report::FigureSeries series = make_empty_series(methods, solution);
     for (std::size_t k = 0; k < solution.snapshots.size(); ++k) {
-      if (const auto at = distances(solution, compared_with, k)) {
+      if (const auto at = l1_distances_at(solution, compared_with, k)) {
         series.points.push_back({.x = solution.snapshots[k].time, .y = (*at).*distance});
       }
     }
@@ -558,8 +564,8 @@ report::FigurePanel distance_panel(const TransientComparison& study, const Metho
 
 }  // namespace
 
-report::Figure figure(const TransientComparison& study) {
-  const Transient* const compared_with = reference(study);
+report::Figure study_figure(const TransientComparison& study) {
+  const Transient* const compared_with = find_reference_solution(study);
   if (compared_with == nullptr) return {};
   const Methods methods = select_methods(study.options, SelectableMethods::with_closures);
   std::vector<report::FigurePanel> panels{
@@ -574,22 +580,23 @@ report::Figure figure(const TransientComparison& study) {
                                     &Distances::ydot));
   }
   for (const StateVariable variable : transform::kVariables) {
-    DensityOverTime density{.edges = marginal(compared_with->snapshots.front(), variable).edges};
+    DensityOverTime density{
+        .edges = marginal_of_variable(compared_with->snapshots.front(), variable).edges};
     for (const TransientSnapshot& s : compared_with->snapshots) {
       density.times.push_back(s.time);
-      density.averages.push_back(&marginal(s, variable).density);
+      density.averages.push_back(&marginal_of_variable(s, variable).density);
     }
-    panels.push_back(density_panel(
+    panels.push_back(density_heat_map_panel(
         density,
         fmt::format("{} by {}", variable == StateVariable::y ? "displacement" : "velocity",
                     compared_with->id),
         variable == StateVariable::y ? "{/:Italic y}" : "{/:Italic y}'"));
   }
-  return {.title = report::problem_title(study.problem), .panels = panels, .columns = 2};
+  return {.title = report::problem_title_parts(study.problem), .panels = panels, .columns = 2};
 }
 
-std::string netcdf(const TransientComparison& study, const std::string& command) {
-  const Transient* const compared_with = reference(study);
+std::string study_netcdf_bytes(const TransientComparison& study, const std::string& command) {
+  const Transient* const compared_with = find_reference_solution(study);
   if (compared_with == nullptr) return "";
   results::NetCdfWriter file;
   file.write_attribute("Conventions", "CF-1.8");
@@ -609,13 +616,14 @@ std::string netcdf(const TransientComparison& study, const std::string& command)
   for (const StateVariable variable : transform::kVariables) {
     const std::string id(name(variable));
     const std::string meaning = variable == StateVariable::y ? "displacement y" : "velocity y'";
-    const std::vector<double>& edges = marginal(compared_with->snapshots.front(), variable).edges;
+    const std::vector<double>& edges =
+        marginal_of_variable(compared_with->snapshots.front(), variable).edges;
     const int bins = file.write_cell_coordinate(id, meaning, bounds, edges);
     std::vector<double> values;
     for (const Transient& solution : study.solutions) {
       for (std::size_t k = 0; k < times.size(); ++k) {
         if (k < solution.snapshots.size()) {
-          const auto& density = marginal(solution.snapshots[k], variable).density;
+          const auto& density = marginal_of_variable(solution.snapshots[k], variable).density;
           values.insert(values.end(), density.begin(), density.end());
         } else {
           values.insert(values.end(), edges.size() - 1, std::numeric_limits<double>::quiet_NaN());

@@ -8,7 +8,7 @@
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
 #include "report/figure/figure.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_format.hpp"
 #include "transform/transient.hpp"
 #include "workflows/study/functionals/functional.hpp"
 
@@ -23,8 +23,8 @@ struct TransientComparisonOptions : FunctionalOptions {
 
   double until = 0;
   int snapshots = 20;
-  bool periodic =
-      false;  ///< whether the densities are those of the periodic state of period `until`
+  /// Whether the densities belong to the periodic state of period `until`.
+  bool periodic = false;
   std::optional<double> start_y{}, start_v{};            ///< deviations of the initial density
   std::optional<double> start_mean_y{}, start_mean_v{};  ///< means of the initial density
 };
@@ -43,31 +43,34 @@ TransientComparison compare_over_time(const problem::Problem& problem,
                                       const TransientComparisonOptions& options,
                                       const methods::ProgressListener& listener);
 
-/// Changes the status `ok` to `inaccurate` if the mass in the bins differs from 1, if a distance to
-/// the reference contradicts the accuracy, or if the L1 error exceeds it. The error is the estimate
-/// of the method, or the distance to the reference plus the error of the reference if that is
-/// smaller.
+/// Changes the status `ok` to `inaccurate` if the mass in the bins differs from 1, if the L1 error
+/// exceeds `accuracy`, or if a distance to the reference contradicts an L1 error within `accuracy`.
+/// The L1 error is the smaller of two numbers: the estimate of the method, and the distance to the
+/// reference plus the error of the reference.
 /// @param compared_with reference that solves the same equation; null without a reference
 void require_accurate(double accuracy, const transform::Transient* compared_with,
                       transform::Transient& solution);
 
-/// Returns the solution with which the others are compared: the first by finite volumes, or else
-/// the first simulation, with a density at the end time and the status ok or inaccurate; null if
-/// there is none.
-const transform::Transient* reference(const TransientComparison& study);
+/// Returns the reference solution, with which all other solutions are compared. The reference is
+/// the first finite-volume solution with a density at the end time and the status `ok` or
+/// `inaccurate`. Without such a finite-volume solution, the reference is the first simulation with
+/// the same properties. The result is null if no solution has these properties.
+const transform::Transient* find_reference_solution(const TransientComparison& study);
 
-/// Returns whether the status of finite volumes and simulations that support the problem is `ok`,
-/// and at least one has this status. Closures may fail.
+/// Returns whether at least one finite-volume solution or simulation has the status `ok`, and all
+/// finite-volume solutions and simulations have the status `ok` or `not_offered`. Failures of
+/// closures are ignored.
 bool has_converged(const TransientComparison& study);
 
-std::string json(const TransientComparison& study, const std::string& command);
+std::string study_json_text(const TransientComparison& study, const std::string& command);
 /// Returns the marginal densities with the columns case, solution, time, variable, abscissa,
 /// density, lower, upper.
-std::string csv(const TransientComparison& study);
-std::string table(const TransientComparison& study, const report::TextFormat& format);
-report::Figure figure(const TransientComparison& study);
+std::string study_csv_text(const TransientComparison& study);
+std::string study_table_text(const TransientComparison& study, const report::TextFormat& format);
+report::Figure study_figure(const TransientComparison& study);
 /// Returns the bytes of a netCDF-4 file with the marginal densities p_y(solution, time, y) and
-/// p_ydot(solution, time, ydot), NaN where a solution has none; empty without a density.
-std::string netcdf(const TransientComparison& study, const std::string& command);
+/// p_ydot(solution, time, ydot). A missing density has the value NaN. The result is empty if no
+/// solution has a density.
+std::string study_netcdf_bytes(const TransientComparison& study, const std::string& command);
 
 }  // namespace fpkcheck::study

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "report/figure/layout.hpp"
-#include "workflows/study/transient/density_panel.hpp"
+#include "workflows/study/transient/density_heat_map_panel.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -33,8 +33,8 @@ double interpolate(std::span<const double> edges, std::span<const double> averag
 
 }  // namespace
 
-report::FigurePanel density_panel(const DensityOverTime& density, const std::string& title,
-                                  const std::string& symbol) {
+report::FigurePanel density_heat_map_panel(const DensityOverTime& density, const std::string& title,
+                                           const std::string& symbol) {
   assert(density.times.size() >= 2);
   // Smallest drawn density, as a fraction of the largest density.
   constexpr double kVisible = 2e-3;
@@ -89,11 +89,13 @@ DensityOverTime density_over_time(const TransientRun& run, const std::vector<dou
 
 report::Figure transient_figure(const TransientRun& run) {
   assert(run.result.snapshots.size() >= 2);
-  return {.title = report::problem_title(run.problem),
-          .panels = {density_panel(density_over_time(run, run.result.y_edges, &DensitySnapshot::y),
-                                   "displacement", "{/:Italic y}"),
-                     density_panel(density_over_time(run, run.result.v_edges, &DensitySnapshot::v),
-                                   "velocity", "{/:Italic y}'")},
+  return {.title = report::problem_title_parts(run.problem),
+          .panels = {density_heat_map_panel(
+                         density_over_time(run, run.result.y_edges, &DensitySnapshot::y),
+                         "displacement", "{/:Italic y}"),
+                     density_heat_map_panel(
+                         density_over_time(run, run.result.v_edges, &DensitySnapshot::v),
+                         "velocity", "{/:Italic y}'")},
           .columns = 1};
 }
 

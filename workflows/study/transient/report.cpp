@@ -13,7 +13,7 @@
 
 #include "base/files/file_transaction.hpp"
 #include "report/figure/drawing.hpp"
-#include "report/table.hpp"
+#include "report/terminal_tables.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/json.hpp"
 #include "results/netcdf/writer.hpp"
@@ -36,7 +36,7 @@ double without_negative_zero(double value) {
   return std::abs(value) < kHalfADigit ? 0 : value;
 }
 
-std::string row(const DensitySnapshot& s) {
+std::string snapshot_table_row(const DensitySnapshot& s) {
   const auto& m = s.moments;
   return fmt::format("{:>8.4g} {:>8.5f} {:>8.5f} {:>8.5f} {:>8.5f} {:>8.5f} {:>8.1e} {:>8.1e}\n",
                      s.time, without_negative_zero(m.y1), m.y2, without_negative_zero(m.v1), m.v2,
@@ -66,8 +66,8 @@ std::string transient_table(const TransientRun& run, std::size_t width) {
   if (!result.snapshots.empty()) {
     text += fmt::format("{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "t", "E[y]", "E[y^2]",
                         "E[y']", "E[y'^2]", "energy", "mass - 1", "power");
-    for (std::size_t n = 0; n < last; n += stride) text += row(result.snapshots[n]);
-    text += row(result.snapshots[last]);
+    for (std::size_t n = 0; n < last; n += stride) text += snapshot_table_row(result.snapshots[n]);
+    text += snapshot_table_row(result.snapshots[last]);
   }
   if (result.status != transform::Status::ok) {
     text +=
@@ -87,7 +87,7 @@ std::string transient_table(const TransientRun& run, std::size_t width) {
 }
 
 std::string transient_figure_file_stem(const std::string& case_name) {
-  return "transient-" + results::file_stem(case_name);
+  return "transient-" + results::case_file_stem(case_name);
 }
 
 std::vector<std::string> write_transient_files(const fs::path& directory, const TransientRun& run,
@@ -103,9 +103,9 @@ std::vector<std::string> write_transient_files(const fs::path& directory, const 
   }
   write_transient_netcdf(directory / kFile, run);
   if (run.result.snapshots.size() < 2) return {"no picture: only t = 0 has a density"};
-  return report::write_pictures(figures, stem,
-                                report::figure_script(transient_figure(run), stem, options.width),
-                                options, gnuplot);
+  return report::write_script_and_draw(
+      figures, stem, report::make_gnuplot_script(transient_figure(run), stem, options.width),
+      options, gnuplot);
 }
 
 namespace {
@@ -180,7 +180,8 @@ std::vector<double> values_over_time(const TransientRun& run, Of of) {
   return values;
 }
 
-std::vector<double> rows(const TransientRun& run, std::vector<double> DensitySnapshot::*marginal) {
+std::vector<double> marginal_values(const TransientRun& run,
+                                    std::vector<double> DensitySnapshot::*marginal) {
   std::vector<double> values;
   for (const DensitySnapshot& s : run.result.snapshots) {
     values.insert(values.end(), (s.*marginal).begin(), (s.*marginal).end());
@@ -195,11 +196,11 @@ void write_marginal(results::NetCdfWriter& file, const TransientRun& run, const 
   const int dimension = file.write_cell_coordinate(name, meaning, bounds, edges);
   const int density = file.write_variable("p_" + name, {time, dimension},
                                           fmt::format("probability density of the {}", meaning),
-                                          rows(run, marginal));
+                                          marginal_values(run, marginal));
   file.write_attribute("cell_methods", name + ": mean", density);
 }
 
-void write_series(results::NetCdfWriter& file, const TransientRun& run, int time) {
+void write_time_series(results::NetCdfWriter& file, const TransientRun& run, int time) {
   const auto series = [&](const char* name, const std::string& long_name, auto of) {
     file.write_variable(name, {time}, long_name, values_over_time(run, of));
   };
@@ -253,7 +254,7 @@ void write_transient_netcdf(const fs::path& path, const TransientRun& run) {
                  &DensitySnapshot::y);
   write_marginal(file, run, "ydot", "velocity y'", time, bounds, run.result.v_edges,
                  &DensitySnapshot::v);
-  write_series(file, run, time);
+  write_time_series(file, run, time);
   base::write_file_atomically(path, file.close_and_take_bytes());
 }
 

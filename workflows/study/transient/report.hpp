@@ -54,9 +54,8 @@ void write_transient_netcdf(const std::filesystem::path& file, const TransientRu
 std::string transient_figure_file_stem(const std::string& case_name);
 
 /// Writes transient.nc, the script figures/transient-CASE.gp and the pictures of this script into a
-/// prepared directory. No file is ever incomplete: a failure leaves
-/// the file absent. A file of an earlier run of the
-/// case is removed if the new run has no data for the file.
+/// prepared directory. After a failure a file is missing, but never incomplete. A file of an
+/// earlier run of the case is removed if the new run has no data for the file.
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_transient_files(const std::filesystem::path& directory,

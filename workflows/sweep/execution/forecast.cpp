@@ -20,9 +20,9 @@ namespace {
 constexpr double kMinSeconds = 1e-6;  // lower bound of a time, whose logarithm must exist
 
 /// Values of the basis functions of the quadratic polynomial at a point.
-class BasisFunctions {
+class QuadraticBasis {
  public:
-  explicit BasisFunctions(const Plan& plan) : plan_(plan) {
+  explicit QuadraticBasis(const SweepPlan& plan) : plan_(plan) {
     for (std::size_t a = 0; a < plan.axes.size(); ++a) {
       Range range{std::numeric_limits<double>::infinity(),
                   -std::numeric_limits<double>::infinity()};
@@ -66,16 +66,16 @@ class BasisFunctions {
     return plan_.axes[axis].spacing == AxisSpacing::logarithmic ? std::log(value) : value;
   }
 
-  const Plan& plan_;
+  const SweepPlan& plan_;
   std::vector<Range> ranges_;
 };
 
 }  // namespace
 
-CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
+SolveTimeModel::SolveTimeModel(const SweepPlan& plan, std::span<const Measurement> measured)
     : expected_(plan.points.size(), 1.0) {
   if (measured.empty()) return;
-  const BasisFunctions terms(plan);
+  const QuadraticBasis terms(plan);
   const Eigen::Index unknowns = terms.at(0).size();
   // A ridge regression determines all coefficients even if few points are measured.
   constexpr double kRidge = 0.03;
@@ -122,23 +122,23 @@ namespace {
 constexpr std::size_t kMinSample = 24, kMaxSample = 64;
 constexpr double kSampleFraction = 0.06;
 
-std::size_t sample_size(std::size_t points) {
+std::size_t forecast_sample_size(std::size_t points) {
   return std::clamp(static_cast<std::size_t>(kSampleFraction * static_cast<double>(points)),
                     kMinSample, kMaxSample);
 }
 
 // Leave-one-out cross-validation gives the relative standard error: the root of the sum of squared
 // prediction errors, divided by the sum of the seconds.
-double relative_standard_error(const Plan& plan,
-                               const std::vector<CostModel::Measurement>& sample) {
+double relative_standard_error(const SweepPlan& plan,
+                               const std::vector<SolveTimeModel::Measurement>& sample) {
   if (sample.size() < 3) return 1;
   if (sample.size() >= plan.points.size()) return 0;
   double squares = 0, sum = 0;
   for (std::size_t omitted = 0; omitted < sample.size(); ++omitted) {
     auto others = sample;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(omitted));
-    const double residual =
-        sample[omitted].seconds - CostModel(plan, others).expected_seconds(sample[omitted].point);
+    const double residual = sample[omitted].seconds -
+                            SolveTimeModel(plan, others).expected_seconds(sample[omitted].point);
     squares += residual * residual;
     sum += sample[omitted].seconds;
   }
@@ -147,14 +147,16 @@ double relative_standard_error(const Plan& plan,
 
 }  // namespace
 
-double makespan(std::span<const double> seconds, std::size_t workers, DispatchRule dispatch) {
-  if (dispatch == DispatchRule::shards) {
+double parallel_wall_clock_time(std::span<const double> seconds, std::size_t workers,
+                                PointDispatchRule dispatch) {
+  if (dispatch == PointDispatchRule::shards) {
     std::vector<double> each(workers, 0);
     for (std::size_t p = 0; p < seconds.size(); ++p) each[p % workers] += seconds[p];
     return std::ranges::max(each);
   }
   std::vector<double> order(seconds.begin(), seconds.end());
-  if (dispatch == DispatchRule::longest_first) std::ranges::sort(order, std::ranges::greater{});
+  if (dispatch == PointDispatchRule::longest_first)
+    std::ranges::sort(order, std::ranges::greater{});
   std::priority_queue<double, std::vector<double>, std::greater<>> free_at;
   for (std::size_t w = 0; w < workers; ++w) free_at.push(0);
   double last = 0;
@@ -167,8 +169,9 @@ double makespan(std::span<const double> seconds, std::size_t workers, DispatchRu
   return last;
 }
 
-Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int threads) {
-  Forecast found;
+SolveTimeForecast forecast_solve_times(const SweepPlan& plan,
+                                       const std::vector<PointResult>& solved, int threads) {
+  SolveTimeForecast found;
   std::set<std::size_t> known;
   for (const auto& one : solved) {
     known.insert(one.point);
@@ -178,7 +181,7 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
   for (std::size_t p = 0; p < plan.points.size(); ++p) {
     if (!known.contains(p)) unknown.push_back(p);
   }
-  const std::size_t sample_count = sample_size(plan.points.size());
+  const std::size_t sample_count = forecast_sample_size(plan.points.size());
   const auto chosen =
       evenly_spread_sample(unknown, sample_count - std::min(sample_count, known.size()));
   std::mutex mutex;
@@ -188,7 +191,7 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
     const std::lock_guard lock(mutex);
     found.sample.push_back({chosen[k], seconds});
   });
-  found.seconds = CostModel(plan, found.sample).all_expected_seconds();
+  found.seconds = SolveTimeModel(plan, found.sample).all_expected_seconds();
   found.uncertainty = relative_standard_error(plan, found.sample);
   rusage usage{};
   if (!chosen.empty() && getrusage(RUSAGE_SELF, &usage) == 0) {

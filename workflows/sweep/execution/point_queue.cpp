@@ -17,7 +17,7 @@ constexpr std::size_t kInitialSample = 24, kMinMeasurements = 16;
 
 }  // namespace
 
-PointQueue::PointQueue(const Plan& plan, const std::vector<std::size_t>& own_points,
+PointQueue::PointQueue(const SweepPlan& plan, const std::vector<std::size_t>& own_points,
                        const std::vector<PointResult>& solved)
     : plan_(plan), total_(own_points.size()) {
   std::set<std::size_t> known;
@@ -59,7 +59,7 @@ void PointQueue::record_solve_time(std::size_t point, double seconds) {
 
 void PointQueue::sort_if_enough_measured() {
   if (measured_.size() < kMinMeasurements) return;
-  expected_ = CostModel(plan_, measured_).all_expected_seconds();
+  expected_ = SolveTimeModel(plan_, measured_).all_expected_seconds();
   std::ranges::stable_sort(waiting_, {}, [this](std::size_t p) { return expected_[p]; });
   for (const std::size_t p : waiting_) remaining_seconds_ += expected_[p];
 }
@@ -70,13 +70,14 @@ PointQueue::State PointQueue::state() const {
           expected_.empty() ? std::nullopt : std::optional(remaining_seconds_)};
 }
 
-JournaledPointQueue::JournaledPointQueue(const Plan& plan, const std::filesystem::path& directory,
-                                         const Shard& shard, QueueStateListener listener)
+JournaledPointQueue::JournaledPointQueue(const SweepPlan& plan,
+                                         const std::filesystem::path& directory, const Shard& shard,
+                                         QueueStateListener listener)
     : plan_(plan),
       directory_(directory),
       journal_name_(shard.journal_name()),
       journal_(directory / journal_name_, plan),
-      queue_(plan, shard.points(plan.points.size()), journal_.initial_content().points),
+      queue_(plan, shard.point_numbers(plan.points.size()), journal_.initial_content().points),
       listener_(std::move(listener)),
       points_(journal_.initial_content().points) {}
 
@@ -98,7 +99,7 @@ std::optional<std::size_t> JournaledPointQueue::take_next_point() {
   return queue_.take_next_point();
 }
 
-void JournaledPointQueue::store(SolvedPoint&& solved) {
+void JournaledPointQueue::store_solved_point(SolvedPoint&& solved) {
   queue_.record_solve_time(solved.result.point, solved.result.seconds);
   const std::lock_guard lock(mutex_);
   // The marginal densities must exist before the journal lists the point as solved.

@@ -34,7 +34,7 @@ class PointQueue {
   /// @param own_points points of this queue, in increasing order
   /// @param solved points that were solved before, for the cost model; points of other queues are
   /// allowed
-  PointQueue(const Plan& plan, const std::vector<std::size_t>& own_points,
+  PointQueue(const SweepPlan& plan, const std::vector<std::size_t>& own_points,
              const std::vector<PointResult>& solved);
 
   /// Removes and returns the next point; empty if no point remains.
@@ -47,10 +47,10 @@ class PointQueue {
  private:
   void sort_if_enough_measured();
 
-  const Plan& plan_;
+  const SweepPlan& plan_;
   mutable std::mutex mutex_;
   std::size_t total_;
-  std::vector<CostModel::Measurement> measured_;
+  std::vector<SolveTimeModel::Measurement> measured_;
   // Waiting points in reverse order: the next point is the last element.
   std::vector<std::size_t> waiting_;
   // Expected seconds of each point; empty until enough points are measured.
@@ -67,7 +67,7 @@ class PointSource {
   /// for the assignment.
   /// @return the next point; empty if no point remains, after a stop request, and after close()
   virtual std::optional<std::size_t> take_next_point() = 0;
-  virtual void store(SolvedPoint&& solved) = 0;
+  virtual void store_solved_point(SolvedPoint&& solved) = 0;
   /// Ends the assignment of points: take_next_point() returns no further point.
   virtual void close() = 0;
 };
@@ -81,11 +81,11 @@ class JournaledPointQueue final : public PointSource {
  public:
   /// Opens or creates the journal of a sweep in the directory.
   /// @throws the exceptions of Journal's constructor
-  JournaledPointQueue(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
-                      QueueStateListener listener);
+  JournaledPointQueue(const SweepPlan& plan, const std::filesystem::path& directory,
+                      const Shard& shard, QueueStateListener listener);
 
   std::optional<std::size_t> take_next_point() override;
-  void store(SolvedPoint&& solved) override;
+  void store_solved_point(SolvedPoint&& solved) override;
   void close() override { closed_ = true; }
 
   PointQueue::State state() const { return queue_.state(); }
@@ -93,10 +93,10 @@ class JournaledPointQueue final : public PointSource {
   /// of a resumed sweep. The text is empty for a new journal.
   std::string resumption_text() const;
   /// Returns the results of all solved points, first the points of earlier runs.
-  std::vector<PointResult> points() const { return points_; }
+  std::vector<PointResult> solved_points() const { return points_; }
 
  private:
-  const Plan& plan_;
+  const SweepPlan& plan_;
   std::filesystem::path directory_;
   std::string journal_name_;
   Journal journal_;

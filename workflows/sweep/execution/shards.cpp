@@ -35,9 +35,9 @@ std::optional<Shard> parse_shard_numbers(std::string_view text, std::string_view
 
 }  // namespace
 
-std::vector<std::size_t> Shard::points(std::size_t total) const {
+std::vector<std::size_t> Shard::point_numbers(std::size_t total_points) const {
   std::vector<std::size_t> own_points;
-  for (std::size_t p = number - 1; p < total; p += of) own_points.push_back(p);
+  for (std::size_t p = number - 1; p < total_points; p += of) own_points.push_back(p);
   return own_points;
 }
 
@@ -84,13 +84,13 @@ std::vector<fs::path> journals_in(const fs::path& directory) {
   return found;
 }
 
-Json plan_json_of(const JournalContent& content, const fs::path& file) {
+Json parse_plan_json(const JournalContent& content, const fs::path& file) {
   std::istringstream text(content.plan);
   return results::parse_json(text, sanitise(file.string()));
 }
 
-Plan plan_from_journal(const Json& json, const fs::path& file,
-                       const methods::SolverRegistry& registry) {
+SweepPlan plan_from_journal(const Json& json, const fs::path& file,
+                            const methods::SolverRegistry& registry) {
   try {
     return plan_from_json(json, registry);
   } catch (const nlohmann::json::exception& error) {
@@ -100,7 +100,7 @@ Plan plan_from_journal(const Json& json, const fs::path& file,
 }
 
 // Returns the shards that contain the given points, e.g. "1/3 (2 points), 2/3 (1 point)".
-std::string shards_text(const std::vector<std::size_t>& points, std::size_t of) {
+std::string shards_of_points_text(const std::vector<std::size_t>& points, std::size_t of) {
   // Largest number of shards named in a line of text. Later runs name the remaining shards.
   constexpr std::size_t kMaxNamedShards = 8;
   std::map<std::size_t, std::size_t> counts;
@@ -122,8 +122,8 @@ std::string missing_points_text(const std::set<std::size_t>& there, std::size_t 
   for (std::size_t p = 0; p < total; ++p) {
     if (!there.contains(p)) missing.push_back(p);
   }
-  const std::string again =
-      of > 1 ? "run again with --shard " + shards_text(missing, of) : "run the sweep again";
+  const std::string again = of > 1 ? "run again with --shard " + shards_of_points_text(missing, of)
+                                   : "run the sweep again";
   return fmt::format("{} of {} points are missing; {}", missing.size(), total, again);
 }
 
@@ -144,7 +144,7 @@ MergedSweep merge_journals(const std::vector<fs::path>& directories,
       if (const auto shard = shard_of_journal(file.filename().string())) {
         of = std::max(of, shard->of);
       }
-      const Json json = plan_json_of(content, file);
+      const Json json = parse_plan_json(content, file);
       if (!plan) {
         plan = json;
         of_plan = file;

@@ -12,13 +12,14 @@
 
 namespace fpkcheck::sweep {
 
-/// A shard: a subset of the points of a plan, solved independently of all other shards.
+/// Subset of the points of a sweep plan, which one process solves independently of the other
+/// shards.
 struct Shard {
   std::size_t number = 1, of = 1;  ///< number of this shard (1 .. of), and number of shards
 
-  /// Returns every `of`-th point of the plan. Neighbouring points, which have similar times, are
-  /// therefore in different shards.
-  std::vector<std::size_t> points(std::size_t total) const;
+  /// Returns the numbers of the points in this shard: every `of`-th point of the plan. Neighbouring
+  /// points, which have similar solve times, are therefore in different shards.
+  std::vector<std::size_t> point_numbers(std::size_t total_points) const;
   /// Returns the shard that contains a point, if the plan is divided into `of` shards.
   static Shard containing(std::size_t point, std::size_t of) { return {point % of + 1, of}; }
   /// Returns the file name of the shard's journal, e.g. "journal" or "journal.3-of-16".

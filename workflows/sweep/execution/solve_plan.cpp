@@ -48,7 +48,7 @@ constexpr char kFailed = 'f';    // text of an exception; final message of the w
 constexpr char kFinished = 'b';  // final message of a worker without an exception
 constexpr const char* kNoPointsLeft = "none";
 
-std::optional<std::size_t> point_of_reply(const std::string& text) {
+std::optional<std::size_t> parse_point_reply(const std::string& text) {
   std::size_t point = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), point);
   return error == std::errc() ? std::optional(point) : std::nullopt;
@@ -57,7 +57,7 @@ std::optional<std::size_t> point_of_reply(const std::string& text) {
 /// Solver threads of a rank. The calling thread meanwhile exchanges messages with the other ranks.
 class BackgroundSolver {
  public:
-  BackgroundSolver(const Plan& plan, PointSource& points, int threads)
+  BackgroundSolver(const SweepPlan& plan, PointSource& points, int threads)
       : points_(points), solving_(std::async(std::launch::async, [&plan, &points, threads] {
           solve_remaining_points(plan, points, threads);
         })) {}
@@ -76,11 +76,11 @@ class BackgroundSolver {
   std::future<void> solving_;
 };
 
-/// Points that the coordinator has assigned to a worker, and results that the worker has not yet
-/// sent.
+/// Point source of a worker: the points that the coordinator assigned to the worker, and the
+/// results that the worker has not yet sent to the coordinator.
 class AssignedPoints final : public PointSource {
  public:
-  AssignedPoints(const Plan& plan, std::filesystem::path directory)
+  AssignedPoints(const SweepPlan& plan, std::filesystem::path directory)
       : plan_(plan), directory_(std::move(directory)) {}
 
   std::optional<std::size_t> take_next_point() override {
@@ -91,7 +91,7 @@ class AssignedPoints final : public PointSource {
     waiting_.pop_front();
     return point;
   }
-  void store(SolvedPoint&& solved) override {
+  void store_solved_point(SolvedPoint&& solved) override {
     write_marginals(plan_, directory_, solved);
     std::string text = kSolved + journal_line(solved.result);
     const std::lock_guard lock(mutex_);
@@ -109,13 +109,13 @@ class AssignedPoints final : public PointSource {
     changed_.notify_one();
   }
   /// Removes and returns the messages with unsent results.
-  std::vector<std::string> take_results() {
+  std::vector<std::string> take_result_messages() {
     const std::lock_guard lock(mutex_);
     return std::exchange(results_, {});
   }
 
  private:
-  const Plan& plan_;
+  const SweepPlan& plan_;
   std::filesystem::path directory_;
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -159,7 +159,7 @@ std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
     if (points != nullptr) {
       try {
         if (type == kSolved)
-          points->store({point_result_from_json(results::Json::parse(content)), {}});
+          points->store_solved_point({point_result_from_json(results::Json::parse(content)), {}});
       } catch (...) {
         end_after(std::current_exception());
       }
@@ -170,7 +170,7 @@ std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
   return failure;
 }
 
-void run_coordinator(const Plan& plan, JournaledPointQueue& points, base::Communicator& ranks,
+void run_coordinator(const SweepPlan& plan, JournaledPointQueue& points, base::Communicator& ranks,
                      int threads) {
   BackgroundSolver solver(plan, points, threads);
   const auto failure = serve_workers(ranks, &points, &solver);
@@ -178,14 +178,14 @@ void run_coordinator(const Plan& plan, JournaledPointQueue& points, base::Commun
   if (failure) std::rethrow_exception(failure);
 }
 
-void run_worker(const Plan& plan, const std::filesystem::path& directory, base::Communicator& ranks,
-                int threads) {
+void run_worker(const SweepPlan& plan, const std::filesystem::path& directory,
+                base::Communicator& ranks, int threads) {
   constexpr int kCoordinator = 0;
   AssignedPoints points(plan, directory);
   BackgroundSolver solver(plan, points, threads);
   // The number of open requests exceeds the number of solver threads by one. One point is in
   // reserve, so that no thread waits for a reply.
-  int open_requests = base::number_of_threads(threads) + 1, unsolved = 0;
+  int open_requests = base::resolve_thread_count(threads) + 1, unsolved = 0;
   for (int k = 0; k < open_requests; ++k) ranks.send(kCoordinator, std::string(1, kRequest));
   Backoff backoff;
   // The solver threads end before the last point only after an exception or a stop request.
@@ -194,12 +194,12 @@ void run_worker(const Plan& plan, const std::filesystem::path& directory, base::
     if (const auto message = ranks.receive()) {
       idle = false;
       --open_requests;
-      if (const auto point = point_of_reply(message->text)) {
+      if (const auto point = parse_point_reply(message->text)) {
         ++unsolved;
         points.add(*point);
       }
     }
-    for (const auto& text : points.take_results()) {
+    for (const auto& text : points.take_result_messages()) {
       idle = false;
       --unsolved;
       ++open_requests;
@@ -215,7 +215,7 @@ void run_worker(const Plan& plan, const std::filesystem::path& directory, base::
   try {
     solver.join();
   } catch (const std::exception& error) {
-    for (const auto& text : points.take_results()) ranks.send(kCoordinator, text);
+    for (const auto& text : points.take_result_messages()) ranks.send(kCoordinator, text);
     ranks.send(kCoordinator, kFailed + std::string(error.what()));
     throw;
   }
@@ -224,12 +224,12 @@ void run_worker(const Plan& plan, const std::filesystem::path& directory, base::
 
 }  // namespace
 
-void solve_remaining_points(const Plan& plan, PointSource& points, int threads) {
-  const int thread_count = base::number_of_threads(threads);
+void solve_remaining_points(const SweepPlan& plan, PointSource& points, int threads) {
+  const int thread_count = base::resolve_thread_count(threads);
   base::parallel_for(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
     try {
       for (auto point = points.take_next_point(); point; point = points.take_next_point()) {
-        points.store(solve_point(plan, *point));
+        points.store_solved_point(solve_point(plan, *point));
       }
     } catch (...) {
       points.close();
@@ -238,8 +238,9 @@ void solve_remaining_points(const Plan& plan, PointSource& points, int threads) 
   });
 }
 
-void solve_plan(const Plan& plan, const std::filesystem::path& directory, base::Communicator* ranks,
-                int threads, const std::function<JournaledPointQueue&()>& open_queue) {
+void solve_plan(const SweepPlan& plan, const std::filesystem::path& directory,
+                base::Communicator* ranks, int threads,
+                const std::function<JournaledPointQueue&()>& open_queue) {
   if (ranks != nullptr && !ranks->is_first_rank()) {
     run_worker(plan, directory, *ranks, threads);
     return;

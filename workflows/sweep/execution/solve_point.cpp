@@ -15,7 +15,7 @@
 #include "compare/comparison.hpp"
 #include "methods/residual_error_estimator.hpp"
 #include "methods/run_cases.hpp"
-#include "results/make_curve.hpp"
+#include "results/make_density_curve.hpp"
 #include "results/marginals_csv.hpp"
 
 namespace fpkcheck::sweep {
@@ -25,20 +25,20 @@ using transform::Solution;
 using transform::StateVariable;
 using transform::Status;
 
-Solution failed(const methods::Method& method, const std::string& reason) {
+Solution failed_solution(const methods::Method& method, const std::string& reason) {
   Solution solution{.identity = method.identity, .options = method.options};
   solution.status = Status::failed;
   solution.reason = reason;
   return solution;
 }
 
-Solution solved(const methods::Method& method, const problem::Problem& problem,
-                const methods::SolveContext& context) {
+Solution solution_or_failure(const methods::Method& method, const problem::Problem& problem,
+                             const methods::SolveContext& context) {
   try {
     if (method.check) method.check(problem);
     return methods::solve_with_method(method, problem, context);
   } catch (const InputError& error) {
-    return failed(method, error.what());
+    return failed_solution(method, error.what());
   }
 }
 
@@ -50,10 +50,10 @@ std::optional<MarginalL1Values> finite_error_estimate(const Solution& solution) 
   return error;
 }
 
-std::vector<BudgetContribution> budget_shares(const Solution& solution,
-                                              const std::vector<compare::ErrorBudgetRow>& budget) {
+std::vector<BudgetContribution> error_budget_contributions(
+    const Solution& solution, const std::vector<compare::ErrorBudgetRow>& budget) {
   std::vector<BudgetContribution> shares;
-  for (const auto& closure : compare::closure_error_budgets(budget, {&solution, 1})) {
+  for (const auto& closure : compare::group_budget_by_closure(budget, {&solution, 1})) {
     if (closure.solution != solution.id() || closure.y == nullptr || closure.ydot == nullptr) {
       continue;
     }
@@ -74,8 +74,8 @@ MethodResult make_method_result(const Solution& solution) {
   return result;
 }
 
-std::optional<MarginalL1Values> distance(const compare::Comparison& comparison,
-                                         const Solution& solution, const Solution& reference) {
+std::optional<MarginalL1Values> l1_distance(const compare::Comparison& comparison,
+                                            const Solution& solution, const Solution& reference) {
   const auto l1 = [&](StateVariable variable) {
     return compare::l1_distance_between(comparison.pairs, solution.id(), reference.id(), variable);
   };
@@ -84,7 +84,7 @@ std::optional<MarginalL1Values> distance(const compare::Comparison& comparison,
   return MarginalL1Values{*y, *ydot};
 }
 
-SolvedPoint solved(const Plan& plan, std::size_t point) {
+SolvedPoint solve_and_compare_methods(const SweepPlan& plan, std::size_t point) {
   SolvedPoint solved_point{{.point = point}, {}};
   PointResult& result = solved_point.result;
   std::optional<problem::Problem> problem;
@@ -92,7 +92,7 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
     problem = plan.problem_at(point);
   } catch (const InputError& error) {
     for (const auto& method : plan.methods) {
-      result.methods.push_back(make_method_result(failed(method, error.what())));
+      result.methods.push_back(make_method_result(failed_solution(method, error.what())));
     }
     return solved_point;
   }
@@ -102,7 +102,8 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
                             !residuals.unsupported_reason().empty();
   std::vector<Solution> solutions;
   for (const auto& method : plan.methods) {
-    solutions.push_back(solved(method, *problem, {axes, {}, &residuals, !by_reference}));
+    solutions.push_back(
+        solution_or_failure(method, *problem, {axes, {}, &residuals, !by_reference}));
   }
 
   const Solution* reference =
@@ -113,7 +114,7 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
   }
   if (plan.marginals) {
     for (auto& found : comparison.marginals) {
-      solved_point.curves.push_back(results::make_curve(std::move(found)));
+      solved_point.curves.push_back(results::make_density_curve(std::move(found)));
     }
   }
   if (reference != nullptr) result.reference = reference->id();
@@ -121,25 +122,25 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
                                     reference != nullptr || plan.marginals ? &comparison : nullptr);
   for (const Solution& solution : solutions) {
     const auto l1 =
-        reference == nullptr ? std::nullopt : distance(comparison, solution, *reference);
+        reference == nullptr ? std::nullopt : l1_distance(comparison, solution, *reference);
     result.methods.push_back(make_method_result(solution));
     result.methods.back().l1 = l1;
     if (reference != nullptr)
-      result.methods.back().budget = budget_shares(solution, comparison.budget);
+      result.methods.back().budget = error_budget_contributions(solution, comparison.budget);
   }
   return solved_point;
 }
 
 }  // namespace
 
-SolvedPoint solve_point(const Plan& plan, std::size_t point) {
+SolvedPoint solve_point(const SweepPlan& plan, std::size_t point) {
   const base::Stopwatch stopwatch;
-  SolvedPoint solved_point = solved(plan, point);
+  SolvedPoint solved_point = solve_and_compare_methods(plan, point);
   solved_point.result.seconds = stopwatch.seconds();
   return solved_point;
 }
 
-void write_marginals(const Plan& plan, const std::filesystem::path& directory,
+void write_marginals(const SweepPlan& plan, const std::filesystem::path& directory,
                      const SolvedPoint& solved) {
   if (solved.curves.empty()) return;
   const base::ExitBlocker in_hand;

@@ -18,11 +18,11 @@ struct SolvedPoint {
 /// Solves a point by all methods of the plan, and compares the solutions with the point's
 /// reference. After a failure (inconsistent values, insufficient memory) the result has the status
 /// `failed` and a reason.
-SolvedPoint solve_point(const Plan& plan, std::size_t point);
+SolvedPoint solve_point(const SweepPlan& plan, std::size_t point);
 
 /// Writes the marginal densities of a point, if any, to marginals/NUMBER.csv.
 /// @throws std::runtime_error with a message of one line
-void write_marginals(const Plan& plan, const std::filesystem::path& directory,
+void write_marginals(const SweepPlan& plan, const std::filesystem::path& directory,
                      const SolvedPoint& solved);
 
 }  // namespace fpkcheck::sweep

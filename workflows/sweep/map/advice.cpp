@@ -18,8 +18,8 @@ struct MapNeighbour {
 
 // Returns the map points with the impulse law and the relative mean of the problem, the closest
 // point first.
-std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
-                                            const ValidityMap& map) {
+std::vector<MapNeighbour> neighbours_by_distance(const MapCoordinates& coordinates,
+                                                 const ValidityMap& map) {
   std::vector<MapNeighbour> neighbours;
   for (const auto& point : map.points) {
     const double separation = map_distance(coordinates, point.coordinates);
@@ -31,7 +31,7 @@ std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
 
 // Among the promised methods that take at most 1.5 times the shortest time, moves the most accurate
 // method to the front. The factor 1.5 is the accuracy of wall-clock times.
-void move_most_accurate_first(std::vector<NearbyMethodResults>& methods) {
+void move_most_accurate_method_first(std::vector<NearbyMethodResults>& methods) {
   constexpr double kSimilarTimeRatio = 1.5;
   if (methods.empty() || !methods.front().promised) return;
   auto best = methods.begin();
@@ -44,31 +44,33 @@ void move_most_accurate_first(std::vector<NearbyMethodResults>& methods) {
 
 // The upper bound of the L1 error is the L1 distance plus the error estimate of the reference. For
 // the reference itself the bound is the error estimate alone.
-double error_bound(const ValidityMapResult& answer, const ValidityMapResult& reference) {
-  return *answer.l1 + (&answer == &reference ? 0 : *reference.l1);
+double l1_error_bound(const ValidityMapResult& method_result, const ValidityMapResult& reference) {
+  return *method_result.l1 + (&method_result == &reference ? 0 : *reference.l1);
 }
 
-NearbyMethodResults nearby(const std::string& id, std::size_t m,
-                           const std::vector<MapNeighbour>& neighbours, double accuracy) {
+NearbyMethodResults nearby_method_results(const std::string& id, std::size_t m,
+                                          const std::vector<MapNeighbour>& neighbours,
+                                          double accuracy) {
   NearbyMethodResults found{.id = id};
   std::vector<double> seconds;
   double nearest_distance = std::numeric_limits<double>::infinity();
   bool all_hold = true;
   for (const auto& [separation, point] : neighbours) {
     if (separation > kNearbyDistance && found.points >= kMinNearbyPoints) break;
-    const auto& answer = point->method_results[m];
-    if (!answer) continue;
+    const auto& method_result = point->method_results[m];
+    if (!method_result) continue;
     nearest_distance = std::min(nearest_distance, separation);
     ++found.points;
-    found.ok += answer->is_ok() ? 1 : 0;
-    seconds.push_back(answer->seconds);
-    const double off = answer->l1 ? error_bound(*answer, *point->method_results.back())
-                                  : std::numeric_limits<double>::infinity();
-    all_hold = all_hold && answer->is_ok() && off < accuracy;
-    if (answer->is_ok() || answer->status == transform::Status::inaccurate) {
-      found.worst_l1 = std::max(found.worst_l1.value_or(0), answer->l1.value_or(0));
+    found.ok += method_result->is_ok() ? 1 : 0;
+    seconds.push_back(method_result->seconds);
+    const double off = method_result->l1
+                           ? l1_error_bound(*method_result, *point->method_results.back())
+                           : std::numeric_limits<double>::infinity();
+    all_hold = all_hold && method_result->is_ok() && off < accuracy;
+    if (method_result->is_ok() || method_result->status == transform::Status::inaccurate) {
+      found.worst_l1 = std::max(found.worst_l1.value_or(0), method_result->l1.value_or(0));
     }
-    if (answer->underestimated && *answer->l1 > accuracy) ++found.underestimated;
+    if (method_result->underestimated && *method_result->l1 > accuracy) ++found.underestimated;
   }
   if (!seconds.empty()) found.seconds = numerics::median(seconds);
   found.promised =
@@ -86,7 +88,7 @@ std::vector<NearbyMethodResults> MethodRecommendation::sufficiently_accurate_met
 
 MethodRecommendation recommend_methods(const MapCoordinates& coordinates, double accuracy,
                                        const ValidityMap& map) {
-  const auto neighbours = sorted_neighbours(coordinates, map);
+  const auto neighbours = neighbours_by_distance(coordinates, map);
   MethodRecommendation advice{.coordinates = coordinates,
                               .accuracy = accuracy,
                               .nearest_distance = neighbours.empty()
@@ -95,13 +97,13 @@ MethodRecommendation recommend_methods(const MapCoordinates& coordinates, double
   advice.nearby_points = static_cast<std::size_t>(std::ranges::count_if(
       neighbours, [](const auto& one) { return one.separation <= kNearbyDistance; }));
   for (std::size_t m = 0; m < map.methods.size(); ++m) {
-    auto found = nearby(map.methods[m], m, neighbours, accuracy);
+    auto found = nearby_method_results(map.methods[m], m, neighbours, accuracy);
     if (found.points > 0) advice.methods.push_back(std::move(found));
   }
   std::ranges::stable_sort(advice.methods, {}, [](const NearbyMethodResults& one) {
     return std::tuple(!one.promised, one.seconds);
   });
-  move_most_accurate_first(advice.methods);
+  move_most_accurate_method_first(advice.methods);
   return advice;
 }
 

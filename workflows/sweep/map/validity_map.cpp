@@ -18,7 +18,7 @@ namespace fpkcheck::sweep {
 
 DimensionlessGroups dimensionless_groups(const problem::Problem& problem) {
   const auto& system = problem.system.coefficients();
-  const auto scales = problem::scales(problem);
+  const auto scales = problem::motion_scales(problem);
   const double stiffness = scales.frequency * scales.frequency;
   const bool original = problem::has_equivalent_linearisation(problem);
   return {.impulses_per_decay_time = problem::impulses_per_decay_time(problem, scales),
@@ -63,8 +63,9 @@ std::vector<std::string_view> split_at(std::string_view text, char separator) {
                                base::in_quotes(text)));
 }
 
-// Parses a nonnegative number: all numbers of the map are fractions, ratios, distances or times.
-double parse_number(std::string_view text) {
+// Parses a nonnegative number. All numbers of the map are nonnegative: fractions, ratios, distances
+// or times.
+double parse_nonnegative_number(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_number = error == std::errc() && end == text.data() + text.size();
@@ -72,7 +73,7 @@ double parse_number(std::string_view text) {
   return number;
 }
 
-std::optional<ValidityMapResult> parse_result(std::string_view cell) {
+std::optional<ValidityMapResult> parse_result_cell(std::string_view cell) {
   if (cell.empty()) return std::nullopt;
   // The letter "e" of a decimal exponent is not a status letter.
   const auto at =
@@ -82,28 +83,28 @@ std::optional<ValidityMapResult> parse_result(std::string_view cell) {
   ValidityMapResult answer{.status = entry->status,
                            .l1 = {},
                            .underestimated = entry->underestimated,
-                           .seconds = parse_number(cell.substr(at + 1)) / 1000};
-  if (at > 0) answer.l1 = parse_number(cell.substr(0, at));
+                           .seconds = parse_nonnegative_number(cell.substr(at + 1)) / 1000};
+  if (at > 0) answer.l1 = parse_nonnegative_number(cell.substr(0, at));
   if (!answer.l1 && answer.is_ok()) refuse(cell);
   return answer;
 }
 
-ValidityMapPoint parse_point(std::string_view line, std::size_t methods) {
+ValidityMapPoint parse_map_point(std::string_view line, std::size_t methods) {
   const auto cells = split_at(line, ',');
   if (cells.size() != kCoordinateColumns.size() + methods) refuse(line);
   ValidityMapPoint point{
-      .coordinates = {.groups = {.impulses_per_decay_time = parse_number(cells[0]),
-                                 .damping_ratio = parse_number(cells[1]),
-                                 .cubic_share = parse_number(cells[2])},
-                      .restitution = parse_number(cells[3]),
+      .coordinates = {.groups = {.impulses_per_decay_time = parse_nonnegative_number(cells[0]),
+                                 .damping_ratio = parse_nonnegative_number(cells[1]),
+                                 .cubic_share = parse_nonnegative_number(cells[2])},
+                      .restitution = parse_nonnegative_number(cells[3]),
                       .law = std::string(cells[4]),
-                      .relative_mean = parse_number(cells[5])},
+                      .relative_mean = parse_nonnegative_number(cells[5])},
       .method_results = {}};
   // The map distance contains the logarithms of impulses per decay time and damping ratio.
   const auto& groups = point.coordinates.groups;
   if (groups.impulses_per_decay_time == 0 || groups.damping_ratio == 0) refuse(line);
   for (std::size_t m = 0; m < methods; ++m) {
-    point.method_results.push_back(parse_result(cells[kCoordinateColumns.size() + m]));
+    point.method_results.push_back(parse_result_cell(cells[kCoordinateColumns.size() + m]));
   }
   // The last method of the map is the reference, which must have an error estimate at every point.
   if (!point.method_results.back() || !point.method_results.back()->l1) refuse(line);
@@ -123,14 +124,14 @@ ValidityMap read_validity_map(std::string_view text) {
   ValidityMap map;
   map.methods.assign(header.begin() + kCoordinateColumns.size(), header.end());
   for (std::size_t k = 1; k < lines.size(); ++k) {
-    map.points.push_back(parse_point(lines[k], map.methods.size()));
+    map.points.push_back(parse_map_point(lines[k], map.methods.size()));
   }
   return map;
 }
 
 MapCoordinates map_coordinates(const problem::Problem& problem) {
   const auto& impulses = problem.impulses.parameters();
-  const auto& law = problem.impulses.law();
+  const auto& law = problem.impulses.amplitude_law();
   return {.groups = dimensionless_groups(problem),
           .restitution = problem.system.restitution(),
           .law = law.is_symmetric()

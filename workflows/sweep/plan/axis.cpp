@@ -58,7 +58,7 @@ struct AxisParser {
   }
 };
 
-std::size_t parse_count(const std::string& text, const AxisParser& reading) {
+std::size_t parse_value_count(const std::string& text, const AxisParser& reading) {
   std::size_t count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (error == std::errc() && end == text.data() + text.size() && count >= 2 &&
@@ -69,7 +69,7 @@ std::size_t parse_count(const std::string& text, const AxisParser& reading) {
                                reading.label, base::in_quotes(text), kMaxValues));
 }
 
-Axis parse_range(std::string_view text, Axis axis, const AxisParser& reading) {
+SweepAxis parse_axis_range(std::string_view text, SweepAxis axis, const AxisParser& reading) {
   axis.spacing = text.starts_with(kLogarithmic) ? AxisSpacing::logarithmic : AxisSpacing::linear;
   if (axis.spacing == AxisSpacing::logarithmic) text.remove_prefix(kLogarithmic.size());
   const auto parts = split_at(text, ':');
@@ -88,7 +88,7 @@ Axis parse_range(std::string_view text, Axis axis, const AxisParser& reading) {
                                  reading.label, base::sanitise(text)));
   }
   if (parts.size() == 2) return axis;
-  const std::size_t count = parse_count(parts[2], reading);
+  const std::size_t count = parse_value_count(parts[2], reading);
   axis.values.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     axis.values.emplace_back(
@@ -99,7 +99,7 @@ Axis parse_range(std::string_view text, Axis axis, const AxisParser& reading) {
 
 }  // namespace
 
-double Axis::value_at_fraction(double part) const {
+double SweepAxis::value_at_fraction(double part) const {
   if (part <= 0) return from;
   if (part >= 1) return to;
   return round_to_twelve_digits(spacing == AxisSpacing::logarithmic
@@ -107,12 +107,12 @@ double Axis::value_at_fraction(double part) const {
                                     : std::lerp(from, to, part));
 }
 
-std::string Axis::text() const {
+std::string SweepAxis::definition_text() const {
   if (spacing == AxisSpacing::listed) {
     std::vector<std::string> list;
     for (const auto& value : values) {
       const auto* word = std::get_if<std::string>(&value);
-      list.push_back(word != nullptr ? *word : base::text_of(value));
+      list.push_back(word != nullptr ? *word : base::value_as_text(value));
     }
     return fmt::format("{} = {}", key, fmt::join(list, ","));
   }
@@ -121,19 +121,20 @@ std::string Axis::text() const {
                      values.empty() ? "" : fmt::format(":{}", values.size()));
 }
 
-Axis parse_axis(std::string_view key, std::string_view values, const std::string& error_context) {
-  const AxisParser reading{problem::case_parameter(key, error_context),
+SweepAxis parse_sweep_axis(std::string_view key, std::string_view values,
+                           const std::string& error_context) {
+  const AxisParser reading{problem::case_file_parameter(key, error_context),
                            fmt::format("{} {} =", error_context, key)};
-  Axis axis{.key = std::string(key)};
+  SweepAxis axis{.key = std::string(key)};
   if (values.find(':') != std::string_view::npos) {
-    axis = parse_range(values, std::move(axis), reading);
+    axis = parse_axis_range(values, std::move(axis), reading);
   } else {
     for (const auto& item : split_at(values, ',')) axis.values.push_back(reading.value(item));
   }
   const auto require_distinct = [&reading](const std::vector<Value>& sorted) {
     if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
-      throw InputError(
-          fmt::format("{} {} is given twice (keep one)", reading.label, base::text_of(*twice)));
+      throw InputError(fmt::format("{} {} is given twice (keep one)", reading.label,
+                                   base::value_as_text(*twice)));
     }
   };
   if (axis.spacing != AxisSpacing::listed) {

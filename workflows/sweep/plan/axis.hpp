@@ -17,7 +17,7 @@ constexpr const auto& enumerator_names(AxisSpacing) { return kSpacingNames; }
 constexpr std::string_view name(AxisSpacing spacing) { return base::name_of(spacing); }
 
 /// A key of case files that the sweep varies, and the values of this key.
-struct Axis {
+struct SweepAxis {
   std::string key;  ///< varied key, e.g. "system.restitution"
   AxisSpacing spacing = AxisSpacing::listed;
   double from = 0, to = 0;  ///< ends of the range of a numerical key
@@ -29,7 +29,7 @@ struct Axis {
   /// @param part relative position, 0 <= part <= 1
   double value_at_fraction(double part) const;
   /// Returns the axis as text, e.g. "system.restitution = 0.5:0.99:50".
-  std::string text() const;
+  std::string definition_text() const;
 };
 
 /// Parses an axis in the syntax KEY=FROM:TO:N, KEY=FROM:TO or KEY=A,B,.., with "log:" before FROM
@@ -37,6 +37,7 @@ struct Axis {
 /// @param error_context first words of error messages, e.g. "--vary" or "plan mine.ini:7"
 /// @throws InputError if the syntax is invalid, a value is outside the range of the key, or a value
 ///         occurs twice
-Axis parse_axis(std::string_view key, std::string_view values, const std::string& error_context);
+SweepAxis parse_sweep_axis(std::string_view key, std::string_view values,
+                           const std::string& error_context);
 
 }  // namespace fpkcheck::sweep

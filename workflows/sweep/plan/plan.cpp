@@ -23,16 +23,16 @@ void require_at_most_max_points(double count) {
                                count, kMaxPoints));
 }
 
-void require_values(const Axis& axis) {
+void require_axis_values(const SweepAxis& axis) {
   if (!axis.values.empty()) return;
   throw InputError(fmt::format("{} has no number of points (write {}:N, or --design sobol)",
-                               axis.text(), axis.text()));
+                               axis.definition_text(), axis.definition_text()));
 }
 
-PlanPoints product(const std::vector<Axis>& axes) {
+PlanPoints cartesian_product_points(const std::vector<SweepAxis>& axes) {
   double count = 1;
   for (const auto& axis : axes) {
-    require_values(axis);
+    require_axis_values(axis);
     count *= static_cast<double>(axis.values.size());
     require_at_most_max_points(count);
   }
@@ -50,9 +50,9 @@ PlanPoints product(const std::vector<Axis>& axes) {
   return points;
 }
 
-PlanPoints list(const std::vector<Axis>& axes) {
+PlanPoints listed_points(const std::vector<SweepAxis>& axes) {
   for (const auto& axis : axes) {
-    require_values(axis);
+    require_axis_values(axis);
     if (axis.values.size() == axes.front().values.size()) continue;
     throw InputError(
         fmt::format("{} has {} values and {} has {} (in a list all keys must have as many)",
@@ -67,19 +67,20 @@ PlanPoints list(const std::vector<Axis>& axes) {
 
 // Returns points of the Sobol sequence (Sobol 1967; direction numbers of Joe and Kuo 2008). The
 // first point of the sequence, a corner of the box of ranges, is omitted.
-PlanPoints sobol(const std::vector<Axis>& axes, std::size_t count) {
+PlanPoints sobol_points_in_box(const std::vector<SweepAxis>& axes, std::size_t count) {
   if (count == 0) {
     throw InputError("the design sobol has no number of points (give --points N)");
   }
   require_at_most_max_points(static_cast<double>(count));
   for (const auto& axis : axes) {
     if (axis.spacing == AxisSpacing::listed) {
-      throw InputError(
-          fmt::format("{} with the design sobol (it fills ranges: give FROM:TO)", axis.text()));
+      throw InputError(fmt::format("{} with the design sobol (it fills ranges: give FROM:TO)",
+                                   axis.definition_text()));
     }
     if (!axis.values.empty()) {
-      throw InputError(fmt::format(
-          "{} with the design sobol (--points sets the number: give FROM:TO)", axis.text()));
+      throw InputError(
+          fmt::format("{} with the design sobol (--points sets the number: give FROM:TO)",
+                      axis.definition_text()));
     }
   }
   boost::random::sobol engine(axes.size());
@@ -95,12 +96,13 @@ PlanPoints sobol(const std::vector<Axis>& axes, std::size_t count) {
 
 }  // namespace
 
-PlanPoints make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points) {
+PlanPoints make_plan_points(const std::vector<SweepAxis>& axes, PlanDesign design,
+                            std::size_t sobol_points) {
   if (axes.empty()) {
     throw InputError("nothing is varied (give --vary KEY=FROM:TO:N, log:FROM:TO:N or A,B,..)");
   }
   for (const auto& axis : axes) {
-    if (std::ranges::count(axes, axis.key, &Axis::key) > 1) {
+    if (std::ranges::count(axes, axis.key, &SweepAxis::key) > 1) {
       throw InputError(fmt::format("{} is varied twice (keep one)", axis.key));
     }
   }
@@ -109,16 +111,16 @@ PlanPoints make_points(const std::vector<Axis>& axes, PlanDesign design, std::si
   }
   switch (design) {
     case PlanDesign::product:
-      return product(axes);
+      return cartesian_product_points(axes);
     case PlanDesign::list:
-      return list(axes);
+      return listed_points(axes);
     case PlanDesign::sobol:
-      return sobol(axes, sobol_points);
+      return sobol_points_in_box(axes, sobol_points);
   }
   return {};
 }
 
-void require_known_constants(const problem::Problem& base, const std::vector<Axis>& axes) {
+void require_known_constants(const problem::Problem& base, const std::vector<SweepAxis>& axes) {
   constexpr std::string_view kParameters = "parameters.";
   for (const auto& axis : axes) {
     if (!axis.key.starts_with(kParameters)) continue;
@@ -131,8 +133,8 @@ void require_known_constants(const problem::Problem& base, const std::vector<Axi
   }
 }
 
-problem::Problem Plan::problem_at(std::size_t point) const {
-  auto sections = problem::sections(base);
+problem::Problem SweepPlan::problem_at(std::size_t point) const {
+  auto sections = problem::case_file_sections(base);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const std::string& key = axes[a].key;
     const auto dot = key.find('.');
@@ -170,7 +172,7 @@ std::size_t parse_point_count(const IniSetting& line) {
 
 using SweepLines = std::map<std::string, IniSetting>;
 
-SweepLines sweep_lines(const std::vector<IniSetting>& all) {
+SweepLines extract_sweep_lines(const std::vector<IniSetting>& all) {
   SweepLines lines;
   for (const auto& line : all) {
     if (line.section != kSweep) continue;
@@ -199,7 +201,7 @@ ParsedPlan read_plan(const std::string& name_or_path, const std::vector<std::str
   });
   if (of_case.size() == all.size()) return {problem::load_case(name_or_path, overrides)};
 
-  const SweepLines lines = sweep_lines(all);
+  const SweepLines lines = extract_sweep_lines(all);
   const auto base_case = lines.find("case");
   if (base_case != lines.end() && !of_case.empty()) {
     throw InputError(fmt::format("{}: a case beside [{}] (keep one)", base_case->second.where,
@@ -212,7 +214,8 @@ ParsedPlan read_plan(const std::string& name_or_path, const std::vector<std::str
                             overrides, problem::CaseNaming::from_file,
                             std::filesystem::path(name_or_path).parent_path())};
   for (const auto& line : all) {
-    if (line.section == kVary) plan.axes.push_back(parse_axis(line.key, line.text, line.where));
+    if (line.section == kVary)
+      plan.axes.push_back(parse_sweep_axis(line.key, line.text, line.where));
   }
   for (const auto& [key, line] : lines) {
     if (key == "case") continue;

@@ -35,12 +35,13 @@ using PlanPoints = std::vector<std::vector<base::Value>>;
 /// @param sobol_points number of points for the design sobol; 0 for other designs
 /// @throws InputError if axes and design are inconsistent, or if the plan has more than kMaxPoints
 ///         points
-PlanPoints make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points);
+PlanPoints make_plan_points(const std::vector<SweepAxis>& axes, PlanDesign design,
+                            std::size_t sobol_points);
 
 /// Requires that each varied constant `parameters.NAME` is a constant of the base case, so that a
 /// misspelt name does not solve the same problem at each point.
 /// @throws InputError
-void require_known_constants(const problem::Problem& base, const std::vector<Axis>& axes);
+void require_known_constants(const problem::Problem& base, const std::vector<SweepAxis>& axes);
 
 enum class ClosureErrorSource {
   /// Distance from the reference of the point, plus the error estimate of the reference.
@@ -53,15 +54,15 @@ constexpr const auto& enumerator_names(ClosureErrorSource) { return kClosureErro
 constexpr std::string_view name(ClosureErrorSource errors) { return base::name_of(errors); }
 
 /// Plan of a sweep: base case, varied keys with their values, and methods that solve each point.
-struct Plan {
+struct SweepPlan {
   problem::Problem base;
-  std::vector<Axis> axes;
+  std::vector<SweepAxis> axes;
   PlanDesign design = PlanDesign::product;
   std::size_t sobol_points = 0;  ///< number of points for the design sobol; 0 for other designs
   std::vector<methods::Method> methods{};  ///< methods of the plan by increasing trust
   bool marginals = false;                  ///< whether the marginal densities are stored
   ClosureErrorSource closure_errors = ClosureErrorSource::reference;
-  PlanPoints points{};  ///< points of the plan, computed by make_points()
+  PlanPoints points{};  ///< points of the plan, computed by make_plan_points()
 
   /// @throws InputError if the values of the point are inconsistent
   problem::Problem problem_at(std::size_t point) const;
@@ -70,7 +71,7 @@ struct Plan {
 /// Parsed plan in which the methods are given by names, as input for a registry of solvers.
 struct ParsedPlan {
   problem::Problem base;
-  std::vector<Axis> axes{};
+  std::vector<SweepAxis> axes{};
   std::optional<PlanDesign> design{};
   std::optional<ClosureErrorSource> closure_errors{};
   std::optional<std::size_t> points{};

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "report/text/columns.hpp"
+#include "report/text/text_columns.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/json.hpp"
 #include "results/run.hpp"
@@ -32,7 +32,7 @@ std::string coordinates_sentence(const MethodRecommendation& advice, const std::
   return text + '.';
 }
 
-std::string nearest_sentence(const MethodRecommendation& advice) {
+std::string nearest_point_sentence(const MethodRecommendation& advice) {
   if (std::isinf(advice.nearest_distance)) {
     return advice.coordinates.relative_mean != 0
                ? "Outside the map: none of its points has impulses with a mean."
@@ -47,8 +47,8 @@ std::string nearest_sentence(const MethodRecommendation& advice) {
                      advice.nearest_distance, advice.nearby_points);
 }
 
-std::string nearby_table(const std::vector<NearbyMethodResults>& methods,
-                         const report::TextFormat& format) {
+std::string nearby_results_table(const std::vector<NearbyMethodResults>& methods,
+                                 const report::TextFormat& format) {
   TextColumn id{"", "method", true, report::kAlwaysShown},
       points{"at the points nearby", "points", false, 1},
       ok{"at the points nearby", "ok", false, 2},
@@ -68,12 +68,12 @@ std::string nearby_table(const std::vector<NearbyMethodResults>& methods,
 // Returns a sentence on methods with underestimated errors. The sentence states the equation and
 // impact condition of the method, to which the status `ok` refers, e.g. "fd-white (solves
 // white/map, error up to 0.11 at 31 of 31 points)".
-std::string underestimated_sentence(const MethodRecommendation& advice,
-                                    const methods::SolverRegistry& registry) {
+std::string underestimated_error_sentence(const MethodRecommendation& advice,
+                                          const methods::SolverRegistry& registry) {
   std::vector<std::string> items;
   for (const auto& one : advice.methods) {
     if (one.underestimated == 0) continue;
-    const auto method = registry.method_by_id(one.id);
+    const auto method = registry.find_method_by_id(one.id);
     items.push_back(
         fmt::format("{} ({}error up to {:.2g} at {} of {} points)", one.id,
                     method ? "solves " + equation_and_impact_text(method->identity) + ", " : "",
@@ -95,7 +95,7 @@ std::string large_error_sentence(const MethodRecommendation& advice) {
                      100 * kLargeError, fmt::join(items, ", "));
 }
 
-std::string without_density_sentence(const MethodRecommendation& advice) {
+std::string missing_density_sentence(const MethodRecommendation& advice) {
   std::vector<std::string> items;
   for (const auto& one : advice.methods) {
     if (!one.worst_l1) items.push_back(one.id);
@@ -113,7 +113,7 @@ std::string recommendation_text(const MethodRecommendation& advice,
     return text.empty() ? text : report::wrap_text(text, format.width);
   };
   std::string text =
-      paragraph(coordinates_sentence(advice, context.name) + ' ' + nearest_sentence(advice));
+      paragraph(coordinates_sentence(advice, context.name) + ' ' + nearest_point_sentence(advice));
   auto promised = advice.sufficiently_accurate_methods();
   if (promised.empty()) {
     text += '\n' + paragraph(fmt::format(
@@ -127,7 +127,7 @@ std::string recommendation_text(const MethodRecommendation& advice,
         "  {}\n",
         advice.accuracy, context.command(promised.front().id));
     promised.resize(std::min(promised.size(), kShownMethods));
-    text += '\n' + nearby_table(promised, format);
+    text += '\n' + nearby_results_table(promised, format);
     for (std::size_t k = 1; k < promised.size(); ++k) {
       text += (k == 1 ? "\nOr:\n  " : "  ") + context.command(promised[k].id) + '\n';
     }
@@ -135,9 +135,9 @@ std::string recommendation_text(const MethodRecommendation& advice,
   const std::string status_note =
       "Status and stated error of a solution refer to this problem itself.";
   if (advice.is_outside_map()) return text + '\n' + paragraph(status_note);
-  const std::string warnings = paragraph(underestimated_sentence(advice, context.registry)) +
+  const std::string warnings = paragraph(underestimated_error_sentence(advice, context.registry)) +
                                paragraph(large_error_sentence(advice)) +
-                               paragraph(without_density_sentence(advice));
+                               paragraph(missing_density_sentence(advice));
   if (!warnings.empty()) text += '\n' + warnings;
   return text + '\n' +
          paragraph("No guarantee: the map has no data between its points (docs/validity.md). " +
@@ -146,7 +146,8 @@ std::string recommendation_text(const MethodRecommendation& advice,
 
 namespace {
 
-results::Json nearby_json(const NearbyMethodResults& one, const RecommendationContext& context) {
+results::Json nearby_results_json(const NearbyMethodResults& one,
+                                  const RecommendationContext& context) {
   results::Json json{{"id", one.id},           {"promised", one.promised},
                      {"points", one.points},   {"ok", one.ok},
                      {"worst_l1", nullptr},    {"misstated", one.underestimated},
@@ -182,7 +183,8 @@ std::string recommendation_json(const MethodRecommendation& advice,
   const auto promised = advice.sufficiently_accurate_methods();
   if (!promised.empty()) json["recommended"] = promised.front().id;
   if (promised.empty()) json["otherwise"] = context.fallback_commands;
-  for (const auto& one : advice.methods) json["methods"].push_back(nearby_json(one, context));
+  for (const auto& one : advice.methods)
+    json["methods"].push_back(nearby_results_json(one, context));
   return results::serialise_json(json);
 }
 

@@ -40,8 +40,8 @@ std::vector<EmbeddedPicture> drawn_pictures(const fs::path& figures,
 void write_sweep_tables(const fs::path& directory, const SweepResults& results,
                         const std::string& command) {
   base::FileTransaction files;
-  files.add(directory / "sweep.csv", csv(results));
-  files.add(directory / "sweep.nc", netcdf_bytes(results, command));
+  files.add(directory / "sweep.csv", sweep_csv_text(results));
+  files.add(directory / "sweep.nc", sweep_netcdf_bytes(results, command));
   files.remove(directory / kPage);
   files.commit();
 }

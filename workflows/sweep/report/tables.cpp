@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "report/text/columns.hpp"
+#include "report/text/text_columns.hpp"
 #include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::sweep {
@@ -42,7 +42,7 @@ std::string l1_cell_text(const std::vector<double>& sorted, double quantile) {
   return fmt::format("{:.2g}", sorted[at]);
 }
 
-std::string other_statuses_cell(const std::map<transform::Status, int>& statuses) {
+std::string status_counts_cell(const std::map<transform::Status, int>& statuses) {
   std::string text;
   for (const auto& [status, count] : statuses) {
     if (status == transform::Status::ok) continue;
@@ -54,7 +54,7 @@ std::string other_statuses_cell(const std::map<transform::Status, int>& statuses
 }  // namespace
 
 std::vector<TextColumn> method_table_columns(const SweepResults& results) {
-  const Plan& plan = results.plan;
+  const SweepPlan& plan = results.plan;
   TextColumn id{"", "solution", true, report::kAlwaysShown},
       ok{"", "ok", false, report::kAlwaysShown}, reference{"", "reference", false, 2},
       median{"L1 of ok", "median", false, 4}, ninetieth_percentile{"L1 of ok", "90 %", false, 3},
@@ -71,7 +71,7 @@ std::vector<TextColumn> method_table_columns(const SweepResults& results) {
     seconds.cells.push_back(fmt::format(
         "{:.2g}",
         results.points.empty() ? 0.0 : found.seconds / static_cast<double>(results.points.size())));
-    others.cells.push_back(other_statuses_cell(found.statuses));
+    others.cells.push_back(status_counts_cell(found.statuses));
   }
   return {id, ok, reference, median, ninetieth_percentile, worst, seconds, others};
 }
@@ -83,10 +83,10 @@ const char* method_table_legend() {
          "wall-clock time per point.";
 }
 
-std::string table(const SweepResults& results, const report::TextFormat& format) {
-  const Plan& plan = results.plan;
+std::string sweep_table_text(const SweepResults& results, const report::TextFormat& format) {
+  const SweepPlan& plan = results.plan;
   std::string text = fmt::format("{} points of {}", results.points.size(), plan.base.name);
-  for (const auto& axis : plan.axes) text += ", " + axis.text();
+  for (const auto& axis : plan.axes) text += ", " + axis.definition_text();
   text = report::wrap_text(text, format.width, 2) + '\n';
   text += report::format_text_table(method_table_columns(results), format);
   return text + '\n' + report::wrap_text(method_table_legend(), format.width);
@@ -101,8 +101,9 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / kHour);
 }
 
-std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_t threads,
-                          const std::vector<int>& ranks, const report::TextFormat& format) {
+std::string solve_time_forecast_text(const SweepPlan& plan, const SolveTimeForecast& forecast,
+                                     std::size_t threads, const std::vector<int>& ranks,
+                                     const report::TextFormat& format) {
   const double all = std::accumulate(forecast.seconds.begin(), forecast.seconds.end(), 0.0);
   constexpr double kTwoStandardErrors = 200;
   const bool measured = forecast.sample.size() >= plan.points.size();
@@ -117,7 +118,8 @@ std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_
                                          forecast.sample.size()),
                   duration_text(std::ranges::max(forecast.seconds)), threads,
                   threads == 1 ? "" : "s",
-                  duration_text(makespan(forecast.seconds, threads, DispatchRule::longest_first)),
+                  duration_text(parallel_wall_clock_time(forecast.seconds, threads,
+                                                         PointDispatchRule::longest_first)),
                   forecast.megabytes > 0 ? fmt::format(", {:.0f} MB", forecast.megabytes) : ""),
       format.width);
   if (ranks.empty()) return text;
@@ -130,14 +132,15 @@ std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_
       memory{"", "GB", false, report::kAlwaysShown};
   for (const int number : ranks) {
     const auto workers = static_cast<std::size_t>(number);
-    const double best = makespan(forecast.seconds, workers, DispatchRule::longest_first);
+    const double best =
+        parallel_wall_clock_time(forecast.seconds, workers, PointDispatchRule::longest_first);
     count.cells.push_back(std::to_string(number));
     longest.cells.push_back(duration_text(best));
     busy.cells.push_back(fmt::format("{:.0f} %", 100 * all / (best * number)));
-    in_order.cells.push_back(
-        duration_text(makespan(forecast.seconds, workers, DispatchRule::in_order)));
-    shards.cells.push_back(
-        duration_text(makespan(forecast.seconds, workers, DispatchRule::shards)));
+    in_order.cells.push_back(duration_text(
+        parallel_wall_clock_time(forecast.seconds, workers, PointDispatchRule::in_order)));
+    shards.cells.push_back(duration_text(
+        parallel_wall_clock_time(forecast.seconds, workers, PointDispatchRule::shards)));
     memory.cells.push_back(forecast.megabytes > 0
                                ? fmt::format("{:.1f}", forecast.megabytes * number / 1024)
                                : report::kMissingCell);

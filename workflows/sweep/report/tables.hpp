@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "report/text/columns.hpp"
-#include "report/text/format.hpp"
+#include "report/text/text_columns.hpp"
+#include "report/text/text_format.hpp"
 #include "workflows/sweep/execution/forecast.hpp"
 #include "workflows/sweep/plan/plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
@@ -19,7 +19,7 @@ std::vector<report::TextColumn> method_table_columns(const SweepResults& results
 const char* method_table_legend();
 
 /// Returns the terminal text of a sweep: the varied keys and a table with one row for each method.
-std::string table(const SweepResults& results, const report::TextFormat& format);
+std::string sweep_table_text(const SweepResults& results, const report::TextFormat& format);
 
 /// Returns the text of a duration, e.g. "40 s", "12 min", "3.5 h".
 std::string duration_text(double seconds);
@@ -27,7 +27,8 @@ std::string duration_text(double seconds);
 /// Returns the expected wall-clock times of a plan as text, the output of --dry-run.
 /// @param threads number of threads on this machine
 /// @param ranks numbers of single-threaded processes, one for each row of the table
-std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_t threads,
-                          const std::vector<int>& ranks, const report::TextFormat& format);
+std::string solve_time_forecast_text(const SweepPlan& plan, const SolveTimeForecast& forecast,
+                                     std::size_t threads, const std::vector<int>& ranks,
+                                     const report::TextFormat& format);
 
 }  // namespace fpkcheck::sweep

@@ -24,29 +24,31 @@ constexpr int kJournalSchema = 1;
 constexpr std::size_t kChecksum = 8;  // number of digits of a checksum
 constexpr std::size_t kMaxBytes = std::size_t{4} << 30;
 
-std::string with_checksum(const std::string& text) { return results::crc32(text) + ' ' + text; }
+std::string prepend_checksum(const std::string& text) {
+  return results::crc32_hex(text) + ' ' + text;
+}
 
 // Returns the text of a line after the checksum; empty if the checksum is wrong.
-std::optional<std::string> without_checksum(const std::string& line) {
+std::optional<std::string> verify_and_strip_checksum(const std::string& line) {
   if (line.size() <= kChecksum + 1 || line[kChecksum] != ' ') return std::nullopt;
   std::string text = line.substr(kChecksum + 1);
-  if (results::crc32(text) != std::string_view(line).substr(0, kChecksum)) return std::nullopt;
+  if (results::crc32_hex(text) != std::string_view(line).substr(0, kChecksum)) return std::nullopt;
   return text;
 }
 
-Json json_of(const std::string& text, const std::string& where) {
+Json parse_journal_json(const std::string& text, const std::string& where) {
   std::istringstream in(text);
   return results::parse_json(in, where);
 }
 
-Json header(const Json& plan) {
+Json journal_header_json(const Json& plan) {
   return {{"schema", kJournalSchema},
           {"program", {{"name", "fpkcheck"}, {"version", results::current_program("").version}}},
           {"plan", plan}};
 }
 
-Json plan_json_of_line(const std::string& line, const std::filesystem::path& file) {
-  const auto text = without_checksum(line);
+Json parse_header_plan(const std::string& line, const std::filesystem::path& file) {
+  const auto text = verify_and_strip_checksum(line);
   const std::string name = sanitise(file.string());
   if (!text) {
     throw InputError(fmt::format(
@@ -54,8 +56,8 @@ Json plan_json_of_line(const std::string& line, const std::filesystem::path& fil
         "directory)",
         name));
   }
-  const Json json = json_of(*text, name);
-  const Json expected = header({});
+  const Json json = parse_journal_json(*text, name);
+  const Json expected = journal_header_json({});
   for (const char* part : {"schema", "program"}) {
     if (json.contains(part) && json.at(part).dump() == expected.at(part).dump()) continue;
     throw InputError(fmt::format(
@@ -76,7 +78,7 @@ void require_same_plan(const Json& before, const Json& now, const std::filesyste
                   sanitise(file.string()), difference));
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> split_into_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines.push_back(std::move(line));
@@ -85,17 +87,17 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 JournalContent parse_journal(const std::vector<std::string>& lines,
                              const std::filesystem::path& file) {
-  JournalContent content{.plan = plan_json_of_line(lines.front(), file).dump()};
+  JournalContent content{.plan = parse_header_plan(lines.front(), file).dump()};
   std::set<std::size_t> seen;
   for (std::size_t k = 1; k < lines.size(); ++k) {
-    const auto text = without_checksum(lines[k]);
+    const auto text = verify_and_strip_checksum(lines[k]);
     if (!text) {
       ++content.damaged;
       continue;
     }
     const std::string where = fmt::format("{}:{}", sanitise(file.string()), k + 1);
     try {
-      PointResult result = point_result_from_json(json_of(*text, where));
+      PointResult result = point_result_from_json(parse_journal_json(*text, where));
       if (seen.insert(result.point).second) content.points.push_back(std::move(result));
     } catch (const nlohmann::json::exception& error) {
       throw InputError(fmt::format("{}: not a point of a sweep ({}; remove the line)", where,
@@ -116,23 +118,24 @@ JournalContent read_journal(const std::filesystem::path& file) {
   if (text->empty()) {
     throw InputError(fmt::format("{} is empty (nothing was solved yet)", sanitise(file.string())));
   }
-  return parse_journal(lines_of(*text), file);
+  return parse_journal(split_into_lines(*text), file);
 }
 
-JournalContent read_journal(const std::filesystem::path& file, const Plan& plan) {
+JournalContent read_journal(const std::filesystem::path& file, const SweepPlan& plan) {
   auto content = read_journal(file);
-  require_same_plan(json_of(content.plan, sanitise(file.string())), plan_json(plan), file);
+  require_same_plan(parse_journal_json(content.plan, sanitise(file.string())), plan_json(plan),
+                    file);
   return content;
 }
 
-Journal::Journal(const std::filesystem::path& file, const Plan& plan) : log_(file) {
+Journal::Journal(const std::filesystem::path& file, const SweepPlan& plan) : log_(file) {
   const Json asked = plan_json(plan);
-  const auto lines = log_.read();
+  const auto lines = log_.read_lines();
   if (lines.empty()) {
-    log_.append(with_checksum(header(asked).dump()));
+    log_.append(prepend_checksum(journal_header_json(asked).dump()));
     return;
   }
-  require_same_plan(plan_json_of_line(lines.front(), file), asked, file);
+  require_same_plan(parse_header_plan(lines.front(), file), asked, file);
   initial_content_ = parse_journal(lines, file);
   if (log_.has_removed_partial_line()) ++initial_content_.damaged;
 }
@@ -140,10 +143,10 @@ Journal::Journal(const std::filesystem::path& file, const Plan& plan) : log_(fil
 void Journal::append(const PointResult& result) {
   constexpr std::chrono::seconds kFlushInterval(1);
   const base::ExitBlocker in_hand;
-  log_.append(with_checksum(journal_line(result)));
+  log_.append(prepend_checksum(journal_line(result)));
   const auto now = std::chrono::steady_clock::now();
   if (now - flushed_ < kFlushInterval) return;
-  log_.flush();
+  log_.flush_to_disk();
   flushed_ = now;
 }
 

@@ -24,7 +24,7 @@ struct JournalContent {
 JournalContent read_journal(const std::filesystem::path& file);
 /// @throws InputError with a message of one line if the file is no journal, or belongs to another
 ///         plan
-JournalContent read_journal(const std::filesystem::path& file, const Plan& plan);
+JournalContent read_journal(const std::filesystem::path& file, const SweepPlan& plan);
 
 /// Journal file from which an interrupted sweep is resumed. The first line contains the plan, and
 /// each solved point adds a line with a CRC-32 checksum. If the process is killed, at most the last
@@ -35,7 +35,7 @@ class Journal {
   /// @throws InputError if the file belongs to another plan, is no journal, or is open in another
   ///         process
   /// @throws std::runtime_error if the file cannot be written
-  Journal(const std::filesystem::path& file, const Plan& plan);
+  Journal(const std::filesystem::path& file, const SweepPlan& plan);
 
   /// Returns the content of the journal at the time of opening.
   const JournalContent& initial_content() const { return initial_content_; }

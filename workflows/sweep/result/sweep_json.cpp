@@ -13,7 +13,7 @@ namespace {
 
 using results::Json;
 
-Json axis_json(const Axis& axis) {
+Json axis_json(const SweepAxis& axis) {
   Json json{{"key", axis.key}, {"spacing", name(axis.spacing)}};
   if (axis.spacing != AxisSpacing::listed) {
     json["from"] = axis.from;
@@ -38,8 +38,8 @@ base::Value integer_to_double(base::Value value) {
   return whole == nullptr ? value : static_cast<double>(*whole);
 }
 
-Axis axis_from_json(const Json& json) {
-  Axis axis{.key = json.at("key"), .spacing = enum_from_json<AxisSpacing>(json.at("spacing"))};
+SweepAxis axis_from_json(const Json& json) {
+  SweepAxis axis{.key = json.at("key"), .spacing = enum_from_json<AxisSpacing>(json.at("spacing"))};
   if (axis.spacing != AxisSpacing::listed) {
     axis.from = json.at("from");
     axis.to = json.at("to");
@@ -61,7 +61,7 @@ methods::Method method_from_json(const Json& json, const methods::SolverRegistry
 
 }  // namespace
 
-Json plan_json(const Plan& plan) {
+Json plan_json(const SweepPlan& plan) {
   Json json{{"case", results::problem_to_json(plan.base)},
             {"vary", Json::array()},
             {"design", name(plan.design)},
@@ -78,18 +78,18 @@ Json plan_json(const Plan& plan) {
   return json;
 }
 
-Plan plan_from_json(const Json& json, const methods::SolverRegistry& registry) {
-  Plan plan{.base = results::problem_from_json(json.at("case")),
-            .axes = {},
-            .design = enum_from_json<PlanDesign>(json.at("design")),
-            .sobol_points = json.at("points"),
-            .marginals = json.at("marginals"),
-            .closure_errors = enum_from_json<ClosureErrorSource>(json.at("closure_errors"))};
+SweepPlan plan_from_json(const Json& json, const methods::SolverRegistry& registry) {
+  SweepPlan plan{.base = results::problem_from_json(json.at("case")),
+                 .axes = {},
+                 .design = enum_from_json<PlanDesign>(json.at("design")),
+                 .sobol_points = json.at("points"),
+                 .marginals = json.at("marginals"),
+                 .closure_errors = enum_from_json<ClosureErrorSource>(json.at("closure_errors"))};
   for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_from_json(axis));
   for (const auto& method : json.at("methods")) {
     plan.methods.push_back(method_from_json(method, registry));
   }
-  plan.points = make_points(plan.axes, plan.design, plan.sobol_points);
+  plan.points = make_plan_points(plan.axes, plan.design, plan.sobol_points);
   return plan;
 }
 
@@ -110,9 +110,9 @@ namespace {
 using results::Json;
 using transform::Moments;
 
-Json pair_json(const MarginalL1Values& pair) { return {pair.y, pair.ydot}; }
+Json marginal_pair_json(const MarginalL1Values& pair) { return {pair.y, pair.ydot}; }
 
-MarginalL1Values pair_from_json(const Json& json) {
+MarginalL1Values marginal_pair_from_json(const Json& json) {
   const auto number = [&](std::size_t k) {
     const Json& value = json.at(k);
     return value.is_null() ? results::kNotANumber : value.get<double>();
@@ -120,7 +120,7 @@ MarginalL1Values pair_from_json(const Json& json) {
   return {number(0), number(1)};
 }
 
-Json method_json(const MethodResult& result) {
+Json method_result_json(const MethodResult& result) {
   Json json{{"status", name(result.status)}, {"seconds", result.seconds}};
   if (!result.reason.empty()) json["reason"] = result.reason;
   if (result.moments) {
@@ -129,13 +129,13 @@ Json method_json(const MethodResult& result) {
       json["moments"].push_back((*result.moments).*moment.moment);
     }
   }
-  if (result.l1) json["l1"] = pair_json(*result.l1);
-  if (result.error) json["error"] = pair_json(*result.error);
-  for (const auto& share : result.budget) json["budget"][share.part] = pair_json(share.l1);
+  if (result.l1) json["l1"] = marginal_pair_json(*result.l1);
+  if (result.error) json["error"] = marginal_pair_json(*result.error);
+  for (const auto& share : result.budget) json["budget"][share.part] = marginal_pair_json(share.l1);
   return json;
 }
 
-MethodResult method_from_json(const Json& json) {
+MethodResult method_result_from_json(const Json& json) {
   const auto text = json.at("status").get<std::string>();
   const auto status = base::enum_from_name<transform::Status>(text);
   if (!status) throw InputError(fmt::format("status {} is unknown", base::in_quotes(text)));
@@ -150,11 +150,11 @@ MethodResult method_from_json(const Json& json) {
           value.is_null() ? results::kNotANumber : value.get<double>();
     }
   }
-  if (json.contains("l1")) result.l1 = pair_from_json(json.at("l1"));
-  if (json.contains("error")) result.error = pair_from_json(json.at("error"));
+  if (json.contains("l1")) result.l1 = marginal_pair_from_json(json.at("l1"));
+  if (json.contains("error")) result.error = marginal_pair_from_json(json.at("error"));
   if (json.contains("budget")) {
     for (const auto& [part, l1] : json.at("budget").items()) {
-      result.budget.push_back({part, pair_from_json(l1)});
+      result.budget.push_back({part, marginal_pair_from_json(l1)});
     }
   }
   return result;
@@ -167,7 +167,7 @@ Json point_result_json(const PointResult& result) {
             {"seconds", result.seconds},
             {"reference", result.reference},
             {"methods", Json::array()}};
-  for (const auto& method : result.methods) json["methods"].push_back(method_json(method));
+  for (const auto& method : result.methods) json["methods"].push_back(method_result_json(method));
   return json;
 }
 
@@ -181,13 +181,13 @@ PointResult point_result_from_json(const Json& json) {
                      .seconds = json.value("seconds", 0.0),
                      .reference = json.at("reference")};
   for (const auto& method : json.at("methods")) {
-    result.methods.push_back(method_from_json(method));
+    result.methods.push_back(method_result_from_json(method));
     if (!json.contains("seconds")) result.seconds += result.methods.back().seconds;
   }
   return result;
 }
 
-std::string json(const SweepResults& results, const std::string& command) {
+std::string sweep_json_text(const SweepResults& results, const std::string& command) {
   using results::Json;
   constexpr int kSchema = 1;
   Json json{{"schema", kSchema},

@@ -9,11 +9,11 @@ namespace fpkcheck::sweep {
 
 /// Returns the JSON of a plan. The results of two sweeps may be joined only if the JSON texts of
 /// their plans are equal.
-results::Json plan_json(const Plan& plan);
+results::Json plan_json(const SweepPlan& plan);
 
 /// Reads a plan from the JSON of plan_json().
 /// @throws nlohmann::json::exception, InputError
-Plan plan_from_json(const results::Json& json, const methods::SolverRegistry& registry);
+SweepPlan plan_from_json(const results::Json& json, const methods::SolverRegistry& registry);
 
 /// Returns the first difference between two plans as text, e.g. "/vary/0/to: 5.0 then, 6.0 now".
 /// The text is empty for equal plans.

@@ -87,14 +87,14 @@ std::vector<ResultColumn> error_columns(const SweepResults& results) {
   return columns;
 }
 
-std::string value_cell(const base::Value& value) {
+std::string csv_value_cell(const base::Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{}", *number)
                            : results::quote_csv_field(std::get<std::string>(value));
 }
 
 // The cells of the dimensionless groups are empty if the values of the point are inconsistent.
-std::string groups_cells(const Plan& plan, std::size_t point) {
+std::string dimensionless_groups_cells(const SweepPlan& plan, std::size_t point) {
   try {
     const DimensionlessGroups groups = dimensionless_groups(plan.problem_at(point));
     return fmt::format("{:.4g},{:.4g},{:.4g}", groups.impulses_per_decay_time, groups.damping_ratio,
@@ -110,7 +110,7 @@ class SweepNetcdfFile {
  public:
   SweepNetcdfFile(results::NetCdfWriter& file, const SweepResults& results)
       : file_(file), results_(results) {
-    const Plan& plan = results.plan;
+    const SweepPlan& plan = results.plan;
     if (plan.design == PlanDesign::product) {
       for (const auto& axis : plan.axes) {
         dimensions_.push_back(file_.define_dimension(axis.key, axis.values.size()));
@@ -182,7 +182,7 @@ class SweepNetcdfFile {
 
 }  // namespace
 
-SweepResults make_sweep_results(Plan plan, std::vector<PointResult> points) {
+SweepResults make_sweep_results(SweepPlan plan, std::vector<PointResult> points) {
   std::ranges::sort(points, {}, &PointResult::point);
   return {std::move(plan), std::move(points)};
 }
@@ -199,8 +199,8 @@ std::vector<std::string> SweepResults::error_budget_part_names() const {
   return names;
 }
 
-std::string csv(const SweepResults& results) {
-  const Plan& plan = results.plan;
+std::string sweep_csv_text(const SweepResults& results) {
+  const SweepPlan& plan = results.plan;
   const auto moments = moment_columns(), distances = distance_columns();
   const auto errors = error_columns(results);
   std::vector<std::string> header;
@@ -217,8 +217,8 @@ std::string csv(const SweepResults& results) {
   std::string text = fmt::format("{}\n", fmt::join(header, ","));
   for (const auto& point : results.points) {
     std::string keys;
-    for (const auto& value : plan.points[point.point]) keys += value_cell(value) + ',';
-    const std::string groups = groups_cells(plan, point.point);
+    for (const auto& value : plan.points[point.point]) keys += csv_value_cell(value) + ',';
+    const std::string groups = dimensionless_groups_cells(plan, point.point);
     for (std::size_t m = 0; m < point.methods.size(); ++m) {
       const MethodResult& method = point.methods[m];
       std::vector<std::string> cells{plan.methods[m].id(), std::string(name(method.status)),
@@ -241,7 +241,7 @@ std::string csv(const SweepResults& results) {
   return text;
 }
 
-std::string netcdf_bytes(const SweepResults& results, const std::string& command) {
+std::string sweep_netcdf_bytes(const SweepResults& results, const std::string& command) {
   results::NetCdfWriter file;
   const auto program = results::current_program(command);
   file.write_attribute("Conventions", "CF-1.8");

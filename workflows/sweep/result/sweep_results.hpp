@@ -44,7 +44,7 @@ struct PointResult {
 };
 
 struct SweepResults {
-  Plan plan;
+  SweepPlan plan;
   std::vector<PointResult> points;  ///< solved points by increasing number, without duplicates
 
   bool is_complete() const { return points.size() == plan.points.size(); }
@@ -53,18 +53,18 @@ struct SweepResults {
 };
 
 /// Makes the results of a sweep, with the points sorted by number.
-SweepResults make_sweep_results(Plan plan, std::vector<PointResult> points);
+SweepResults make_sweep_results(SweepPlan plan, std::vector<PointResult> points);
 
 /// Returns the contents of sweep.csv, with a row for each point and method.
-std::string csv(const SweepResults& results);
+std::string sweep_csv_text(const SweepResults& results);
 
 /// Returns the contents of sweep.nc, with the values of sweep.csv. For the design `product` the
 /// varied keys are the dimensions. For other designs the only dimension is `point`. Unsolved points
 /// have the value NaN and the status -1.
-std::string netcdf_bytes(const SweepResults& results, const std::string& command);
+std::string sweep_netcdf_bytes(const SweepResults& results, const std::string& command);
 
 /// Returns the output of --json: the plan, and the results of each point with the values of its
 /// varied keys.
-std::string json(const SweepResults& results, const std::string& command);
+std::string sweep_json_text(const SweepResults& results, const std::string& command);
 
 }  // namespace fpkcheck::sweep

@@ -41,7 +41,8 @@ TEST(Reference, AgreesWithTheExactSolution) {
 }
 
 TEST(ReferenceText, HasTheAgreedDigitsAlone) {
-  Reference r{.problem = tests::paper_case(1), .failure = {}, .moments = {}, .y = {}, .ydot = {}};
+  CaseReference r{
+      .problem = tests::paper_case(1), .failure = {}, .moments = {}, .y = {}, .ydot = {}};
   r.moments.push_back({"y2", "E[y^2]", {0.12345678, 0.12345679}, 0.1234, 1e-4});
   r.moments.push_back({"v4", "E[y'^4]", {55.26042, 55.26082}, 55.3, 0.05});
   r.y.push_back({0.25, {1.5e-5, 1.5e-5}});
@@ -56,11 +57,11 @@ TEST(ReferenceText, HasTheAgreedDigitsAlone) {
 }
 
 TEST(ReferenceText, HasTheReasonWithoutAReference) {
-  Reference r{.problem = tests::paper_case(1),
-              .failure = "the box is too small",
-              .moments = {},
-              .y = {},
-              .ydot = {}};
+  CaseReference r{.problem = tests::paper_case(1),
+                  .failure = "the box is too small",
+                  .moments = {},
+                  .y = {},
+                  .ydot = {}};
   const std::string text = reference_markdown({r}, "fpkcheck reference");
   EXPECT_NE(text.find("## test\n\nc = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses"),
             std::string::npos)

@@ -51,19 +51,20 @@ TransientComparison made_up_comparison() {
 
 TEST(TransientComparison, ComparesWithFiniteVolumesAndElseWithTheSimulation) {
   TransientComparison study = made_up_comparison();
-  ASSERT_NE(reference(study), nullptr);
-  EXPECT_EQ(reference(study)->id, "fd-kf");
+  ASSERT_NE(find_reference_solution(study), nullptr);
+  EXPECT_EQ(find_reference_solution(study)->id, "fd-kf");
   study.solutions[1].snapshots.pop_back();
-  EXPECT_EQ(reference(study)->id, "mcs");
+  EXPECT_EQ(find_reference_solution(study)->id, "mcs");
   study.solutions[2].snapshots.clear();
-  EXPECT_EQ(reference(study), nullptr);
-  EXPECT_TRUE(figure(study).panels.empty());
-  EXPECT_TRUE(netcdf(study, "fpkcheck run").empty());
-  EXPECT_FALSE(table(study, {}).empty());
+  EXPECT_EQ(find_reference_solution(study), nullptr);
+  EXPECT_TRUE(study_figure(study).panels.empty());
+  EXPECT_TRUE(study_netcdf_bytes(study, "fpkcheck run").empty());
+  EXPECT_FALSE(study_table_text(study, {}).empty());
 }
 
 TEST(TransientComparison, HasTheKeysOfTheContract) {
-  const Json found = Json::parse(json(made_up_comparison(), "fpkcheck run case1 --until 2"));
+  const Json found =
+      Json::parse(study_json_text(made_up_comparison(), "fpkcheck run case1 --until 2"));
   const Json& list = found.at("cases").at(0).at("over_time");
   ASSERT_EQ(list.size(), 3u);
   EXPECT_EQ(list[0].at("solution"), "epc-polar-n6");
@@ -78,7 +79,7 @@ TEST(TransientComparison, HasTheKeysOfTheContract) {
 }
 
 TEST(TransientComparison, WritesARowOfTheCsvForEachBin) {
-  const std::string text = csv(made_up_comparison());
+  const std::string text = study_csv_text(made_up_comparison());
   EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 3 * 2 * 4);
   EXPECT_TRUE(text.starts_with("case,solution,time,variable,abscissa,density,lower,upper\n"));
   EXPECT_NE(text.find("test,epc-polar-n6,2,y,0.5,0.8,,\n"), std::string::npos) << text;
@@ -86,7 +87,7 @@ TEST(TransientComparison, WritesARowOfTheCsvForEachBin) {
 }
 
 TEST(TransientComparison, DrawsMomentsDistancesAndDensities) {
-  const report::Figure drawn = figure(made_up_comparison());
+  const report::Figure drawn = study_figure(made_up_comparison());
   ASSERT_EQ(drawn.panels.size(), 6u);
   EXPECT_EQ(drawn.panels[0].series.size(), 3u);
   ASSERT_EQ(drawn.panels[2].series.size(), 2u);

@@ -44,14 +44,14 @@ class SweepCurves {
       : view_(view),
         place_(view.plan().axes.size() == 2 && KeyAxis(view.plan(), 0).is_categorical() ? 1 : 0),
         along_(view.plan(), place_) {
-    const Plan& plan = view.plan();
+    const SweepPlan& plan = view.plan();
     if (plan.axes.size() == 1) {
       slices_.push_back({"", std::vector<std::size_t>(plan.points.size())});
       std::iota(slices_[0].points.begin(), slices_[0].points.end(), std::size_t{0});
     } else {
       const KeyAxis across(plan, 1 - place_);
       for (const auto& value : across.values()) {
-        slices_.push_back({KeyAxis::value_text(value), {}});
+        slices_.push_back({KeyAxis::parameter_value_text(value), {}});
       }
       for (std::size_t point = 0; point < plan.points.size(); ++point) {
         slices_[across.cell_index(plan.points[point][1 - place_])].points.push_back(point);
@@ -81,13 +81,14 @@ class SweepCurves {
 
   /// Returns a figure with a row of empty panels (displacement and velocity) for each slice.
   report::Figure panels() const {
-    report::Figure figure{.title = view_.title(), .panel_height = slices_.size() > 1 ? 250 : 350};
+    report::Figure figure{.title = view_.title_parts(),
+                          .panel_height = slices_.size() > 1 ? 250 : 350};
     for (const auto& slice : slices_) {
       for (const char* variable : {"displacement", "velocity"}) {
         figure.panels.push_back(
             {.title = report::escape_enhanced_text(
                  slice.name.empty() ? variable : fmt::format("{}, {}", variable, slice.name)),
-             .x = along_.axis(),
+             .x = along_.figure_axis(),
              .y = {"", 0, 1}});
       }
     }
@@ -101,7 +102,7 @@ class SweepCurves {
     // Limits of the line width, since neighbouring curves with wide lines would overlap.
     constexpr double kThin = 1.5, kBroad = 2.5;
     const auto& identity = view_.plan().methods[m].identity;
-    FigureSeries series = report::make_series(identity.id, identity.plot_style);
+    FigureSeries series = report::make_empty_series(identity.id, identity.plot_style);
     if (is_categorical()) series.dash = "";
     series.line_width = std::clamp(identity.plot_style.width, kThin, kBroad);
     const std::size_t most = std::ranges::max(slices_, {}, [](const PlanSlice& one) {
@@ -137,7 +138,7 @@ class DistanceSeries {
     for (const std::size_t m : view_.compared_method_indices()) {
       const auto curve = curves_.curve(
           slice_, m, [&](std::size_t point, std::size_t method, const MethodResult& result) {
-            return l1(point, method, result);
+            return l1_distance(point, method, result);
           });
       all.push_back(error_estimate(m, curve));
       all.push_back(curve);
@@ -146,7 +147,8 @@ class DistanceSeries {
   }
 
  private:
-  std::optional<double> l1(std::size_t point, std::size_t m, const MethodResult& result) const {
+  std::optional<double> l1_distance(std::size_t point, std::size_t m,
+                                    const MethodResult& result) const {
     if (!result.l1 || view_.is_reference(point, m)) return std::nullopt;
     return value_of(*result.l1, variable_);
   }
@@ -297,10 +299,10 @@ report::Figure distance_curves_figure(const SweepView& view) {
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     FigurePanel& panel = figure.panels[k];
     panel.y = axis;
-    panel.y.label =
-        fmt::format("{{/:Italic L}}_1 distance of {} to {}",
-                    report::density_symbol(k % 2 == 0 ? StateVariable::y : StateVariable::ydot),
-                    reference.empty() ? "the reference" : report::escape_enhanced_text(reference));
+    panel.y.label = fmt::format(
+        "{{/:Italic L}}_1 distance of {} to {}",
+        report::density_in_enhanced_text(k % 2 == 0 ? StateVariable::y : StateVariable::ydot),
+        reference.empty() ? "the reference" : report::escape_enhanced_text(reference));
     for (auto& series :
          no_density_series(view, curves, curves.slices()[k / 2], without_density, axis)) {
       panel.series.push_back(std::move(series));

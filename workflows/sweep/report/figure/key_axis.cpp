@@ -16,7 +16,7 @@ using base::Value;
 constexpr std::size_t kMaxTics = 6;
 
 // Returns tic positions: multiples of 1, 2 or 5 times a power of ten, at least kMaxTics / 2 tics.
-std::vector<double> round_numbers(double low, double high) {
+std::vector<double> round_tics(double low, double high) {
   const double rough = (high - low) / static_cast<double>(kMaxTics);
   const double power = std::pow(10, std::floor(std::log10(rough)));
   double step = 10 * power;
@@ -30,7 +30,7 @@ std::vector<double> round_numbers(double low, double high) {
   return numbers;
 }
 
-std::vector<double> round_numbers_by_decades(double low, double high) {
+std::vector<double> round_tics_by_decades(double low, double high) {
   std::vector<double> numbers;
   for (const auto& digits : {std::vector{1.0, 2.0, 5.0}, {1.0, 3.0}, {1.0}}) {
     numbers.clear();
@@ -42,11 +42,11 @@ std::vector<double> round_numbers_by_decades(double low, double high) {
     }
     if (numbers.size() <= kMaxTics) break;
   }
-  return numbers.size() < 2 ? round_numbers(low, high) : numbers;
+  return numbers.size() < 2 ? round_tics(low, high) : numbers;
 }
 
-// Returns whether listed values are drawn on a logarithmic axis, because they differ by a factor
-// above 20.
+// Returns whether the largest listed value exceeds the smallest by a factor above 20. Such values
+// are drawn on a logarithmic axis.
 bool spans_decades(const std::vector<Value>& sorted) {
   constexpr double kDecadeRatio = 20;
   const double low = std::get<double>(sorted.front()), high = std::get<double>(sorted.back());
@@ -55,9 +55,9 @@ bool spans_decades(const std::vector<Value>& sorted) {
 
 }  // namespace
 
-KeyAxis::KeyAxis(const Plan& plan, std::size_t axis_index) : key_(plan.axes[axis_index].key) {
-  const Axis& axis = plan.axes[axis_index];
-  const auto& parameter = problem::case_parameter(key_, "a picture");
+KeyAxis::KeyAxis(const SweepPlan& plan, std::size_t axis_index) : key_(plan.axes[axis_index].key) {
+  const SweepAxis& axis = plan.axes[axis_index];
+  const auto& parameter = problem::case_file_parameter(key_, "a picture");
   label_ = report::escape_enhanced_text(key_);
   if (!parameter.typeset.empty()) {
     label_ += fmt::format(", {{/:Italic {}}}", report::escape_enhanced_text(parameter.typeset));
@@ -75,7 +75,7 @@ KeyAxis::KeyAxis(const Plan& plan, std::size_t axis_index) : key_(plan.axes[axis
                     (axis.spacing == AxisSpacing::listed && spans_decades(values_));
 }
 
-std::string KeyAxis::value_text(const Value& value) {
+std::string KeyAxis::parameter_value_text(const Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:.4g}", *number) : std::get<std::string>(value);
 }
@@ -92,14 +92,14 @@ double KeyAxis::relative_coordinate(const Value& value) const {
                          : (here - from) / (to - from);
 }
 
-report::FigureAxis KeyAxis::axis() const {
+report::FigureAxis KeyAxis::figure_axis() const {
   if (is_words_) return cell_axis();
   const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
   constexpr double kRoom = 0.03;  // margin for marks at each end, as a fraction of the range
   if (is_logarithmic_) {
     const double room = low == high ? 2 : std::pow(high / low, kRoom);
     report::FigureAxis axis{label_, low / room, high * room, true};
-    for (const double number : round_numbers_by_decades(low, high)) {
+    for (const double number : round_tics_by_decades(low, high)) {
       axis.tics.push_back({fmt::format("{:g}", number), number});
     }
     return axis;
@@ -117,8 +117,7 @@ report::FigureAxis KeyAxis::cell_axis() const {
   report::FigureAxis axis{label_, -0.5, last + 0.5};
   if (is_even_) {
     const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
-    const auto numbers =
-        is_logarithmic_ ? round_numbers_by_decades(low, high) : round_numbers(low, high);
+    const auto numbers = is_logarithmic_ ? round_tics_by_decades(low, high) : round_tics(low, high);
     for (const double number : numbers) {
       axis.tics.push_back({fmt::format("{:g}", number), relative_coordinate(number) * last});
     }
@@ -126,7 +125,7 @@ report::FigureAxis KeyAxis::cell_axis() const {
     const std::size_t step = is_words_ ? 1 : (values_.size() + kMaxTics - 1) / kMaxTics;
     for (std::size_t k = 0; k < values_.size(); k += step) {
       axis.tics.push_back(
-          {report::escape_enhanced_text(value_text(values_[k])), static_cast<double>(k)});
+          {report::escape_enhanced_text(parameter_value_text(values_[k])), static_cast<double>(k)});
     }
   }
   return axis;

@@ -14,7 +14,7 @@ namespace fpkcheck::sweep {
 class KeyAxis {
  public:
   /// @param axis_index index of the key in the plan's axes
-  KeyAxis(const Plan& plan, std::size_t axis_index);
+  KeyAxis(const SweepPlan& plan, std::size_t axis_index);
 
   const std::string& key() const { return key_; }
   bool is_categorical() const { return is_words_; }
@@ -23,13 +23,13 @@ class KeyAxis {
   /// the order of the plan.
   const std::vector<base::Value>& values() const { return values_; }
   /// Returns the text of a value on the axis, e.g. "0.8" or "gaussian".
-  static std::string value_text(const base::Value& value);
+  static std::string parameter_value_text(const base::Value& value);
 
   double coordinate(const base::Value& value) const;
   /// Returns the relative position of a value on the axis: 0 for the first value, 1 for the last
   /// value.
   double relative_coordinate(const base::Value& value) const;
-  report::FigureAxis axis() const;
+  report::FigureAxis figure_axis() const;
 
   /// Returns the index of the cell of a value in a map with cells of equal width.
   std::size_t cell_index(const base::Value& value) const;

@@ -20,7 +20,7 @@ using report::FigureSeries;
 using transform::Status;
 
 constexpr double kNoDistance = std::numeric_limits<double>::quiet_NaN();
-// Smallest L1 distance with its own colour. All smaller distances share its colour.
+// Smallest L1 distance on the colour scale. Smaller L1 distances have the colour of this distance.
 constexpr double kMinColourDistance = 1e-4;
 
 struct ContourLevel {
@@ -83,8 +83,8 @@ class MethodMap {
 
   report::FigurePanel panel(int columns_of_panels) const {
     report::FigurePanel panel{.title = report::escape_enhanced_text(view_.plan().methods[m_].id()),
-                              .x = has_cells() ? x_.cell_axis() : x_.axis(),
-                              .y = has_cells() ? y_.cell_axis() : y_.axis(),
+                              .x = has_cells() ? x_.cell_axis() : x_.figure_axis(),
+                              .y = has_cells() ? y_.cell_axis() : y_.figure_axis(),
                               .map = heat_map(disc_size(columns_of_panels))};
     panel.series.push_back(outline());
     for (const auto& level : kContourLevels) panel.series.push_back(contour(level));
@@ -261,7 +261,7 @@ report::Figure distance_map_figure(const SweepView& view) {
   const auto methods = view.compared_method_indices();
   const int count = static_cast<int>(methods.size());
   const int columns = count <= 3 ? count : count == 4 ? 2 : count <= 6 ? 3 : 4;
-  report::Figure figure{.title = view.title(),
+  report::Figure figure{.title = view.title_parts(),
                         .columns = columns,
                         .screen_width = 1200,
                         .panel_height = MethodMap::panel_height(columns)};

@@ -18,7 +18,7 @@ namespace {
 using report::FigureSeries;
 
 constexpr std::size_t kMaxBins = 8;
-// Smallest number of points for which a section of a range has a median.
+// Smallest number of points for which the figure shows the median over a section of a range.
 constexpr std::size_t kMinPointsForMedian = 3;
 // Width over which the methods at a categorical value are spread, relative to the distance of the
 // categories.
@@ -26,9 +26,9 @@ constexpr double kWordSpread = 0.6;
 
 /// Bins of a key for medians: single values if the key has few values, otherwise sections of its
 /// range.
-class BinnedKey {
+class KeyBins {
  public:
-  BinnedKey(const Plan& plan, std::size_t place) : axis_(plan, place), place_(place) {
+  KeyBins(const SweepPlan& plan, std::size_t place) : axis_(plan, place), place_(place) {
     if (axis_.is_categorical() || axis_.values().size() <= kMaxBins) return;
     low_ = scaled(axis_.values().front());
     high_ = scaled(axis_.values().back());
@@ -66,10 +66,10 @@ class BinnedKey {
 
 // Returns two series of a method: the results, with open marks for statuses other than `ok`, and
 // the medians over the bins.
-std::vector<FigureSeries> method_series(const SweepView& view, const BinnedKey& key, std::size_t m,
+std::vector<FigureSeries> method_series(const SweepView& view, const KeyBins& key, std::size_t m,
                                         double offset) {
   const auto& identity = view.plan().methods[m].identity;
-  FigureSeries points = report::make_series(identity.id, identity.plot_style);
+  FigureSeries points = report::make_empty_series(identity.id, identity.plot_style);
   points.dash = "";
   points.line_width = 1;
   points.mark_size = view.results().points.size() > 200 ? 0.35 : 0.6;
@@ -82,8 +82,8 @@ std::vector<FigureSeries> method_series(const SweepView& view, const BinnedKey& 
     points.points.push_back({.x = key.axis().coordinate(value) + offset, .y = *l1, .open = !is_ok});
     if (is_ok) ok[key.bin(value)].push_back(*l1);
   }
-  FigureSeries medians =
-      report::make_series(fmt::format("median of {} where ok", identity.id), identity.plot_style);
+  FigureSeries medians = report::make_empty_series(
+      fmt::format("median of {} where ok", identity.id), identity.plot_style);
   medians.line_width = 2.5;
   if (key.axis().is_categorical()) {
     medians.dash = "";
@@ -102,11 +102,11 @@ std::vector<FigureSeries> method_series(const SweepView& view, const BinnedKey& 
 
 report::Figure distance_scatter_figure(const SweepView& view) {
   const auto methods = view.compared_method_indices();
-  report::Figure figure{.title = view.title(), .panel_height = 280};
+  report::Figure figure{.title = view.title_parts(), .panel_height = 280};
   for (std::size_t place = 0; place < view.plan().axes.size(); ++place) {
-    const BinnedKey key(view.plan(), place);
+    const KeyBins key(view.plan(), place);
     report::FigurePanel panel{.title = report::escape_enhanced_text(key.axis().key()),
-                              .x = key.axis().axis(),
+                              .x = key.axis().figure_axis(),
                               .y = {"", 0, 1}};
     for (std::size_t k = 0; k < methods.size(); ++k) {
       const double part = (static_cast<double>(k) + 0.5) / static_cast<double>(methods.size());

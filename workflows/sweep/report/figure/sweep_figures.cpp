@@ -15,7 +15,7 @@ constexpr const char* kMoments = "sweep-moments";
 constexpr const char* kMap = "sweep-map";
 constexpr const char* kScatter = "sweep-keys";
 
-std::vector<SweepFigure> curves(const SweepView& view, report::FigureWidth width) {
+std::vector<SweepFigure> curve_figures(const SweepView& view, report::FigureWidth width) {
   std::vector<SweepFigure> pictures;
   if (view.has_distances()) {
     pictures.push_back(
@@ -25,40 +25,40 @@ std::vector<SweepFigure> curves(const SweepView& view, report::FigureWidth width
          "respect to that equation, which may differ from the problem's). Grey: error estimate of "
          "the reference, below which distances are not significant. Crosses at the top: solutions "
          "without a density.",
-         report::figure_script(distance_curves_figure(view), kDistances, width)});
+         report::make_gnuplot_script(distance_curves_figure(view), kDistances, width)});
   }
   pictures.push_back({kMoments,
                       "E[y\u00b2] and E[y\u2032\u00b2]. Open marks: the solution is not ok. The "
                       "axes cover the solutions that are ok.",
-                      report::figure_script(moment_curves_figure(view), kMoments, width)});
+                      report::make_gnuplot_script(moment_curves_figure(view), kMoments, width)});
   return pictures;
 }
 
-SweepFigure map(const SweepView& view, report::FigureWidth width) {
+SweepFigure map_figure(const SweepView& view, report::FigureWidth width) {
   std::string caption =
       "The larger of the L1 distances of p(y) and p(y') to the reference of each point, by "
       "method, from 1e-4 (light) to 1. Marks show the statuses that are not ok.";
   if (const auto reference = view.common_reference_id(); !reference.empty()) {
     caption += fmt::format(" The reference is {} at all points.", reference);
   }
-  return {kMap, caption, report::figure_script(distance_map_figure(view), kMap, width)};
+  return {kMap, caption, report::make_gnuplot_script(distance_map_figure(view), kMap, width)};
 }
 
 }  // namespace
 
 std::vector<SweepFigure> sweep_figures(const SweepResults& results, report::FigureWidth width) {
-  const Plan& plan = results.plan;
+  const SweepPlan& plan = results.plan;
   if (results.points.empty()) return {};
   const SweepView view(results);
   const bool one_is_words = plan.axes.size() == 2 && plan.design == PlanDesign::product &&
                             KeyAxis(plan, 0).is_categorical() != KeyAxis(plan, 1).is_categorical();
-  if (plan.axes.size() == 1 || one_is_words) return curves(view, width);
+  if (plan.axes.size() == 1 || one_is_words) return curve_figures(view, width);
   if (!view.has_distances()) return {};
-  if (plan.axes.size() == 2) return {map(view, width)};
+  if (plan.axes.size() == 2) return {map_figure(view, width)};
   return {{kScatter,
            "The larger of the L1 distances of p(y) and p(y') to the reference of each point, "
            "against each key, and the median over the solutions that are ok.",
-           report::figure_script(distance_scatter_figure(view), kScatter, width)}};
+           report::make_gnuplot_script(distance_scatter_figure(view), kScatter, width)}};
 }
 
 std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures,
@@ -75,7 +75,7 @@ std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures
     stems.push_back(picture.stem);
   }
   try {
-    return report::draw_formats(gnuplot, figures, stems, options);
+    return report::draw_scripts_in_all_formats(gnuplot, figures, stems, options);
   } catch (const report::GnuplotMissing& missing) {
     return {fmt::format("no pictures: {} (install gnuplot, then the same command draws them)",
                         missing.what())};

@@ -12,18 +12,18 @@ namespace fpkcheck::sweep {
 namespace {
 
 // Returns the parameters that are not varied and differ from their default values, e.g. "c = 0.1".
-std::vector<std::string> fixed_parameter_list(const Plan& plan) {
+std::vector<std::string> fixed_parameter_list(const SweepPlan& plan) {
   std::vector<std::string> list;
   for (const auto& parameter : problem::displayed_parameters(plan.base)) {
     const std::string key = parameter.section + '.' + parameter.name;
-    if (parameter.is_default || std::ranges::count(plan.axes, key, &Axis::key) > 0) continue;
+    if (parameter.is_default || std::ranges::count(plan.axes, key, &SweepAxis::key) > 0) continue;
     if (std::holds_alternative<bool>(parameter.value)) {
       list.emplace_back("no wall");
     } else if (parameter.typeset.empty()) {
-      list.push_back(KeyAxis::value_text(parameter.value) + " impulses");
+      list.push_back(KeyAxis::parameter_value_text(parameter.value) + " impulses");
     } else {
-      list.push_back(
-          fmt::format("{} = {}", parameter.typeset, KeyAxis::value_text(parameter.value)));
+      list.push_back(fmt::format("{} = {}", parameter.typeset,
+                                 KeyAxis::parameter_value_text(parameter.value)));
     }
   }
   return list;
@@ -96,7 +96,7 @@ std::vector<std::size_t> SweepView::compared_method_indices() const {
   return compared;
 }
 
-std::vector<std::string> SweepView::title() const {
+std::vector<std::string> SweepView::title_parts() const {
   std::vector<std::string> parts{plan().base.name + ": "};
   for (const auto& parameter : fixed_parameter_list(plan())) {
     if (parts.size() > 1) parts.back() += ", ";
@@ -105,7 +105,7 @@ std::vector<std::string> SweepView::title() const {
   return parts;
 }
 
-std::string fixed_parameters_text(const Plan& plan) {
+std::string fixed_parameters_text(const SweepPlan& plan) {
   return fmt::format("{}", fmt::join(fixed_parameter_list(plan), ", "));
 }
 

@@ -15,7 +15,7 @@ class SweepView {
   explicit SweepView(const SweepResults& results);
 
   const SweepResults& results() const { return results_; }
-  const Plan& plan() const { return results_.plan; }
+  const SweepPlan& plan() const { return results_.plan; }
 
   /// Returns the result of a point; a null pointer if the point was not solved.
   const PointResult* point_result(std::size_t point_number) const {
@@ -38,8 +38,9 @@ class SweepView {
   /// Returns the indices of all methods except a method that is always the reference.
   std::vector<std::size_t> compared_method_indices() const;
 
-  /// Returns the parts of the title of a figure: the parameters that are equal at all points.
-  std::vector<std::string> title() const;
+  /// Returns the parts of a figure title. Each part states one parameter that has the same value at
+  /// all points.
+  std::vector<std::string> title_parts() const;
 
  private:
   const SweepResults& results_;
@@ -47,6 +48,6 @@ class SweepView {
 };
 
 /// Returns the parameters with equal values at all points as a line of text, e.g. "c = 0.1, k = 1".
-std::string fixed_parameters_text(const Plan& plan);
+std::string fixed_parameters_text(const SweepPlan& plan);
 
 }  // namespace fpkcheck::sweep

@@ -29,12 +29,12 @@ constexpr const char* kPictureStyle =
     "figcaption { font-weight: 400; max-width: 60rem; }\n"
     "@media print { .picture img { min-width: 0; } figure { break-inside: avoid; } }\n";
 
-std::string plural(std::size_t count, const char* noun) {
+std::string count_with_noun(std::size_t count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-std::string axis_sentence(const Axis& axis) {
-  if (axis.spacing == AxisSpacing::listed) return axis.text();
+std::string axis_sentence(const SweepAxis& axis) {
+  if (axis.spacing == AxisSpacing::listed) return axis.definition_text();
   const char* how = axis.spacing == AxisSpacing::logarithmic ? " on a logarithmic scale" : "";
   return axis.values.empty()
              ? fmt::format("{} in {:g} .. {:g}{}", axis.key, axis.from, axis.to, how)
@@ -54,8 +54,8 @@ const char* design_text(PlanDesign design) {
   return "";
 }
 
-std::string introduction(const SweepResults& results) {
-  const Plan& plan = results.plan;
+std::string introduction_html(const SweepResults& results) {
+  const SweepPlan& plan = results.plan;
   std::vector<std::string> varied;
   for (const auto& axis : plan.axes) varied.push_back(axis_sentence(axis));
   std::string text =
@@ -63,10 +63,10 @@ std::string introduction(const SweepResults& results) {
   if (plan.axes.size() > 1 || plan.design == PlanDesign::sobol) {
     text += fmt::format("; design: {}", design_text(plan.design));
   }
-  text += fmt::format(". {}, each solved by {}.", plural(plan.points.size(), "point"),
-                      plural(plan.methods.size(), "method"));
+  text += fmt::format(". {}, each solved by {}.", count_with_noun(plan.points.size(), "point"),
+                      count_with_noun(plan.methods.size(), "method"));
   if (!results.is_complete()) {
-    text += fmt::format(" {} solved so far.", plural(results.points.size(), "point"));
+    text += fmt::format(" {} solved so far.", count_with_noun(results.points.size(), "point"));
   }
   if (!results.points.empty() &&
       std::ranges::all_of(results.points, &std::string::empty, &PointResult::reference)) {
@@ -76,7 +76,7 @@ std::string introduction(const SweepResults& results) {
 }
 
 // Returns the HTML table of the methods, with the same columns as the text table for the terminal.
-std::string methods_table(const SweepResults& results) {
+std::string methods_table_html(const SweepResults& results) {
   std::vector<report::HtmlColumn> columns;
   for (auto& column : method_table_columns(results)) {
     const std::string header =
@@ -102,16 +102,16 @@ std::string pictures_html(const std::vector<EmbeddedPicture>& pictures) {
   return html.empty() ? html : html_element("h2", "Pictures") + html;
 }
 
-std::string example_text(const Plan& plan, std::size_t point) {
+std::string point_values_text(const SweepPlan& plan, std::size_t point) {
   std::vector<std::string> values;
   for (std::size_t k = 0; k < plan.axes.size(); ++k) {
-    values.push_back(
-        fmt::format("{} = {}", plan.axes[k].key, KeyAxis::value_text(plan.points[point][k])));
+    values.push_back(fmt::format("{} = {}", plan.axes[k].key,
+                                 KeyAxis::parameter_value_text(plan.points[point][k])));
   }
   return fmt::format("{}", fmt::join(values, ", "));
 }
 
-std::string reasons_html(const SweepResults& results) {
+std::string status_reasons_html(const SweepResults& results) {
   constexpr std::size_t kMaxReasons = 40;
   const auto groups = reason_groups(results);
   if (groups.empty()) return "";
@@ -121,8 +121,8 @@ std::string reasons_html(const SweepResults& results) {
     const ReasonGroup& group = groups[k];
     html += fmt::format("<li><strong>{} {}</strong>, {}, first at {}: {}.</li>\n",
                         escape_html(results.plan.methods[group.method].id()), name(group.status),
-                        plural(group.count, "point"),
-                        escape_html(example_text(results.plan, group.point)),
+                        count_with_noun(group.count, "point"),
+                        escape_html(point_values_text(results.plan, group.point)),
                         escape_html(group.reason));
   }
   if (groups.size() > kMaxReasons) {
@@ -148,9 +148,10 @@ std::string sweep_page(const SweepResults& results, const std::vector<EmbeddedPi
       "<h2>How to repeat this</h2>\n<pre><code>{}</code></pre>\n"
       "<p>All numbers: sweep.csv, sweep.nc.</p>\n</main>\n</body>\n</html>\n",
       html_element("title", title), report::page_style(), kPictureStyle, html_element("h1", title),
-      html_element("p", introduction(results)),
+      html_element("p", introduction_html(results)),
       fixed.empty() ? "" : html_element("p", fmt::format("The same at all points: {}.", fixed)),
-      methods_table(results), pictures_html(pictures), reasons_html(results), escape_html(command));
+      methods_table_html(results), pictures_html(pictures), status_reasons_html(results),
+      escape_html(command));
 }
 
 namespace {

@@ -1,0 +1,183 @@
+#include "report/budget/budget_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "compare/error_budget.hpp"
+#include "report/figure/gnuplot.hpp"
+#include "report/figure/layout.hpp"
+#include "report/figure/script_text.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using compare::ClosureErrorBudget;
+using compare::ErrorBudgetPart;
+using compare::ErrorBudgetRow;
+using transform::StateVariable;
+using transform::Status;
+
+// Width of the group of bars of a closure, relative to the distance between neighbouring groups.
+constexpr double kGroupWidth = 0.8;
+// The axis range excludes parts of the error budget below this fraction of the largest total
+// distance, since small parts would compress all other bars.
+constexpr double kSmallestFraction = 1e-4;
+
+/// The kind of distance of a panel: the L1 distance, or the mean logarithmic ratio in the tail.
+struct DistanceKind {
+  const char* title;  ///< second part of the title of the panel
+  const char* label;
+  double ErrorBudgetRow::*total;
+  double ErrorBudgetPart::*part;
+};
+constexpr DistanceKind kL1{"", "{/:Italic L}_1 distance", &ErrorBudgetRow::total,
+                           &ErrorBudgetPart::l1};
+constexpr DistanceKind kTail{", tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
+                             &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail};
+
+// Returns the series of a part of the error budget, without points. The colours of Okabe and Ito
+// are distinct for colour-blind readers; hatching distinguishes colours that are equal in grey
+// print. A part that combines the errors of several approximations is grey.
+FigureSeries budget_part_series(const std::string& part) {
+  using compare::Approximation;
+  const auto series = [&](const char* colour, const char* hatch) {
+    return FigureSeries{
+        .name = part, .group = "part " + part, .colour = colour, .is_bars = true, .hatch = hatch};
+  };
+  const auto approximations = compare::parse_approximations(part);
+  if (approximations.size() > 1) return series("#999999", ".");
+  switch (approximations.front()) {
+    case Approximation::closure:
+      return series("#D55E00", "");
+    case Approximation::impact:
+      return series("#E69F00", "/");
+    case Approximation::truncation:
+      return series("#0072B2", "");
+    case Approximation::white_noise:
+      return series("#009E73", "|");
+    case Approximation::discretisation:
+      return series("#56B4E9", "\\");
+    case Approximation::sampling:
+      break;
+  }
+  return series("#CC79A7", "x");
+}
+
+// Returns an axis of whole decades that contains all distances above kSmallestFraction times the
+// largest distance.
+FigureAxis budget_distance_axis(const char* label, const std::vector<FigureSeries>& all) {
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (const auto& series : all) {
+    for (const auto& point : series.points) {
+      if (!std::isfinite(point.y)) continue;
+      least = std::min(least, point.y);
+      greatest = std::max(greatest, point.y);
+    }
+  }
+  if (greatest == 0) return {label, 1e-5, 1, true};
+  const double from = std::max(least, kSmallestFraction * greatest);
+  // The factors 0.8 and 1.2 leave space below the lowest and above the highest bar.
+  return {label, std::pow(10, std::floor(std::log10(0.8 * from))),
+          std::pow(10, std::ceil(std::log10(1.2 * greatest))), true};
+}
+
+FigureAxis closure_axis(const std::vector<ClosureErrorBudget>& budgets) {
+  FigureAxis axis{.label = "",
+                  .from = 0.4,
+                  .to = static_cast<double>(budgets.size()) + 0.6,
+                  .rotated_tics = true};
+  for (const auto& budget : budgets) {
+    axis.tics.push_back(
+        {escape_enhanced_text(budget.solution) + (budget.status == Status::ok ? "" : " *"),
+         static_cast<double>(axis.tics.size() + 1)});
+  }
+  return axis;
+}
+
+// Adds the bars of one closure, side by side with equal widths, and the line at the total distance
+// of the closure. Values that are not positive are omitted, since the axis is logarithmic.
+void add_closure_bars(std::vector<FigureSeries>& all, const ErrorBudgetRow& row, double centre,
+                      bool is_open, const DistanceKind& distance) {
+  const double width = kGroupWidth / static_cast<double>(row.parts.size());
+  double left = centre - kGroupWidth / 2;
+  for (const auto& part : row.parts) {
+    const double value = part.*distance.part;
+    if (value > 0) {
+      FigurePoint bar{.x = left + width / 2,
+                      .y = value,
+                      .open = is_open,
+                      .name = fmt::format("{}, {} → {}", row.solution, part.from, part.to),
+                      .width = width};
+      if (part.uncertainty && distance.part == kL1.part) {
+        bar.lower = value - *part.uncertainty;
+        bar.upper = value + *part.uncertainty;
+      }
+      std::ranges::find(all, part.name(), &FigureSeries::name)->points.push_back(bar);
+    }
+    left += width;
+  }
+  const double total = row.*distance.total;
+  if (!(total > 0)) return;
+  for (const double side : {-0.5, 0.0, 0.5}) {
+    all.back().points.push_back(
+        {.x = centre + side * kGroupWidth, .y = total, .name = row.solution + ", total"});
+  }
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  all.back().points.push_back({.x = kGap, .y = kGap});
+}
+
+FigurePanel budget_panel(const std::vector<ClosureErrorBudget>& budgets, StateVariable variable,
+                         const DistanceKind& distance) {
+  FigurePanel panel{
+      .title = std::string(base::meaning_of(variable)) +
+               (distance.part == kL1.part ? ' ' + density_in_enhanced_text(variable) : "") +
+               distance.title,
+      .x = closure_axis(budgets),
+      .y = {}};
+  for (const auto& part : compare::budget_part_names(budgets)) {
+    panel.series.push_back(budget_part_series(part));
+  }
+  panel.series.push_back({.name = "total",
+                          .group = "part total",
+                          .colour = "#000000",
+                          .dash = "solid",
+                          .line_width = 2.5});
+  bool any_open = false;
+  for (std::size_t k = 0; k < budgets.size(); ++k) {
+    const bool is_open = budgets[k].status != Status::ok;
+    any_open = any_open || is_open;
+    if (const ErrorBudgetRow* row = budgets[k].row(variable)) {
+      add_closure_bars(panel.series, *row, static_cast<double>(k + 1), is_open, distance);
+    }
+  }
+  panel.y = budget_distance_axis(distance.label, panel.series);
+  if (distance.part == kL1.part) {
+    panel.id = fmt::format("budget-{}", name(variable));
+    panel.caption = fmt::format("Error budget of {}{}", density_in_plain_text(variable),
+                                any_open ? "; *: not ok" : "");
+  }
+  return panel;
+}
+
+}  // namespace
+
+Figure budget_figure(const results::CaseResult& case_result, FigureWidth width) {
+  Figure figure{
+      .title = problem_title_parts(case_result.problem), .screen_width = 1500, .panel_height = 280};
+  const auto budgets = compare::group_budget_by_closure(case_result.budget, case_result.solutions);
+  if (budgets.empty()) return figure;
+  for (const StateVariable variable : transform::kVariables) {
+    figure.panels.push_back(budget_panel(budgets, variable, kL1));
+    // A figure for a single journal column is too narrow for the panels of the tail distances.
+    if (width == FigureWidth::one_column) continue;
+    figure.panels.push_back(budget_panel(budgets, variable, kTail));
+  }
+  return figure;
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,127 @@
+#include "report/text/text_columns.hpp"
+
+#include <fmt/color.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "transform/solution.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+std::size_t table_width(const std::vector<TextColumn>& shown_columns, std::size_t gap) {
+  std::size_t total = 0;
+  for (const auto& column : shown_columns) total += column.width() + gap;
+  return total - std::min(total, gap);
+}
+
+std::string without_trailing_spaces(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+fmt::text_style status_style(const std::string& cell) {
+  using transform::Status;
+  const auto status = base::enum_from_name<Status>(cell);
+  if (status == Status::ok) return fmt::fg(fmt::terminal_color::green);
+  if (status == Status::failed || status == Status::ill_posed) {
+    return fmt::fg(fmt::terminal_color::red);
+  }
+  return fmt::fg(fmt::terminal_color::yellow);
+}
+
+std::string group_header_line(const std::vector<TextColumn>& all, const std::string& gap) {
+  std::string line;
+  for (std::size_t c = 0; c < all.size();) {
+    std::size_t span = all[c].width(), next = c + 1;
+    for (; next < all.size() && !all[c].group.empty() && all[next].group == all[c].group; ++next) {
+      span += gap.size() + all[next].width();
+    }
+    const std::string text = all[c].group.empty() ? "" : ' ' + all[c].group + ' ';
+    line += fmt::format(fmt::runtime(text.empty() ? "{: ^{}}" : "{:-^{}}"), text, span) + gap;
+    c = next;
+  }
+  return without_trailing_spaces(line);
+}
+
+std::string align_cell(const TextColumn& column, const std::string& text) {
+  return column.left_aligned ? fmt::format("{:<{}}", text, column.width())
+                             : fmt::format("{:>{}}", text, column.width());
+}
+
+std::string header_line(const std::vector<TextColumn>& all, const std::string& gap) {
+  std::string line;
+  for (const auto& column : all) line += align_cell(column, column.header) + gap;
+  return without_trailing_spaces(line);
+}
+
+std::string row_line(const std::vector<TextColumn>& all, const std::string& gap, std::size_t k,
+                     bool colour) {
+  std::string line;
+  for (const auto& column : all) {
+    const std::string& cell = column.cells[k];
+    const std::string text = align_cell(column, cell);
+    line += (colour && column.is_status ? fmt::format(status_style(cell), "{}", text) : text) + gap;
+  }
+  return without_trailing_spaces(line);
+}
+
+std::string bold_line(const std::string& line) {
+  return fmt::format(fmt::emphasis::bold, "{}", line.substr(0, line.size() - 1)) + '\n';
+}
+
+}  // namespace
+
+std::size_t TextColumn::width() const {
+  std::size_t width = header.size();
+  for (const auto& cell : cells) width = std::max(width, cell.size());
+  return width;
+}
+
+TextColumn make_status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
+
+std::vector<TextColumn> select_columns_to_fit(std::vector<TextColumn> columns,
+                                              const TextFormat& format) {
+  while (table_width(columns, 1) > format.width) {
+    const int least = std::ranges::min_element(columns, {}, &TextColumn::importance)->importance;
+    if (least == kAlwaysShown) break;
+    std::erase_if(columns, [&](const TextColumn& column) { return column.importance == least; });
+  }
+  return columns;
+}
+
+std::string omitted_column_names(const std::vector<TextColumn>& all,
+                                 const std::vector<TextColumn>& shown) {
+  std::vector<std::string> names;
+  for (const auto& column : all) {
+    const auto same = [&](const TextColumn& other) {
+      return other.group == column.group && other.header == column.header;
+    };
+    const std::string& name = column.group.empty() ? column.header : column.group;
+    if (std::ranges::any_of(shown, same) || std::ranges::find(names, name) != names.end()) continue;
+    names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string format_text_table(std::vector<TextColumn> columns, const TextFormat& format) {
+  columns = select_columns_to_fit(std::move(columns), format);
+  if (columns.empty()) return "";
+  const std::string gap(table_width(columns, 2) <= format.width ? 2 : 1, ' ');
+  std::string head;
+  if (std::ranges::any_of(columns, [](const TextColumn& c) { return !c.group.empty(); })) {
+    head = group_header_line(columns, gap);
+    if (format.colour) head = bold_line(head);
+  }
+  const std::string headers = header_line(columns, gap);
+  std::string text = head + (format.colour ? bold_line(headers) : headers);
+  for (std::size_t k = 0; k < columns.front().cells.size(); ++k) {
+    text += row_line(columns, gap, k, format.colour);
+  }
+  return text;
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/text/text_format.hpp"
+#include "results/run.hpp"
+#include "workflows/check/quantity.hpp"
+#include "workflows/check/tolerances.hpp"
+
+namespace fpkcheck::check {
+
+struct CheckResult {
+  Tolerances tolerances;
+  std::vector<QuantityChange> changes;  ///< all compared quantities, in the order of the baseline
+  std::size_t solutions;                ///< number of solutions in the baseline
+  std::vector<std::string> notes;
+
+  std::vector<QuantityChange> changed_quantities() const;
+  bool agrees_with_baseline() const;
+};
+
+/// Compares all quantities of two runs, and reports quantities that only one run has. Times,
+/// options and metrics of kind `work` or `text` are not compared, since they describe the
+/// computation instead of the solution.
+/// @param now new run by this program version, in which each metric has a kind
+/// @throws InputError if the new run lacks a case of the baseline
+CheckResult compare_runs(const results::Run& baseline, const results::Run& now,
+                         const Tolerances& tolerances, bool with_marginals = true);
+
+/// Returns the quantities with changes above tolerance, the largest change within tolerance for
+/// each kind of quantity, and a closing sentence.
+std::string check_result_table(const CheckResult& check, const report::TextFormat& format);
+
+/// Returns the result of a check as JSON, the contents of check.json.
+std::string check_result_json(const CheckResult& check, const std::string& command,
+                              const std::string& baseline);
+
+/// Numbers of compared quantities and of changes above the tolerance, for one kind of quantity.
+struct QuantityKindSummary {
+  QuantityKind kind;
+  std::size_t count = 0;
+  std::size_t moved = 0;
+  /// Among the changes within their tolerances, the change closest to its tolerance.
+  const QuantityChange* largest = nullptr;
+};
+
+/// Summarises the kinds of quantities that occur in a check. The pointers in the summaries refer to
+/// `check`.
+std::vector<QuantityKindSummary> summarise_changes_by_kind(const CheckResult& check);
+
+}  // namespace fpkcheck::check
