@@ -237,28 +237,28 @@ transform::MeanTimeMap mean_time_map(const PassageProblem& passage, const Grid& 
   for (const double x : below.x1.faces()) map.y_edges.push_back(frame.physical_y(x));
   // The integral of the survival probability times the areas over all times is the vector
   // (0 - L^T)^-1 areas.
-  const Eigen::VectorXd times = model.solution(0).cwiseQuotient(below.cell_areas());
+  const Eigen::VectorXd times = model.shifted_solution(0).cwiseQuotient(below.cell_areas());
   map.averages.assign(times.begin(), times.end());
   return map;
 }
 
 // Values on one grid, and the mean times in its cells.
-struct PassageOnGrid {
-  ValuesOnGrid level;
+struct PassageResultOnGrid {
+  ValuesOnGrid values_on_grid;
   transform::MeanTimeMap mean_times;
 };
 
 // Returns the values on one grid. The Krylov space grows until the values of two successive spaces
 // agree.
-PassageOnGrid passage_on_grid(const PassageProblem& passage, double refinement,
-                              const std::vector<double>& times, double shift,
-                              const base::Deadline& deadline) {
+PassageResultOnGrid passage_on_grid(const PassageProblem& passage, double refinement,
+                                    const std::vector<double>& times, double shift,
+                                    const base::Deadline& deadline) {
   constexpr int kStep = 10, kMost = 120;
   const problem::Problem& problem = passage.problem;
   const Options options = with_refined_cells(passage.options, refinement);
   const int order = transport_order(options);
-  PassageOnGrid result;
-  ValuesOnGrid& level = result.level;
+  PassageResultOnGrid result;
+  ValuesOnGrid& level = result.values_on_grid;
   const auto grids = make_passage_grids(passage, options, level.failure);
   if (!grids) return result;
   const auto& [below, whole] = *grids;
@@ -433,7 +433,7 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   const double shift = kShift * scales.velocity_deviation / scales.displacement_deviation;
   if (times.empty()) {
     constexpr double kCoarse = 0.5;
-    const ValuesOnGrid coarse = passage_on_grid(below, kCoarse, {}, shift, deadline).level;
+    const ValuesOnGrid coarse = passage_on_grid(below, kCoarse, {}, shift, deadline).values_on_grid;
     if (coarse.values.size() == 0) {
       passage.reason = coarse.failure;
       return passage;
@@ -445,13 +445,13 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   std::mutex map_mutex;
   double finest = 0;
   const auto evaluate = [&](double refinement) {
-    PassageOnGrid result = passage_on_grid(below, refinement, times, shift, deadline);
+    PassageResultOnGrid result = passage_on_grid(below, refinement, times, shift, deadline);
     const std::lock_guard lock(map_mutex);
-    if (result.level.values.size() > 0 && refinement > finest) {
+    if (result.values_on_grid.values.size() > 0 && refinement > finest) {
       finest = refinement;
       passage.mean_times = std::move(result.mean_times);
     }
-    return std::move(result.level);
+    return std::move(result.values_on_grid);
   };
   const ConvergedValues converged =
       converge_on_grids(evaluate, kObservedOrder, target, passage_magnitudes, deadline);

@@ -67,7 +67,7 @@ Eigen::VectorXcd ReducedResolvent::transfer_function_values(const Eigen::VectorX
   return values;
 }
 
-Eigen::VectorXd ReducedResolvent::solution(double s) const {
+Eigen::VectorXd ReducedResolvent::shifted_solution(double s) const {
   const Eigen::MatrixXd h = hessenberg_.topLeftCorner(size_, size_);
   const Eigen::MatrixXd matrix =
       Eigen::MatrixXd::Identity(size_, size_) - (system_.shift() - s) * h;

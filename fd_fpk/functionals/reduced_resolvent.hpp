@@ -41,8 +41,9 @@ class ReducedResolvent {
   Eigen::VectorXcd transfer_function_values(const Eigen::VectorXd& functional,
                                             const Eigen::VectorXcd& points);
 
-  /// Returns the vector (s - L)^-1 b at a real s, with the accuracy of transfer().
-  Eigen::VectorXd solution(double s) const;
+  /// Returns the solution x of (s - L) x = b for a real s, with the accuracy of
+  /// transfer_function_values().
+  Eigen::VectorXd shifted_solution(double s) const;
 
   /// Eigenvalues a of the reduced model of L, and coefficients c of the decaying modes in
   /// <w, exp(L t) b> = sum c exp(a t).
