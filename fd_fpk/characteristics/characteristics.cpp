@@ -32,6 +32,20 @@ int cell_index_at(const Axis& axis, double x) {
   return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, axis.cell_count() - 1);
 }
 
+// Reserves memory for `count` elements, and at least doubles the capacity if it is exceeded, so
+// that many small insertions copy each element only a few times.
+template <class T>
+void reserve_at_least(std::vector<T>& elements, std::size_t count) {
+  if (count > elements.capacity()) elements.reserve(std::max(count, 2 * elements.capacity()));
+}
+
+// Returns (1 - exp(-x)) / x, the mean of exp(-s) over 0 < s < x.
+double mean_of_decay(double x) {
+  constexpr double kSmall = 0.01;  // the remainder of the series is below 2e-13 x
+  if (std::abs(x) > kSmall) return -std::expm1(-x) / x;
+  return 1 - x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5)));
+}
+
 class HermiteCubic {
  public:
   HermiteCubic(const Flow& flow, const PhaseState& from, const PhaseState& to, double time)
@@ -260,6 +274,8 @@ std::vector<Characteristic> Characteristics::trace_characteristics(
       trace_characteristic(starts[n], visit_count, parts[k]);
     }
   });
+  reserve_at_least(visits_, visit_count);
+  reserve_at_least(durations_, visit_count);
   std::vector<Characteristic> tracks;
   for (TracedPart& part : parts) {
     for (Characteristic& track : part.tracks) {
@@ -356,8 +372,7 @@ void Characteristics::record_cell_visits(TracingState& at, const PhaseState& to,
   // The flow contracts areas over the chord by the factor exp(-x), on average by (1 - exp(-x)) / x
   // (Liouville).
   const double x = flow_.contraction_rate({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
-  constexpr double kSmall = 1e-4;
-  const double mean = std::abs(x) > kSmall ? -std::expm1(-x) / x : 1 - x / 2 + x * x / 6;
+  const double mean = mean_of_decay(x);
   const double flux = std::max(kLeastFlux, at.flux * mean);
   at.flux = std::max(kLeastFlux, at.flux * (1 - x * mean));
   at.state = to;
@@ -413,11 +428,10 @@ void Characteristics::normalise_visit_areas() {
     cover.y += visit.share * visit.y;
     cover.v += visit.share * visit.v;
   }
-  for (std::size_t n = 0; n < visits_.size(); ++n) {
-    CellVisit& visit = visits_[n];
+  const auto normalise = [&](CellVisit& visit, double duration) {
     const Cover& cover = covers[visit.cell];
-    const double expected = rate_ * durations_[n];
-    const double ended = -std::expm1(-expected);
+    const double expected = rate_ * duration;
+    const double ended = expected * mean_of_decay(expected);
     visit.ended = static_cast<float>(ended);
     visit.mean_end_probability =
         static_cast<float>(expected > 1e-4 ? 1 - ended / expected : expected / 2);
@@ -425,7 +439,14 @@ void Characteristics::normalise_visit_areas() {
     visit.share = at_rest_[visit.cell] ? 0 : visit.share / cover.area;
     visit.y -= cover.y / cover.area;
     visit.v -= cover.v / cover.area;
-  }
+  };
+  constexpr std::size_t kParts = 16;
+  base::parallel_for(kParts, base::kOneThreadPerProcessor, [&](std::size_t k) {
+    const std::size_t last = visits_.size() * (k + 1) / kParts;
+    for (std::size_t n = visits_.size() * k / kParts; n < last; ++n) {
+      normalise(visits_[n], durations_[n]);
+    }
+  });
   durations_ = {};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/process/parallel_for.hpp"
 #include "fd_fpk/axis/jump_matrix.hpp"
 #include "fd_fpk/linear/gmres.hpp"
 
@@ -133,12 +134,18 @@ class EmbeddedChain {
   // Applies the velocity jumps, q = J p, except to mass in contact, which transport_ treats.
   Eigen::VectorXd apply_jump(const Eigen::VectorXd& masses_before_impulse) const {
     Eigen::VectorXd masses_after_impulse = masses_before_impulse;
-    velocity_columns(masses_after_impulse).noalias() =
-        jumps_.uniform * velocity_columns(masses_before_impulse);
-    if (has_slopes_) {
-      const Eigen::VectorXd slopes = slopes_before_.velocity_slopes(masses_before_impulse);
-      velocity_columns(masses_after_impulse).noalias() += jumps_.slope * velocity_columns(slopes);
-    }
+    const Eigen::VectorXd slopes =
+        has_slopes_ ? slopes_before_.velocity_slopes(masses_before_impulse) : Eigen::VectorXd();
+    constexpr int kParts = 4;
+    base::parallel_for(kParts, base::kOneThreadPerProcessor, [&](std::size_t k) {
+      const auto part = static_cast<int>(k);
+      const int first = grid_.nx() * part / kParts, last = grid_.nx() * (part + 1) / kParts;
+      const auto columns = [&](auto& masses) {
+        return velocity_columns(masses).middleCols(first, last - first);
+      };
+      columns(masses_after_impulse).noalias() = jumps_.uniform * columns(masses_before_impulse);
+      if (has_slopes_) columns(masses_after_impulse).noalias() += jumps_.slope * columns(slopes);
+    });
     return masses_after_impulse;
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/roots/bracketed_root.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -168,12 +169,9 @@ double Flow::end_of_accessible_interval(double y, double energy, WallSide side) 
   const double sign = -inward_sign(side);
   const auto inside = [&](double at) { return potential_(at) < energy; };
   const auto between = [&](double within, double beyond) {
-    constexpr int kBisections = 30;
-    for (int n = 0; n < kBisections; ++n) {
-      const double middle = (within + beyond) / 2;
-      (inside(middle) ? within : beyond) = middle;
-    }
-    return beyond;
+    constexpr int kBits = 30;
+    return numerics::bracketed_root([&](double at) { return potential_(at) - energy; },
+                                    std::min(within, beyond), std::max(within, beyond), kBits);
   };
   double reached = y;
   const auto passes = [&](double knot) {
