@@ -77,11 +77,11 @@ void rank_closures(std::span<const Solution> solutions, Assessment& assessment) 
 }  // namespace
 
 double l1_error_estimate(const Solution& solution, StateVariable variable) {
-  if (solution.error) return l1_error_of_marginal(*solution.error, variable);
-  if (const auto& sampling = best_sampling_error(solution)) {
-    return expected_l1_error(*sampling, variable).value_or(kUnknownError);
-  }
-  return kUnknownError;
+  const auto& sampling = best_sampling_error(solution);
+  const auto by_chance = sampling ? expected_l1_error(*sampling, variable) : std::nullopt;
+  if (!solution.error && !by_chance) return kUnknownError;
+  const double by_method = solution.error ? l1_error_of_marginal(*solution.error, variable) : 0;
+  return by_method + by_chance.value_or(0);
 }
 
 double l1_error_estimate(const Solution& solution) {

@@ -16,7 +16,7 @@ double moment_error_estimate(const Solution& solution, double Moments::*moment) 
   const double by_chance = solution.standard_errors ? kContradictionStandardErrors *
                                                           solution.standard_errors->moments.*moment
                                                     : 0;
-  return std::max(stated, by_chance);
+  return stated + by_chance;
 }
 
 }  // namespace

@@ -230,6 +230,13 @@ void add_sampling_errors(const CaseResult& case_result, Sentences& sentences) {
         fmt::format("The sampling error of {}: on average L1 {}; standard errors {:.1g} in E[y^2] "
                     "and {:.1g} in E[y'^2].",
                     solution.id(), l1_distances_text(l1), moments.y2, moments.v2));
+    if (!solution.error) continue;
+    sentences.push_back(fmt::format(
+        "The interval between noise kicks in {} causes errors of at most about L1 {}, {:.1g} in E[y^2] and "
+        "{:.1g} in E[y'^2].",
+        solution.id(),
+        l1_distances_text(MarginalDistances{solution.error->y_l1, solution.error->ydot_l1}),
+        solution.error->moments.y2, solution.error->moments.v2));
   }
 }
 

@@ -47,15 +47,23 @@ TEST(WhiteNoise, WithoutLossesHasItsExactDensity) {
 // With losses the kicks determine how near the wall the oscillator rests: an error of first order.
 TEST(WhiteNoise, WithLossesHasAnErrorOfTheFirstOrderInTheStep) {
   const auto problem = tests::make_problem({.restitution = 0.5});
+  double stated = 0;  // error estimate of the last simulation
   const auto v2 = [&](double step) {
     const Result result = simulate_under_white_noise(problem, 1e6, step);
+    stated = result.solution.error->moments.v2;
     return MeanEstimate{result.solution.moments.v2, result.solution.standard_errors->moments.v2};
   };
-  const MeanEstimate coarse = v2(0.4), middle = v2(0.2), fine = v2(0.1);
+  const MeanEstimate coarse = v2(0.4);
+  const double stated_coarse = stated;
+  const MeanEstimate middle = v2(0.2), fine = v2(0.1);
   const double first = middle.mean - coarse.mean, second = fine.mean - middle.mean;
   const double error = std::hypot(coarse.standard_error, middle.standard_error);
   EXPECT_GT(first, 3 * error);
   EXPECT_NEAR(second, first / 2, 4 * error);
+  // Between the steps 0.8 and 0.4 the error decreases by more than a factor of 2.
+  const double coarse_error = first + 2 * second;
+  EXPECT_GT(stated_coarse, coarse_error - 4 * error);
+  EXPECT_LT(stated_coarse, 3 * coarse_error + 4 * error);
 }
 
 TEST(WhiteNoise, IsRefusedWhereImpactsAccumulate) {

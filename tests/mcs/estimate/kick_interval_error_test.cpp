@@ -1,0 +1,73 @@
+#include "mcs/estimate/kick_interval_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "general_oscillators.hpp"
+#include "mcs/solve.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+using problem::Problem;
+
+std::optional<SimulationPlan> doubled_plan(const Problem& problem, const Options& options = {}) {
+  return plan_with_doubled_kick_interval(problem, make_simulation_plan(problem, options));
+}
+
+Problem oscillator_under_noise(const problem::SystemCoefficients& coefficients,
+                               double restitution) {
+  return tests::in_wall_coordinates(tests::with_noise(
+      problem::System(coefficients, {.left = 0.2, .left_restitution = restitution}), 0.2));
+}
+
+TEST(KickIntervalError, IsAbsentWhereKicksAndFlightsPreserveTheLaw) {
+  EXPECT_FALSE(doubled_plan(oscillator_under_noise({.damping = 0.1, .cubic = 0.3}, 1)));
+  EXPECT_FALSE(doubled_plan(tests::make_problem({})));  // impulses without kicks
+  // Each of the following properties causes an error.
+  EXPECT_TRUE(doubled_plan(oscillator_under_noise({.damping = 0.1, .stiffness = 1}, 0.9)));
+  EXPECT_TRUE(doubled_plan(
+      oscillator_under_noise({.damping = 0.1, .van_der_pol = 0.1, .stiffness = 1}, 1)));
+  Problem with_impulses =
+      tests::with_noise(problem::System({.damping = 0.1, .stiffness = 1}, {.none = true}), 0.2);
+  with_impulses.impulses = tests::gaussian_impulses(1, 0.5);
+  EXPECT_TRUE(doubled_plan(with_impulses));
+  EXPECT_TRUE(
+      doubled_plan(tests::make_problem({.restitution = 1}), {.equation = DensityEquation::white}));
+}
+
+TEST(KickIntervalError, ComparesWithTwiceTheIntervalAndOtherRandomNumbers) {
+  const Problem problem = oscillator_under_noise({.damping = 0.1, .stiffness = 1}, 0.9);
+  const SimulationPlan plan = make_simulation_plan(problem, {});
+  const SimulationPlan doubled = *plan_with_doubled_kick_interval(problem, plan);
+  EXPECT_EQ(doubled.kicks.longest_interval, 2 * plan.kicks.longest_interval);
+  EXPECT_EQ(doubled.kicks.shortest_interval, 2 * plan.kicks.shortest_interval);
+  EXPECT_EQ(doubled.kicks.part_near_wall, 2 * plan.kicks.part_near_wall);
+  EXPECT_NE(doubled.seed, plan.seed);
+
+  const Problem paper = tests::make_problem({});
+  const Options white{.equation = DensityEquation::white};
+  const SimulationPlan even = make_simulation_plan(paper, white);
+  const SimulationPlan even_doubled = *plan_with_doubled_kick_interval(paper, even);
+  EXPECT_EQ(even_doubled.excitation.interval, 2 * even.excitation.interval);
+  EXPECT_EQ(even_doubled.excitation.arrivals, Excitation::Arrivals::even);
+}
+
+TEST(KickIntervalError, IsPartOfTheErrorThatTheAccuracyLimits) {
+  const Problem problem = tests::make_problem({.restitution = 0.5});
+  const auto solution_with_step = [&](double step) {
+    return solve(problem, {.equation = DensityEquation::white, .time = 3e5, .white_step = step})
+        .solution;
+  };
+  const transform::Solution coarse = solution_with_step(0.4), fine = solution_with_step(0.1);
+  EXPECT_LT(*coarse.sampling->ydot_99, 0.02);
+  EXPECT_EQ(coarse.status, transform::Status::inaccurate);
+  EXPECT_NE(coarse.reason.find("--white-step"), std::string::npos) << coarse.reason;
+  EXPECT_TRUE(fine.is_ok()) << fine.reason;
+  EXPECT_LT(fine.error->ydot_l1, coarse.error->ydot_l1 / 2);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs
