@@ -54,7 +54,7 @@ std::string transient_unsupported_reason(const problem::Problem& problem, const 
   }
   if (std::string reason = unsupported_reason(problem, options); !reason.empty()) return reason;
   if (options.formulation == Formulation::polar && contact::force_presses_on_single_wall(problem)) {
-    return "the closure over time supports no mass at rest in contact; use fd or mcs";
+    return "the closure over time supports no mass at rest in contact; use mcs";
   }
   return "";
 }

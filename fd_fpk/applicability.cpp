@@ -79,8 +79,8 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options) {
   const auto features = problem::problem_features(problem);
   if (features.rests_in_contact && !has_diffusion(features, options)) {
-    return "the mass comes to rest in contact with a wall: differences do not represent this atom; "
-           "compute the stationary density";
+    return "the mass comes to rest in contact with a wall: finite volumes over time do not "
+           "represent this atom; compute the stationary density, or use mcs";
   }
   // The stencils at a jump in v depend on the excitation, so that the operator is not linear in the
   // factors of time.

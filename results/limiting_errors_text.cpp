@@ -74,8 +74,8 @@ std::string limiting_errors_text(const CaseResult& case_result) {
   return fmt::format(
       "Limiting error of each closure: {}.{}", fmt::join(parts, "; "),
       errors.has_reference_disagreement
-          ? " The part `sampling` exceeds the sampling error: finite volumes and the simulation "
-            "differ by more than their errors explain."
+          ? " Finite volumes and the simulation differ by more than their stated errors, which "
+            "increases the part `sampling`."
           : "");
 }
 

@@ -7,8 +7,8 @@
 namespace fpkcheck::methods {
 
 /// Columns of numbers from an external text file. The fields of a line are separated by semicolons,
-/// tabs, commas or blanks. Lines that begin with # are comments. The first line or first comment
-/// may have column names.
+/// tabs, commas or blanks. Lines that begin with # are comments. The first line, or the last comment
+/// before the numbers, may have column names.
 struct NumberTable {
   std::string source;              ///< name of the file, for messages
   std::vector<std::string> names;  ///< column names in lower case without units; may be empty
