@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Mapping
 from numbers import Integral, Real
 from typing import Any, Union
 
@@ -11,13 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _fpkcheck
+from ._formula import VARIABLES, formula_of_function
 
-Value = Union[float, int, str, bool]
+Value = Union[float, int, str, bool, Callable[..., Any]]
 Settings = Mapping[str, Union[Value, Mapping[str, Value]]]
 
 
-def _text(key: str, value: Any) -> str:
-    """The text of a value in the notation of case files; numbers have all digits."""
+def _text(key: str, value: Any, constants: Collection[str]) -> str:
+    """The text of a value in the notation of case files; numbers have all digits, and functions are formulas."""
     if isinstance(value, str):
         return value
     if isinstance(value, (bool, np.bool_)):
@@ -26,7 +27,10 @@ def _text(key: str, value: Any) -> str:
         return str(int(value))
     if isinstance(value, Real):
         return repr(float(value))
-    raise TypeError(f"'{key}' has the type {type(value).__name__} (must be a number, a text or a bool)")
+    if callable(value) and key in VARIABLES:
+        return formula_of_function(value, key, constants)
+    function = ", or a function" if key in VARIABLES else ""
+    raise TypeError(f"'{key}' has the type {type(value).__name__} (must be a number, a text or a bool{function})")
 
 
 def _full_key(name: str) -> str:
@@ -39,13 +43,14 @@ def _full_key(name: str) -> str:
 
 def _pairs(settings: Settings | None, by_name: Mapping[str, Value]) -> list[str]:
     """The settings as texts, such as "system.damping=0.1"."""
-    pairs = []
+    values: list[tuple[str, Any]] = []
     for key, value in {**(settings or {}), **by_name}.items():
         if isinstance(value, Mapping):
-            pairs += [f"{key}.{name}={_text(name, each)}" for name, each in value.items()]
+            values += [(f"{key}.{name}", each) for name, each in value.items()]
         else:
-            pairs.append(f"{_full_key(key)}={_text(key, value)}")
-    return pairs
+            values.append((_full_key(key), value))
+    constants = {key.partition(".")[2] for key, _ in values if key.startswith("parameters.")}
+    return [f"{key}={_text(key, value, constants)}" for key, value in values]
 
 
 class Problem:
@@ -61,13 +66,17 @@ class Problem:
     **parameters
         The same settings as keyword arguments: ``damping``, ``stiffness``, ``cubic``, ``restitution``, ``rate``,
         ``law``, ``intensity``, ``mean`` (default 0). Instead of coefficients, ``force`` is a formula of ``y`` and
-        ``v``, with the constants ``parameters``; ``wall`` and ``noise`` are dicts.
+        ``v``, with the constants ``parameters``; ``wall`` and ``noise`` are dicts. A formula is a text, or a function
+        with the parameters ``(y, v)``, then names of constants. The function is called once with symbols, and its
+        operations are recorded as a text (docs/python.md).
 
     Raises
     ------
     ValueError
         If a key is missing, unknown or given twice, or if its value is out of range. The message contains the key and
         the admissible range.
+    TypeError
+        If a value has a wrong type, or if an operation of a function cannot be recorded.
 
     Examples
     --------
@@ -75,6 +84,8 @@ class Problem:
     <fpkcheck.Problem mine: c = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses, lambda = 1, ...>
     >>> Problem(force="c*v*abs(v) + y", parameters={"c": 0.2}, wall={"none": True}, noise={"intensity": 0.2})
     <fpkcheck.Problem mine: f = c*v*abs(v) + y, c = 0.2, no wall; 2D = 0.2>
+    >>> Problem(force=lambda y, v: 0.2*v*np.abs(v) + y, wall={"none": True}, noise={"intensity": 0.2})["force"]
+    '0.2*v*abs(v) + y'
     """
 
     __slots__ = ("_native",)

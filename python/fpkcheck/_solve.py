@@ -96,7 +96,8 @@ def solve(
         Function that is called a few times a second with the progress of the run: a dict with ``done``, ``total``,
         ``case``, ``method``, ``fraction`` and ``note``. An exception of this function ends the call.
     **parameters
-        Settings that replace settings of the cases, as ``restitution=0.9``. Only for cases given by name or file.
+        Settings that replace settings of the cases, as ``restitution=0.9``, or a function as ``force`` (`Problem`).
+        Only for cases given by name or file.
 
     Returns
     -------
