@@ -124,9 +124,16 @@ class EmbeddedChain {
 
   const Characteristics& characteristics() const { return characteristics_; }
 
+  // Returns the masses after the next impulse, or at the end of a characteristic without an
+  // impulse.
+  Eigen::VectorXd advance(const Eigen::VectorXd& masses_after_impulse) const {
+    const auto [ended, continuing] = apply_flow(masses_after_impulse);
+    return apply_jump(ended) + continuing;
+  }
+
   // Applies the transport operator: p = T q.
-  Eigen::VectorXd apply_flow(const Eigen::VectorXd& masses_after_impulse,
-                             WallImpacts* impacts = nullptr) const {
+  TransportOperator::TransportedMasses apply_flow(const Eigen::VectorXd& masses_after_impulse,
+                                                  WallImpacts* impacts = nullptr) const {
     return transport_(masses_after_impulse,
                       has_slopes_ ? slopes_after_(masses_after_impulse) : zero_slopes(), impacts);
   }
@@ -161,7 +168,7 @@ class EmbeddedChain {
     return {zero, zero};
   }
   Eigen::VectorXd apply_flow_without_slopes(const Eigen::VectorXd& masses_after_impulse) const {
-    return transport_(masses_after_impulse, zero_slopes());
+    return transport_(masses_after_impulse, zero_slopes()).ended;
   }
   // Returns the masses as a matrix with one column for each cell of x1.
   Eigen::Map<Eigen::MatrixXd> velocity_columns(Eigen::VectorXd& masses) const {
@@ -186,12 +193,11 @@ constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 void solve_chain_by_gmres(const EmbeddedChain& chain, const ChainAggregation& aggregation,
                           double tolerance, const base::Deadline& deadline,
                           Eigen::VectorXd& masses_after_impulse, StationaryMasses& result) {
-  const Eigen::VectorXd defect =
-      chain.apply_jump(chain.apply_flow(masses_after_impulse)) - masses_after_impulse;
+  const Eigen::VectorXd defect = chain.advance(masses_after_impulse) - masses_after_impulse;
   const double norm = defect.cwiseAbs().sum();
   if (norm <= tolerance) return;
   const LinearMap map = [&](const Eigen::VectorXd& d) -> Eigen::VectorXd {
-    return d - chain.apply_jump(chain.apply_flow(d)) + masses_after_impulse * d.sum();
+    return d - chain.advance(d) + masses_after_impulse * d.sum();
   };
   const ApproximateSolve correct = [&](Eigen::Ref<Eigen::VectorXd> d) {
     aggregation.apply_coarse_correction(d);
@@ -238,7 +244,7 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
       return {.masses = std::nullopt, .failure = why};
     }
     aggregation.set_block_chain([&](const Eigen::VectorXd& masses_after_impulse) {
-      return block_chain.apply_jump(block_chain.apply_flow(masses_after_impulse));
+      return block_chain.advance(masses_after_impulse);
     });
   }
   StationaryMasses result{.masses = std::nullopt,
@@ -261,10 +267,11 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
   aggregation.set_disaggregation_weights(masses_after_impulse);
   solve_chain_by_gmres(chain, aggregation, kChainTolerance, deadline, masses_after_impulse, result);
   if (!result.failure.empty()) return result;
-  const Eigen::VectorXd masses_before_impulse =
+  const auto [masses_before_impulse, continuing] =
       chain.apply_flow(masses_after_impulse, &result.impacts);
-  result.residual =
-      (chain.apply_jump(masses_before_impulse) - masses_after_impulse).cwiseAbs().sum();
+  result.residual = (chain.apply_jump(masses_before_impulse) + continuing - masses_after_impulse)
+                        .cwiseAbs()
+                        .sum();
   const Eigen::VectorXd masses = masses_before_impulse / masses_before_impulse.sum();
   result.masses = masses.head(grid.size());
   for (const RestPoint& point : points) {

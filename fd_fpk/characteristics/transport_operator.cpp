@@ -115,6 +115,7 @@ class TransportSums {
   TransportSums(const Characteristics& characteristics, const Eigen::VectorXd& masses,
                 const CellSlopes& slopes)
       : characteristics_(characteristics),
+        continuing_(Eigen::VectorXd::Zero(masses.size())),
         at_rest_(characteristics.rest_points().size(), 0.0),
         entering_(characteristics.characteristics_from_walls().size(), 0.0) {
     const auto contacts =
@@ -168,6 +169,7 @@ class TransportSums {
 
   void add_sums(const TransportSums& other) {
     for (std::size_t n = 0; n < cells_.size(); ++n) cells_[n].ended += other.cells_[n].ended;
+    continuing_ += other.continuing_;
     for (std::size_t k = 0; k < at_rest_.size(); ++k) at_rest_[k] += other.at_rest_[k];
     for (std::size_t n = 0; n < entering_.size(); ++n) entering_[n] += other.entering_[n];
     for (const WallSide side : {WallSide::left, WallSide::right}) {
@@ -176,8 +178,8 @@ class TransportSums {
     }
   }
 
-  // Returns the masses of p in the cells and at rest in contact.
-  Eigen::VectorXd transported_masses() const {
+  // Returns the masses of p in the cells and at rest in contact, and the continuing masses.
+  TransportOperator::TransportedMasses transported_masses() && {
     const auto& rest = characteristics_.rest_points();
     const auto& contacts = characteristics_.contact_rest_point_indices();
     const auto count = static_cast<Eigen::Index>(cells_.size());
@@ -190,7 +192,7 @@ class TransportSums {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       ended(count + static_cast<Eigen::Index>(k)) = at_rest_[contacts[k]];
     }
-    return ended;
+    return {.ended = std::move(ended), .continuing = std::move(continuing_)};
   }
 
   const WallImpacts& impacts() const { return impacts_; }
@@ -255,7 +257,7 @@ class TransportSums {
       add_impacts(*characteristic_end.wall, mass, characteristic_end.speed * mass,
                   characteristic_end.speed * characteristic_end.speed * mass);
     } else if (track.last > track.first) {
-      cells_[characteristics_.cell_visits()[track.last - 1].cell].ended += mass;
+      continuing_(characteristics_.cell_visits()[track.last - 1].cell) += mass;
     }
   }
 
@@ -296,6 +298,7 @@ class TransportSums {
 
   const Characteristics& characteristics_;
   std::vector<CellMass> cells_;
+  Eigen::VectorXd continuing_;
   std::vector<double> at_rest_, entering_;
   WallImpacts impacts_;
 };
@@ -318,9 +321,9 @@ TransportOperator::TransportOperator(const Characteristics& characteristics,
   part_bounds_[kParts] = from_boundary.size();
 }
 
-Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
-                                              const CellSlopes& slopes,
-                                              WallImpacts* impacts) const {
+TransportOperator::TransportedMasses TransportOperator::operator()(const Eigen::VectorXd& masses,
+                                                                   const CellSlopes& slopes,
+                                                                   WallImpacts* impacts) const {
   std::array<std::optional<TransportSums>, kParts> parts;
   base::parallel_for(kParts, base::kOneThreadPerProcessor, [&](std::size_t part) {
     parts[part].emplace(characteristics_, masses, slopes);
@@ -337,7 +340,7 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
   }
   sums.add_characteristics_from_walls(masses.cwiseAbs().sum());
   if (impacts) *impacts = sums.impacts();
-  return sums.transported_masses();
+  return std::move(sums).transported_masses();
 }
 
 }  // namespace fpkcheck::fd_fpk

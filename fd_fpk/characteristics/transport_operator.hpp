@@ -71,19 +71,28 @@ struct WallImpacts {
 /// characteristic. Mass that receives no impulse during the visit enters the next visit. The
 /// operator is exact along the characteristics and conserves mass.
 ///
+/// Along a limit cycle a characteristic ends after some mean times between impulses. Mass that
+/// reaches this end without an impulse is not part of p.
+///
 /// The vectors of p and of q contain the masses on the cells, followed by one mass for each rest
 /// point in contact. In p the last masses are at rest in contact. In q the last masses were at rest
 /// in contact until the impulse.
 class TransportOperator {
  public:
+  struct TransportedMasses {
+    Eigen::VectorXd ended;  ///< masses of p, in the cells where the next impulse occurs
+    /// Masses that reach the end of a characteristic without an impulse, in the cells of the ends
+    Eigen::VectorXd continuing;
+  };
+
   /// @param characteristics,law must outlive the operator
   TransportOperator(const Characteristics& characteristics, const problem::ImpulseLaw& law);
 
   /// @param masses masses of the density q
   /// @param slopes slopes of the density q
   /// @param impacts receives the sums over the impacts, if not null
-  Eigen::VectorXd operator()(const Eigen::VectorXd& masses, const CellSlopes& slopes,
-                             WallImpacts* impacts = nullptr) const;
+  TransportedMasses operator()(const Eigen::VectorXd& masses, const CellSlopes& slopes,
+                               WallImpacts* impacts = nullptr) const;
 
  private:
   const Characteristics& characteristics_;

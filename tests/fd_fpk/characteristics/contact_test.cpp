@@ -175,7 +175,7 @@ TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   q(grid.size() + 1) = 0.1;
   WallImpacts impacts;
   const TransportOperator passage(characteristics, p.impulses.amplitude_law());
-  const Eigen::VectorXd after = passage(q, slopes(q), &impacts);
+  const Eigen::VectorXd after = passage(q, slopes(q), &impacts).ended;
   EXPECT_NEAR(after.sum(), 1, 1e-12);
   EXPECT_GT(after.minCoeff(), -1e-12);
   const auto energy = [&](const Eigen::VectorXd& masses, bool squares_alone) {

@@ -8,6 +8,7 @@
 
 #include "fd_fpk/characteristics/characteristic_grid.hpp"
 #include "fd_fpk/operator/observables.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -30,9 +31,13 @@ struct TransportSetup {
   Eigen::VectorXd masses() const {
     return gaussian_cell_averages({0.4, 0.5}, grid).cwiseProduct(grid.cell_areas());
   }
-  Eigen::VectorXd passed(const Eigen::VectorXd& q, WallImpacts* impacts = nullptr) const {
+  TransportOperator::TransportedMasses transported(const Eigen::VectorXd& q,
+                                                   WallImpacts* impacts = nullptr) const {
     return TransportOperator(characteristics, problem.impulses.amplitude_law())(q, slopes(q),
                                                                                 impacts);
+  }
+  Eigen::VectorXd passed(const Eigen::VectorXd& q, WallImpacts* impacts = nullptr) const {
+    return transported(q, impacts).ended;
   }
   // Mean over cells with uniform density.
   double mean(const Eigen::VectorXd& m, const auto& of) const {
@@ -59,6 +64,25 @@ TEST(TransportOperator, ConservesMassAndSign) {
     EXPECT_NEAR(p_masses.sum(), s.masses().sum(), 1e-12);
     EXPECT_GT(p_masses.minCoeff(), -1e-9);
   }
+}
+
+// The van der Pol oscillator has a limit cycle around its unstable equilibrium. A characteristic
+// ends there after 7 mean times between impulses.
+TEST(TransportOperator, ContinuesTheMassAtTheEndsAlongALimitCycle) {
+  const problem::System system({.damping = -1, .van_der_pol = 1, .stiffness = 1}, {.none = true});
+  const problem::Problem p = tests::with_impulses(system, tests::gaussian_impulses(1, 0.5));
+  const Box box{.x1_max = 5, .x2_max = 6, .x1_min = -5};
+  const Grid grid = characteristic_grid(p, problem::motion_scales(p), {.refinement = 0.5}, box);
+  const Characteristics characteristics(system, grid, 1, 8);
+  const SlopeReconstruction slopes(grid, characteristics.rest_points());
+  const TransportOperator transport(characteristics, p.impulses.amplitude_law());
+  const Eigen::VectorXd q = grid.cell_areas() / grid.cell_areas().sum();
+  const auto [ended, continuing] = transport(q, slopes(q));
+  EXPECT_NEAR(ended.sum() + continuing.sum(), 1, 1e-12);
+  EXPECT_GE(continuing.minCoeff(), 0);
+  // Mass that starts on the characteristic after its beginning has less time for an impulse.
+  EXPECT_GT(continuing.sum(), std::exp(-7));
+  EXPECT_LT(continuing.sum(), 0.1);
 }
 
 TEST(Characteristics, CoverEveryCellWithFractionsThatSumToOne) {
