@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "base/files/file_transaction.hpp"
@@ -8,12 +7,11 @@
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"
 #include "cli/terminal.hpp"
 #include "methods/case_results.hpp"
-#include "report/guaranteed_bounds.hpp"
+#include "report/findings.hpp"
 #include "results/run_json.hpp"
 #include "results/saved_run.hpp"
 
@@ -68,10 +66,8 @@ int bounds_command(const CommandCall& call) {
       "bin", po::value(&bins)->value_name("V:X:H")->composing(),
       "also bound the average of p(y) or p(y') weighted by a cubic B-spline with centre X and knot "
       "spacing H; V is y or ydot; may be repeated");
-  if (!parse_arguments(
-          call.arguments, kBoundsUsage,
-          add_common_options(own, common, "write summary.json to DIR (default: no file)"),
-          common.cases)) {
+  if (!parse_case_arguments(call.arguments, kBoundsUsage, own, common,
+                            "write summary.json to DIR (default: no file)")) {
     return kSuccess;
   }
   if (common.cases.empty()) throw InputError("no case; name one, e.g. case1");
@@ -84,13 +80,8 @@ int bounds_command(const CommandCall& call) {
   results::Run run{results::current_program(call.command_line), {}};
   bool reached = true;
   for (const auto& problem : problems) {
-    run.cases.push_back({.problem = problem,
-                         .solutions = {},
-                         .pairs = {},
-                         .budget = {},
-                         .curves = {},
-                         .joints = {},
-                         .bounds = methods::compute_guaranteed_bounds(problem, options)});
+    run.cases.push_back(
+        {.problem = problem, .bounds = methods::compute_guaranteed_bounds(problem, options)});
     throw_if_interrupted();
     const auto& bounds = *run.cases.back().bounds;
     const bool found = bounds.reason.empty() && !bounds.each.empty();

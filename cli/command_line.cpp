@@ -15,16 +15,6 @@ namespace fpkcheck::cli {
 
 namespace po = boost::program_options;
 
-po::options_description add_common_options(const po::options_description& command_options,
-                                           CommonArguments& common, const char* out_help) {
-  po::options_description with_cases;
-  for (const auto& option : command_options.options()) with_cases.add(option);
-  with_cases.add_options()(
-      "set", po::value(&common.overrides)->value_name("KEY=VALUE")->composing(),
-      "override a key of the case, e.g. --set system.restitution=0.9; may be repeated");
-  return add_output_options(with_cases, common, out_help);
-}
-
 po::options_description add_output_options(const po::options_description& command_options,
                                            CommonArguments& common, const char* out_help) {
   constexpr unsigned kWidth = 96;
@@ -60,6 +50,18 @@ bool parse_arguments(const std::vector<std::string>& arguments, const std::strin
     throw InputError(fmt::format("{}; --help lists the options", base::sanitise(error.what())));
   }
   return true;
+}
+
+bool parse_case_arguments(const std::vector<std::string>& arguments, const std::string& usage,
+                          const po::options_description& command_options, CommonArguments& common,
+                          const char* out_help) {
+  po::options_description with_cases;
+  for (const auto& option : command_options.options()) with_cases.add(option);
+  with_cases.add_options()(
+      "set", po::value(&common.overrides)->value_name("KEY=VALUE")->composing(),
+      "override a key of the case, e.g. --set system.restitution=0.9; may be repeated");
+  return parse_arguments(arguments, usage, add_output_options(with_cases, common, out_help),
+                         common.cases);
 }
 
 std::vector<problem::Problem> load_cases(const CommonArguments& common) {

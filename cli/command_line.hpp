@@ -1,10 +1,13 @@
 #pragma once
 
 #include <boost/program_options.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/options/description.hpp"
+#include "methods/registry.hpp"
 #include "problem/problem.hpp"
 #include "report/figure/options.hpp"
 
@@ -32,13 +35,6 @@ boost::program_options::typed_value<T>* make_optional_option(std::optional<T>& d
       ->notifier([&destination](const T& value) { destination = value; });
 }
 
-/// Adds the common options --set, --out, --quiet, --json and --help to the options of a command.
-boost::program_options::options_description add_common_options(
-    const boost::program_options::options_description& command_options, CommonArguments& common,
-    const char* out_help =
-        "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
-        "(default: fpkcheck-out for run, else no files)");
-
 /// Adds the output options --out, --quiet, --json and --help to the options of a command with fixed
 /// cases.
 boost::program_options::options_description add_output_options(
@@ -54,8 +50,60 @@ bool parse_arguments(const std::vector<std::string>& arguments, const std::strin
                      const boost::program_options::options_description& options,
                      std::vector<std::string>& positional);
 
+/// Parses the arguments of a command with cases: its own options, and the common options --set,
+/// --out, --quiet, --json and --help.
+/// @return false if the help was printed because of --help
+/// @throws InputError with a message of one line
+bool parse_case_arguments(
+    const std::vector<std::string>& arguments, const std::string& usage,
+    const boost::program_options::options_description& command_options, CommonArguments& common,
+    const char* out_help =
+        "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
+        "(default: fpkcheck-out for run, else no files)");
+
 /// @throws InputError for an invalid case, and for two cases whose results would have the same file
 ///         name
 std::vector<problem::Problem> load_cases(const CommonArguments& common);
+
+/// Returns the distinct entries of a comma-separated list, in the order of the list.
+/// @param option name of the option, for error messages
+/// @throws InputError for an empty list
+std::vector<std::string> parse_comma_separated_list(const std::string& option,
+                                                    const std::string& list);
+
+/// Returns the distinct integers of a comma-separated list, in the order of the list.
+/// @throws InputError for an empty list or an item that is not an integer
+std::vector<int> parse_integers(const std::string& option, const std::string& list);
+
+/// Makes an option for each parameter in `description` that has a flag. Parsing replaces values in
+/// `values` by the values on the command line.
+/// @param values values of all parameters, in any order; the options keep a reference to `values`
+/// @throws InputError during parsing, with the flag, the refused text and the allowed values
+boost::program_options::options_description make_command_line_options(
+    const base::DescriptionBase& description, base::Values& values);
+
+/// Makes options without default values for the parameters in `names`. Parsing stores the options
+/// that occur on the command line in `given`.
+boost::program_options::options_description make_command_line_options(
+    const base::DescriptionBase& description, const std::vector<std::string>& names,
+    base::Values& given);
+
+/// Makes the options of solvers (methods::Solver::run_options) for commands that use several
+/// methods.
+boost::program_options::options_description make_solver_run_options(
+    const methods::SolverRegistry& registry, base::Values& given);
+
+/// Returns the number of threads for parallel methods: the value of --threads, or 0 without this
+/// option.
+int requested_thread_count(const base::Values& given);
+
+/// Makes the options --figures and --figure-width.
+/// @param figures receives the parsed values; the options keep a reference to `figures`
+/// @throws InputError during parsing, with the option, the refused text and the allowed values
+boost::program_options::options_description make_figure_options(report::FigureOptions& figures);
+
+/// Makes the options --figures, --figure-width and --curves for the figures of a case.
+boost::program_options::options_description make_case_figure_options(
+    report::FigureOptions& figures);
 
 }  // namespace fpkcheck::cli

@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <vector>
 
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
@@ -20,14 +18,6 @@ namespace {
 
 using base::Values;
 using fd_fpk::TransientOptions;
-
-std::vector<std::string> transient_option_names() {
-  std::vector<std::string> names;
-  for (const auto& parameter : fd_fpk::transient_option_descriptions().parameters()) {
-    if (!parameter.flag.empty()) names.push_back(parameter.name);
-  }
-  return names;
-}
 
 TransientOptions transient_options(const Values& given) {
   if (!contains(given, "until")) {
@@ -103,13 +93,9 @@ int fd_command(const CommandCall& call, const methods::Solver& solver) {
   CommonArguments common;
   Values values = solver.default_options, transient_values;
   auto own = make_command_line_options(*solver.option_descriptions, values);
-  own.add(make_command_line_options(fd_fpk::transient_option_descriptions(),
-                                    transient_option_names(), transient_values));
+  own.add(make_command_line_options(fd_fpk::transient_option_descriptions(), transient_values));
   own.add(make_case_figure_options(common.figures));
-  if (!parse_arguments(call.arguments, solver.usage, add_common_options(own, common),
-                       common.cases)) {
-    return kSuccess;
-  }
+  if (!parse_case_arguments(call.arguments, solver.usage, own, common)) return kSuccess;
   if (transient_values.empty()) {
     return solve_and_report(common, {call.registry.make_method(solver, values)}, {},
                             call.command_line);

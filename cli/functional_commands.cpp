@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <string>
 
-#include "cli/options.hpp"
+#include "cli/command_line.hpp"
 #include "cli/program.hpp"
 #include "cli/report_of_one_case.hpp"
-#include "workflows/study/functionals/passage.hpp"
-#include "workflows/study/functionals/sensitivity.hpp"
-#include "workflows/study/functionals/spectrum.hpp"
+#include "workflows/study/functionals/functionals.hpp"
 #include "workflows/study/transient/comparison.hpp"
 
 namespace fpkcheck::cli {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "cli/terminal.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {
@@ -107,6 +107,38 @@ OptionHelp option_help(const po::option_description& option) {
   return help;
 }
 
+// Escapes backslashes, hyphens (to be copied as ASCII), and lines that begin like a troff request.
+std::string escape_troff(const std::string& text) {
+  std::string result;
+  bool line_begins = true;
+  for (const char c : text) {
+    if (line_begins && (c == '.' || c == '\'')) result += "\\&";
+    if (c == '\\') {
+      result += "\\e";
+    } else if (c == '-') {
+      result += "\\-";
+    } else {
+      result += c;
+    }
+    line_begins = c == '\n';
+  }
+  return result;
+}
+
+std::string usage_section(const std::string& usage) {
+  constexpr std::size_t kWidth = 72;  // man(1) indents the text by seven columns
+  return ".nf\n" + escape_troff(wrap_usage(usage, kWidth)) + ".fi\n";
+}
+
+std::string option_entry(const OptionHelp& option) {
+  std::string text = ".TP\n";
+  if (!option.short_name.empty()) text += "\\fB" + escape_troff(option.short_name) + "\\fR, ";
+  text += "\\fB" + escape_troff(option.name) + "\\fR";
+  if (!option.placeholder.empty()) text += " \\fI" + escape_troff(option.placeholder) + "\\fR";
+  if (!option.default_value.empty()) text += " (=" + escape_troff(option.default_value) + ')';
+  return text + '\n' + escape_troff(option.text) + '\n';
+}
+
 }  // namespace
 
 std::string wrap_usage(const std::string& usage, std::size_t width) {
@@ -178,42 +210,6 @@ Help capture_help(const std::function<void()>& call) {
   captured_help = nullptr;
   return help;
 }
-
-namespace {
-
-// Escapes backslashes, hyphens (to be copied as ASCII), and lines that begin like a troff request.
-std::string escape_troff(const std::string& text) {
-  std::string result;
-  bool line_begins = true;
-  for (const char c : text) {
-    if (line_begins && (c == '.' || c == '\'')) result += "\\&";
-    if (c == '\\') {
-      result += "\\e";
-    } else if (c == '-') {
-      result += "\\-";
-    } else {
-      result += c;
-    }
-    line_begins = c == '\n';
-  }
-  return result;
-}
-
-std::string usage_section(const std::string& usage) {
-  constexpr std::size_t kWidth = 72;  // man(1) indents the text by seven columns
-  return ".nf\n" + escape_troff(wrap_usage(usage, kWidth)) + ".fi\n";
-}
-
-std::string option_entry(const OptionHelp& option) {
-  std::string text = ".TP\n";
-  if (!option.short_name.empty()) text += "\\fB" + escape_troff(option.short_name) + "\\fR, ";
-  text += "\\fB" + escape_troff(option.name) + "\\fR";
-  if (!option.placeholder.empty()) text += " \\fI" + escape_troff(option.placeholder) + "\\fR";
-  if (!option.default_value.empty()) text += " (=" + escape_troff(option.default_value) + ')';
-  return text + '\n' + escape_troff(option.text) + '\n';
-}
-
-}  // namespace
 
 std::string manual_page(const std::vector<CommandHelp>& commands) {
   const auto program = results::current_program("");

@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <exception>
 #include <string>
-#include <vector>
 
 #include "base/input_error.hpp"
 #include "base/mpi/communicator.hpp"
 #include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
@@ -54,10 +52,7 @@ int mcs_command(const CommandCall& call, const methods::Solver& solver) {
   auto own = make_command_line_options(*solver.option_descriptions, values);
   own.add(checkpoint_options(control));
   own.add(make_case_figure_options(common.figures));
-  if (!parse_arguments(call.arguments, solver.usage, add_common_options(own, common),
-                       common.cases)) {
-    return kSuccess;
-  }
+  if (!parse_case_arguments(call.arguments, solver.usage, own, common)) return kSuccess;
   if (common.cases.size() > 1 && !(control.checkpoint.empty() && control.resume.empty())) {
     throw InputError(
         "--checkpoint or --resume with several cases: a file stores one case; name one case");

@@ -1,12 +1,12 @@
-#include "cli/options.hpp"
+#include "cli/command_line.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <sstream>
 
 #include "base/input_error.hpp"
+#include "base/text/parse_number.hpp"
 #include "base/text/sanitise.hpp"
 
 namespace fpkcheck::cli {
@@ -27,13 +27,12 @@ std::vector<std::string> parse_comma_separated_list(const std::string& option,
 std::vector<int> parse_integers(const std::string& option, const std::string& list) {
   std::vector<int> result;
   for (const auto& item : parse_comma_separated_list(option, list)) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
-    if (error != std::errc{} || end != item.data() + item.size()) {
+    const auto value = base::parse_number<int>(item);
+    if (!value) {
       throw InputError(fmt::format("{} {}: {} is not a valid integer; use a list such as 2,4,6",
                                    option, base::sanitise(list), base::in_quotes(item)));
     }
-    if (std::ranges::find(result, value) == result.end()) result.push_back(value);
+    if (std::ranges::find(result, *value) == result.end()) result.push_back(*value);
   }
   return result;
 }
@@ -46,6 +45,8 @@ using base::Parameter;
 using base::ParameterType;
 using base::Value;
 using base::Values;
+using report::FigureFormat;
+using report::FigureWidth;
 
 void set_option_value(Values& values, const std::string& name, const Value& value) {
   const auto own = std::ranges::find(values, name, &NamedParameterValue::name);
@@ -87,6 +88,28 @@ void add_option(const Parameter& parameter, const Value* default_value, Values& 
   options.add_options()(parameter.flag.c_str(), semantic, parameter.help.c_str());
 }
 
+std::vector<FigureFormat> parse_figure_formats(const std::string& list) {
+  std::vector<FigureFormat> formats;
+  for (const auto& item : parse_comma_separated_list("--figures", list)) {
+    const auto format = base::enum_from_name<FigureFormat>(item);
+    if (!format) {
+      throw InputError(fmt::format("--figures {}: {} is not a format; use png, svg, pdf or tex",
+                                   base::sanitise(list), base::in_quotes(item)));
+    }
+    formats.push_back(*format);
+  }
+  return formats;
+}
+
+FigureWidth parse_figure_width(const std::string& text) {
+  const auto width = base::enum_from_name<FigureWidth>(text);
+  if (!width || *width == FigureWidth::screen) {
+    throw InputError(
+        fmt::format("--figure-width {} (must be 85 or 170, in mm)", base::in_quotes(text)));
+  }
+  return *width;
+}
+
 }  // namespace
 
 po::options_description make_command_line_options(const base::DescriptionBase& description,
@@ -123,36 +146,6 @@ int requested_thread_count(const Values& given) {
   const auto threads = std::ranges::find(given, "threads", &NamedParameterValue::name);
   return threads == given.end() ? 0 : static_cast<int>(std::get<std::int64_t>(threads->value));
 }
-
-namespace {
-
-namespace po = boost::program_options;
-using report::FigureFormat;
-using report::FigureWidth;
-
-std::vector<FigureFormat> parse_figure_formats(const std::string& list) {
-  std::vector<FigureFormat> formats;
-  for (const auto& item : parse_comma_separated_list("--figures", list)) {
-    const auto format = base::enum_from_name<FigureFormat>(item);
-    if (!format) {
-      throw InputError(fmt::format("--figures {}: {} is not a format; use png, svg, pdf or tex",
-                                   base::sanitise(list), base::in_quotes(item)));
-    }
-    formats.push_back(*format);
-  }
-  return formats;
-}
-
-FigureWidth parse_figure_width(const std::string& text) {
-  const auto width = base::enum_from_name<FigureWidth>(text);
-  if (!width || *width == FigureWidth::screen) {
-    throw InputError(
-        fmt::format("--figure-width {} (must be 85 or 170, in mm)", base::in_quotes(text)));
-  }
-  return *width;
-}
-
-}  // namespace
 
 po::options_description make_figure_options(report::FigureOptions& figures) {
   po::options_description options;

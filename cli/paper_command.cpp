@@ -2,13 +2,11 @@
 
 #include "base/input_error.hpp"
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/terminal.hpp"
 #include "problem/case_file.hpp"
 #include "workflows/paper/claims.hpp"
-#include "workflows/paper/claims_files.hpp"
 #include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/judge_claims.hpp"
 #include "workflows/paper/supplement.hpp"

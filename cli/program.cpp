@@ -23,7 +23,7 @@
 #include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/problem_features.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/run.hpp"
 #include "results/saved_run.hpp"
 
@@ -61,31 +61,30 @@ Command make_solver_command(const methods::Solver& solver) {
 
 std::vector<Command> all_commands(const methods::SolverRegistry& registry) {
   std::vector<Command> all{
-      {"run", "solve cases by all methods and compare: tables, report.html, figures", run_command}};
-  all.push_back({"paper", "test the claims of the paper and draw its figures", paper_command});
+      {"run", "solve cases by all methods and compare: tables, report.html, figures", run_command},
+      {"paper", "test the claims of the paper and draw its figures", paper_command}};
   for (const auto& solver : registry.solvers()) all.push_back(make_solver_command(solver));
-  all.push_back(
-      {"bounds", "guaranteed bounds of moments, by the backward equation", bounds_command});
-  all.push_back(
-      {"passage", "first passage above a barrier: survival, mean times, hazard", passage_command});
-  all.push_back({"spectrum", "spectral density of y or y', by finite volumes and by simulation",
-                 spectrum_command});
-  all.push_back({"sensitivity", "derivatives of moments with respect to the parameters of a case",
-                 sensitivity_command});
-  all.push_back({"study", "convergence in order and grid, cost, growth of the truncated series",
-                 study_command});
-  all.push_back({"sweep", "solve a case for many parameter values: accuracy and cost of methods",
-                 sweep_command});
-  all.push_back({"advise", "recommend a method for a case and an accuracy, from solved problems",
-                 advise_command});
-  all.push_back({"reference", "reference values confirmed by two discretisations and a simulation",
-                 reference_command});
-  all.push_back({"check", "regression test: repeat a saved run and compare all its quantities",
-                 check_command});
-  all.push_back(
-      {"report", "rebuild table, report.html and figures of a saved run", report_command});
-  all.push_back({"evaluate", "evaluate p(y, y') of a closed form at points, from a run or a file",
-                 evaluate_command});
+  const Command others[] = {
+      {"bounds", "guaranteed bounds of moments, by the backward equation", bounds_command},
+      {"passage", "first passage above a barrier: survival, mean times, hazard", passage_command},
+      {"spectrum", "spectral density of y or y', by finite volumes and by simulation",
+       spectrum_command},
+      {"sensitivity", "derivatives of moments with respect to the parameters of a case",
+       sensitivity_command},
+      {"study", "convergence in order and grid, cost, growth of the truncated series",
+       study_command},
+      {"sweep", "solve a case for many parameter values: accuracy and cost of methods",
+       sweep_command},
+      {"advise", "recommend a method for a case and an accuracy, from solved problems",
+       advise_command},
+      {"reference", "reference values confirmed by two discretisations and a simulation",
+       reference_command},
+      {"check", "regression test: repeat a saved run and compare all its quantities",
+       check_command},
+      {"report", "rebuild table, report.html and figures of a saved run", report_command},
+      {"evaluate", "evaluate p(y, y') of a closed form at points, from a run or a file",
+       evaluate_command}};
+  all.insert(all.end(), std::begin(others), std::end(others));
   return all;
 }
 

@@ -66,12 +66,4 @@ struct StudySubject {
 };
 const std::vector<StudySubject>& study_subjects();
 
-/// Each function study_NAME_command() runs the subject NAME of the command `study`.
-/// @param call call of the command, with the arguments after the name of the subject
-/// @return an ExitCode
-/// @throws InputError for invalid input or usage, before anything is solved or written
-int study_grid_command(const CommandCall& call);
-int study_order_command(const CommandCall& call);
-int study_regularisation_command(const CommandCall& call);
-
 }  // namespace fpkcheck::cli

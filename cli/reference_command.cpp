@@ -29,11 +29,6 @@ examples:
   fpkcheck reference case1 --set impulse.law=laplace
 )";
 
-void refuse_json(const CommonArguments& common) {
-  if (common.json)
-    throw InputError("reference has no --json; use --out DIR, which writes reference.csv");
-}
-
 }  // namespace
 
 int reference_command(const CommandCall& call) {
@@ -51,10 +46,10 @@ int reference_command(const CommandCall& call) {
             options.seed = static_cast<std::uint64_t>(seed);
           }),
       "seed of the simulation, 0 or greater");
-  if (!parse_arguments(call.arguments, kReferenceUsage, add_common_options(own, common),
-                       common.cases))
-    return kSuccess;
-  refuse_json(common);
+  if (!parse_case_arguments(call.arguments, kReferenceUsage, own, common)) return kSuccess;
+  if (common.json) {
+    throw InputError("reference has no --json; use --out DIR, which writes reference.csv");
+  }
   if (common.cases.empty()) common.cases = {"case1", "case2", "case3", "case4"};
   const auto problems = load_cases(common);
   if (options.simulation_time &&

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/process/stopwatch.hpp"
@@ -26,8 +24,7 @@ class ReportOfOneCase {
   /// @return false if the help was printed because of --help
   bool parse(const char* usage, const boost::program_options::options_description& own,
              const char* out_help) {
-    return parse_arguments(call_.arguments, usage, add_common_options(own, common, out_help),
-                           common.cases);
+    return parse_case_arguments(call_.arguments, usage, own, common, out_help);
   }
 
   /// Computes the result of one case and prints the table or the JSON. With --out the files of the

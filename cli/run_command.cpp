@@ -7,7 +7,6 @@
 
 #include "base/input_error.hpp"
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "methods/external/external_methods.hpp"
@@ -84,8 +83,7 @@ int run_command(const CommandCall& call) {
       "of p(y) and p(y') with the same LABEL (default: name of the file) form one solution");
   own.add(make_case_figure_options(common.figures));
   own.add(make_solver_run_options(call.registry, given));
-  if (!parse_arguments(call.arguments, kRunUsage, add_common_options(own, common), common.cases))
-    return kSuccess;
+  if (!parse_case_arguments(call.arguments, kRunUsage, own, common)) return kSuccess;
 
   auto methods =
       call.registry.select_methods(list.value_or(all_solver_names(call.registry)), given);
@@ -121,10 +119,7 @@ int solver_command(const CommandCall& call, const methods::Solver& solver) {
   base::Values values = solver.default_options;
   auto own = make_command_line_options(*solver.option_descriptions, values);
   own.add(make_case_figure_options(common.figures));
-  if (!parse_arguments(call.arguments, solver.usage, add_common_options(own, common),
-                       common.cases)) {
-    return kSuccess;
-  }
+  if (!parse_case_arguments(call.arguments, solver.usage, own, common)) return kSuccess;
   return solve_and_report(common, {call.registry.make_method(solver, values)},
                           {.required = RequiredSolutions::all}, call.command_line);
 }

@@ -5,7 +5,6 @@
 #include "base/process/stop_request.hpp"
 #include "base/process/stopwatch.hpp"
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"
 #include "cli/terminal.hpp"

@@ -40,38 +40,6 @@ extern "C" void handle_stop_signal(int signal) {
   errno = error;
 }
 
-}  // namespace
-
-SignalHandlerGuard::SignalHandlerGuard() {
-  base::request_stop(0);
-  current_policy = InterruptionPolicy::abort;
-  for (const int signal : kStopSignals) {
-    struct sigaction saved_action = {};
-    sigaction(signal, nullptr, &saved_action);
-    if (saved_action.sa_handler != SIG_DFL) continue;
-    struct sigaction action = {};
-    action.sa_handler = handle_stop_signal;
-    // SA_RESTART restarts interrupted system calls, e.g. reads from gnuplot.
-    action.sa_flags = SA_RESTART;
-    if (sigaction(signal, &action, nullptr) == 0) saved_actions_.push_back({signal, saved_action});
-  }
-}
-
-SignalHandlerGuard::~SignalHandlerGuard() {
-  for (const auto& [signal, action] : saved_actions_) sigaction(signal, &action, nullptr);
-  base::request_stop(0);
-}
-
-void set_interruption_policy(InterruptionPolicy policy) { current_policy = policy; }
-
-InterruptionPolicy interruption_policy() { return current_policy; }
-
-void throw_if_interrupted() {
-  if (base::stop_requested() && current_policy == InterruptionPolicy::abort) throw Interrupted();
-}
-
-namespace {
-
 using namespace std::chrono_literals;
 
 // Times between the signal and the shutdown by the watchdog. After kAbortDelay, 700 ms of one
@@ -144,6 +112,34 @@ void run_watchdog() {
 }
 
 }  // namespace
+
+SignalHandlerGuard::SignalHandlerGuard() {
+  base::request_stop(0);
+  current_policy = InterruptionPolicy::abort;
+  for (const int signal : kStopSignals) {
+    struct sigaction saved_action = {};
+    sigaction(signal, nullptr, &saved_action);
+    if (saved_action.sa_handler != SIG_DFL) continue;
+    struct sigaction action = {};
+    action.sa_handler = handle_stop_signal;
+    // SA_RESTART restarts interrupted system calls, e.g. reads from gnuplot.
+    action.sa_flags = SA_RESTART;
+    if (sigaction(signal, &action, nullptr) == 0) saved_actions_.push_back({signal, saved_action});
+  }
+}
+
+SignalHandlerGuard::~SignalHandlerGuard() {
+  for (const auto& [signal, action] : saved_actions_) sigaction(signal, &action, nullptr);
+  base::request_stop(0);
+}
+
+void set_interruption_policy(InterruptionPolicy policy) { current_policy = policy; }
+
+InterruptionPolicy interruption_policy() { return current_policy; }
+
+void throw_if_interrupted() {
+  if (base::stop_requested() && current_policy == InterruptionPolicy::abort) throw Interrupted();
+}
 
 ShutdownHook::ShutdownHook(std::function<void()> action) : action_(std::move(action)) {
   const std::lock_guard lock(shutdown_state().mutex);

@@ -3,7 +3,6 @@
 #include <csignal>
 #include <exception>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <thread>

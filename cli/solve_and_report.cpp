@@ -85,10 +85,6 @@ class FinishedCases {
   std::vector<results::CaseResult> cases_;
 };
 
-std::string join_case_names(const std::vector<std::string>& names) {
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 // Returns a text on the cause of the stop and the missing results.
 std::string interruption_text(const std::vector<results::CaseResult>& cases,
                               const std::vector<problem::Problem>& problems, bool with_backward) {
@@ -104,9 +100,9 @@ std::string interruption_text(const std::vector<results::CaseResult>& cases,
   std::string text =
       fmt::format("This run was stopped by {} before its end.",
                   base::requested_stop_signal() == SIGTERM ? "SIGTERM" : "Ctrl-C (SIGINT)");
-  if (!missing.empty()) text += fmt::format(" Missing: {}.", join_case_names(missing));
+  if (!missing.empty()) text += fmt::format(" Missing: {}.", fmt::join(missing, ", "));
   if (!unbounded.empty()) {
-    text += fmt::format(" Without bounds and error estimates: {}.", join_case_names(unbounded));
+    text += fmt::format(" Without bounds and error estimates: {}.", fmt::join(unbounded, ", "));
   }
   return text;
 }

@@ -14,7 +14,6 @@
 #include "base/process/stopwatch.hpp"
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
-#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"
 #include "cli/terminal.hpp"
@@ -107,14 +106,6 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
   own.add(make_figure_options(arguments.common.figures));
   own.add(make_solver_run_options(registry, arguments.given));
   return own;
-}
-
-int extract_thread_count(base::Values& given) {
-  const auto found = std::ranges::find(given, "threads", &base::NamedParameterValue::name);
-  if (found == given.end()) return 0;
-  const int threads = static_cast<int>(std::get<std::int64_t>(found->value));
-  given.erase(found);
-  return threads;
 }
 
 sweep::SweepAxis parse_varied_key(const std::string& text) {
@@ -310,16 +301,15 @@ int sweep_command(const CommandCall& call) {
   SweepArguments arguments;
   CommonArguments& common = arguments.common;
   const auto own = sweep_options(arguments, call.registry);
-  if (!parse_arguments(call.arguments, kSweepUsage,
-                       add_common_options(own, common,
-                                          "write journal, tables and report.html to DIR (default: "
-                                          "fpkcheck-sweep)"),
-                       common.cases)) {
+  if (!parse_case_arguments(call.arguments, kSweepUsage, own, common,
+                            "write journal, tables and report.html to DIR (default: "
+                            "fpkcheck-sweep)")) {
     return kSuccess;
   }
   if (!common.out) common.out = kDefaultSweepDirectory;
   if (arguments.merge) return merge_shards(arguments, call, stopwatch);
-  const int threads = base::resolve_thread_count(extract_thread_count(arguments.given));
+  const int threads = base::resolve_thread_count(requested_thread_count(arguments.given));
+  std::erase_if(arguments.given, [](const auto& option) { return option.name == "threads"; });
   const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::Shard{};
   const auto plan = make_sweep_plan(arguments, call.registry);
   if (arguments.dry_run) return print_forecast(arguments, plan, threads);

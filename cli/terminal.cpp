@@ -5,9 +5,11 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 
 #include "base/text/sanitise.hpp"
@@ -36,12 +38,11 @@ void print_message(std::string_view message) {
 
 namespace {
 
-// A progress line wider than the terminal would be wrapped, and a wrapped line cannot be erased.
-std::size_t terminal_width() {
-  constexpr std::size_t kDefaultWidth = 80;
+// Returns the width of the terminal; empty if the stream is no terminal or the width is unknown.
+std::optional<std::size_t> terminal_width(int stream) {
   winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col
-                                                                         : kDefaultWidth;
+  if (ioctl(stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
+  return size.ws_col;
 }
 
 std::string duration_text(double seconds) {
@@ -79,9 +80,10 @@ void ProgressLine::rewrite(const methods::RunProgress& progress) {
   const auto now = std::chrono::steady_clock::now();
   const auto began = began_.try_emplace({progress.case_name, progress.method}, now).first->second;
   const std::chrono::duration<double> elapsed = now - begin_, method_elapsed = now - began;
+  // A line wider than the terminal would be wrapped, and a wrapped line cannot be erased.
   fmt::print(stderr, "\r\033[K{}",
              progress_text(progress, elapsed.count(), method_elapsed.count())
-                 .substr(0, terminal_width() - 1));
+                 .substr(0, terminal_width(STDERR_FILENO).value_or(80) - 1));
   std::fflush(stderr);
   is_visible_ = true;
 }
@@ -100,9 +102,7 @@ report::TextFormat terminal_format() {
   };
   const bool plain = is("NO_COLOR", [](auto value) { return !value.empty(); }) ||
                      is("TERM", [](auto value) { return value == "dumb"; });
-  winsize size{};
-  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return {known ? std::clamp<std::size_t>(size.ws_col, kMinWidth, kMaxWidth) : kMaxWidth,
+  return {std::clamp(terminal_width(STDOUT_FILENO).value_or(kMaxWidth), kMinWidth, kMaxWidth),
           isatty(STDOUT_FILENO) == 1 && !plain};
 }
 

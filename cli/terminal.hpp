@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "methods/run_cases.hpp"
-#include "report/text/text_format.hpp"
+#include "report/text/text_layout.hpp"
 
 namespace fpkcheck::cli {
 

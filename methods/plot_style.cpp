@@ -44,21 +44,11 @@ PlotStyle closure_style(const SolutionIdentity& identity) {
                                : formulation.starts_with("polar") ? kPolarStyle
                                                                   : kGaussianStyle;
   const auto shade = closure_order_index(identity.order.value_or(2));
-  return {.colour = ramp[shade],
-          .dash = kDashes[shade],
-          .width = 2,
-          .as_points = false,
-          .layer = 2,
-          .symbol = symbol};
+  return {.colour = ramp[shade], .dash = kDashes[shade], .width = 2, .layer = 2, .symbol = symbol};
 }
 
 PlotStyle density_equation_style(const SolutionIdentity& identity) {
-  PlotStyle plot_style{.colour = kBlack,
-                       .dash = "solid",
-                       .width = 1.5,
-                       .as_points = false,
-                       .layer = 1,
-                       .symbol = kEquationMarker};
+  PlotStyle plot_style{.colour = kBlack, .symbol = kEquationMarker};
   if (identity.impact == ImpactCondition::delta) {
     plot_style.dash = "(6,2)";
   } else if (identity.equation == DensityEquation::kf) {
@@ -78,21 +68,11 @@ PlotStyle density_equation_style(const SolutionIdentity& identity) {
 PlotStyle finite_volume_scheme_style(std::size_t rank) {
   constexpr std::array kBlues{"#9ECAE1", "#4292C6", "#08519C", "#08306B"};
   const auto shade = std::min(rank, kBlues.size() - 1);
-  return {.colour = kBlues[shade],
-          .dash = kDashes[shade],
-          .width = 2,
-          .as_points = false,
-          .layer = 1,
-          .symbol = kEquationMarker};
+  return {.colour = kBlues[shade], .dash = kDashes[shade], .width = 2, .symbol = kEquationMarker};
 }
 
 PlotStyle simulation_style(const SolutionIdentity&) {
-  return {.colour = kBlack,
-          .dash = "solid",
-          .width = 1,
-          .as_points = true,
-          .layer = 3,
-          .symbol = "circle"};
+  return {.colour = kBlack, .width = 1, .as_points = true, .layer = 3, .symbol = "circle"};
 }
 
 PlotStyle external_density_style(std::size_t rank) {
@@ -101,7 +81,6 @@ PlotStyle external_density_style(std::size_t rank) {
   return {.colour = kColours[rank % kColours.size()],
           .dash = kDashesOfFiles[rank % kDashesOfFiles.size()],
           .width = 2.5,
-          .as_points = false,
           .layer = 4,
           .symbol = "pentagon"};
 }

@@ -96,13 +96,10 @@ void SolverRegistry::complete_identity(SolutionIdentity& identity) const {
   identity.plot_style = family.plot_style(identity);
 }
 
-Method SolverRegistry::with_complete_identity(Method method) const {
+Method SolverRegistry::make_method(const Solver& solver, const Values& options) const {
+  Method method = solver.method(options);
   complete_identity(method.identity);
   return method;
-}
-
-Method SolverRegistry::make_method(const Solver& solver, const Values& options) const {
-  return with_complete_identity(solver.method(options));
 }
 
 std::optional<Method> SolverRegistry::find_method_by_id(std::string_view id,

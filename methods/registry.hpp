@@ -54,8 +54,6 @@ class SolverRegistry {
   void complete_solution_identities(results::Run& run) const;
 
  private:
-  /// Returns a copy of a method with the family, meaning, trust and plot style of its solutions.
-  Method with_complete_identity(Method method) const;
   void complete_identity(transform::SolutionIdentity& identity) const;
 
   std::vector<Solver> solvers_;

@@ -13,9 +13,8 @@
 
 #include "compare/agreement.hpp"
 #include "compare/assessment.hpp"
-#include "report/guaranteed_bounds.hpp"
-#include "report/solutions_of_full_problem.hpp"
-#include "report/verdict/outcome.hpp"
+#include "report/case_solutions.hpp"
+#include "report/verdict/verdict.hpp"
 
 namespace fpkcheck::report {
 namespace {

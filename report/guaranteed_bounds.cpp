@@ -1,16 +1,14 @@
-#include "report/guaranteed_bounds.hpp"
+#include "report/findings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "compare/assessment.hpp"
 #include "report/terminal_tables.hpp"
 #include "report/text/number_text.hpp"
-#include "report/text/text_columns.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -69,20 +67,20 @@ std::string guaranteed_bounds_table(const problem::Problem& problem, const Guara
                                     const TextFormat& format) {
   std::string all = wrap_text(case_title(problem), format.width, 2);
   if (bounds.each.empty()) return all + wrap_text("no bounds: " + bounds.reason, format.width, 2);
-  TextColumn functional{"", "functional", true, kAlwaysShown},
-      lower{"", "lower", false, kAlwaysShown}, upper{"", "upper", false, kAlwaysShown},
-      half{"", "half-width", false, 2}, relative{"", "relative", false, 1};
+  std::vector<TextColumn> columns{{"", "functional", true, kAlwaysShown},
+                                  {"", "lower", false, kAlwaysShown},
+                                  {"", "upper", false, kAlwaysShown},
+                                  {"", "half-width", false, 2},
+                                  {"", "relative", false, 1}};
   for (const GuaranteedBound& bound : bounds.each) {
     const auto ends = round_interval_outward(bound.lower, bound.upper);
     const double middle = std::abs(bound.lower + bound.half_width());
-    functional.cells.push_back(bound.functional);
-    lower.cells.push_back(ends.lower);
-    upper.cells.push_back(ends.upper);
-    half.cells.push_back(fmt::format("{:.1e}", bound.half_width()));
-    relative.cells.push_back(middle > 0 ? fmt::format("{:.1e}", bound.half_width() / middle)
-                                        : kMissingCell);
+    add_table_row(
+        columns,
+        {bound.functional, ends.lower, ends.upper, fmt::format("{:.1e}", bound.half_width()),
+         middle > 0 ? fmt::format("{:.1e}", bound.half_width() / middle) : kMissingCell});
   }
-  all += format_text_table({functional, lower, upper, half, relative}, format);
+  all += format_text_table(std::move(columns), format);
   if (!bounds.reason.empty()) all += wrap_text(bounds.reason, format.width, 2);
   return all;
 }

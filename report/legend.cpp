@@ -1,4 +1,4 @@
-#include "report/legend.hpp"
+#include "report/terminal_tables.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,6 @@
 
 #include "compare/error_budget.hpp"
 #include "problem/model.hpp"
-#include "report/budget/budget_table.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
-#include "report/figure/pictures.hpp"
-#include "report/page/report_page.hpp"
+#include "report/figure/case_figures.hpp"
+#include "report/page/sections.hpp"
 #include "report/terminal_tables.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/saved_run.hpp"
 
 namespace fpkcheck::report {

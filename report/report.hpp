@@ -6,7 +6,7 @@
 
 #include "report/figure/options.hpp"
 #include "report/supplement.hpp"
-#include "report/text/text_format.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {

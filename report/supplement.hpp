@@ -3,17 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "report/figure/drawing.hpp"
 #include "report/page/page_plots.hpp"
 
 namespace fpkcheck::report {
 
 struct SupplementFile {
   std::string name, text;
-};
-
-/// A gnuplot script. The script file and its pictures have the file name `stem` plus extension.
-struct PictureScript {
-  std::string stem, script;
 };
 
 /// A section that a command adds to the page of a run.

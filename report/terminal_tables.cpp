@@ -9,16 +9,11 @@
 #include <limits>
 #include <vector>
 
-#include "report/budget/budget_table.hpp"
+#include "report/case_solutions.hpp"
 #include "report/findings.hpp"
-#include "report/legend.hpp"
-#include "report/solutions_of_full_problem.hpp"
-#include "report/status_reasons.hpp"
 #include "report/text/number_text.hpp"
-#include "report/text/text_columns.hpp"
-#include "report/text/wrap_text.hpp"
-#include "report/verdict/verdict_text.hpp"
-#include "report/wall_atoms.hpp"
+#include "report/text/text_layout.hpp"
+#include "report/verdict/verdict.hpp"
 
 namespace fpkcheck::report {
 namespace {

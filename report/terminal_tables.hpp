@@ -1,9 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "problem/problem.hpp"
-#include "report/text/text_format.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {
@@ -11,7 +12,7 @@ namespace fpkcheck::report {
 /// Returns the terminal text of a run, in plain ASCII. The text of a case has the parameters, a
 /// table of the solutions, the reasons for every status other than `ok`, the error budget and the
 /// findings (findings.hpp). The row of a solution in the table has its distances from the solutions
-/// of the full problem. A legend of the displayed columns follows all cases (legend.hpp). A dash
+/// of the full problem. A legend of the displayed columns follows all cases. A dash
 /// marks a missing value.
 /// @param format format of the text; if rows exceed its width, columns are omitted in this order:
 ///        energy residual, distances from solutions other than the reference, seconds, equation,
@@ -20,5 +21,30 @@ std::string terminal_tables_text(const results::Run& run, const TextFormat& form
 
 /// Returns the name and the parameters of a problem: "case1: c = 0.1, k = 1, ...".
 std::string case_title(const problem::Problem& problem);
+
+/// Returns the error budget of a case as a text table. Each closure and marginal density has the L1
+/// distance from the reference and the parts of this distance. Budget parts that are equal for all
+/// closures (discretisation, sampling) have separate rows. An asterisk marks a closure with a
+/// status other than `ok`. A sentence below the table states the limitations of the error budget.
+/// The text is empty if the case has no error budget.
+/// @param format format of the text; if rows exceed its width, the columns of tail distances are
+/// omitted first, then the columns of the last budget parts
+std::string budget_table_text(const results::CaseResult& case_result, const TextFormat& format);
+
+/// Returns the columns that budget_table_text() displays in a text format. The list is empty if the
+/// case has no error budget.
+std::vector<TextColumn> displayed_budget_columns(const results::CaseResult& case_result,
+                                                 const TextFormat& format);
+
+/// Returns the short name of a part of the error budget for the header of a narrow column:
+/// "trunc.".
+std::string budget_part_header(const std::string& part);
+
+/// Returns sentences that explain the headers and cells of the displayed columns of the tables of
+/// solutions. The text is empty if no column is displayed.
+std::string solutions_table_legend(const std::vector<TextColumn>& results, const results::Run& run);
+
+/// Returns sentences that explain the columns of the tables of error budgets.
+std::string budget_table_legend(const std::vector<TextColumn>& budgets);
 
 }  // namespace fpkcheck::report

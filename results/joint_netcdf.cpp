@@ -37,12 +37,6 @@ std::vector<std::string> solution_ids(const Run& run) {
   return ids;
 }
 
-void write_case_name_and_parameters(NetCdfWriter& file, const problem::Problem& problem,
-                                    int variable) {
-  file.write_attribute("case", problem.name, variable);
-  write_problem_attributes(file, problem, variable);
-}
-
 /// Values of a netCDF variable of a case, shape (solution, cells); NaN for solutions without
 /// values.
 class NetCdfSolutionVariable {
@@ -93,7 +87,7 @@ void write_joint_densities_of_case(NetCdfWriter& file, const CaseResult& case_re
     const int variable = file.write_compressed<float>(prefix + '_' + name, {solution, y, ydot},
                                                       meaning, over.values());
     file.write_attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), variable);
-    write_case_name_and_parameters(file, case_result.problem, variable);
+    write_problem_attributes(file, case_result.problem, variable);
     return variable;
   };
   NetCdfSolutionVariable densities(solutions, cells.averages.size());

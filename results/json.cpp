@@ -112,6 +112,10 @@ Json values_to_json(const base::Values& values) {
   return json;
 }
 
+Json number_or_null_json(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
+
 Json moments_to_json(const transform::Moments& m) {
   Json json;
   for (const auto& [name, symbol, moment, size] : transform::kMoments) json[name] = m.*moment;

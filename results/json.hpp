@@ -7,14 +7,15 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "base/options/parameter.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
 #include "transform/metric.hpp"
+#include "transform/solution.hpp"
 
 /// Conversions between JSON and the data of a run, for all JSON files of results.
+
 namespace fpkcheck::results {
 
 using Json = nlohmann::ordered_json;
@@ -28,6 +29,7 @@ Json problem_to_json(const problem::Problem& problem);
 Json value_to_json(const base::Value& value);
 Json values_to_json(const base::Values& values);
 Json moments_to_json(const transform::Moments& moments);
+Json number_or_null_json(const std::optional<double>& number);
 
 /// Adds metrics to a JSON object. A metric path such as "quantiles.y[2].value" creates the nested
 /// objects and lists. A path that ends with "[]", such as "splitting_thresholds[]", creates an
@@ -89,5 +91,14 @@ bool is_run_summary(const std::string& text, const std::string& file_name);
 /// @throws InputError with a message of one line, if the text is not a JSON object
 transform::Metrics metrics_from_external_json(const std::string& text,
                                               const std::string& file_name);
+
+/// Returns an element of "solutions" in summary.json: the common keys of all solutions, then the
+/// metrics of the solver.
+/// @throws std::logic_error if a metric has the name of a common key
+Json solution_json(const transform::Solution& solution);
+
+/// Converts the result of solution_json() back to a solution without a density.
+/// @throws nlohmann::json::exception, InputError
+transform::Solution solution_from_json(const Json& json);
 
 }  // namespace fpkcheck::results

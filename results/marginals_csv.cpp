@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <charconv>
 #include <cmath>
 #include <istream>
 #include <ostream>
 
 #include "base/input_error.hpp"
+#include "base/text/parse_number.hpp"
 #include "base/text/sanitise.hpp"
 
 namespace fpkcheck::results {
@@ -92,13 +92,10 @@ class CsvRowReader {
 
  private:
   double parse_csv_number(const std::string& text, bool finite) const {
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop != end)
-      fail(fmt::format("{} is not a number", base::in_quotes(text)));
-    if (finite && !std::isfinite(value)) fail(fmt::format("{} (numbers must be finite)", text));
-    return value;
+    const auto value = base::parse_number<double>(text);
+    if (!value) fail(fmt::format("{} is not a number", base::in_quotes(text)));
+    if (finite && !std::isfinite(*value)) fail(fmt::format("{} (numbers must be finite)", text));
+    return *value;
   }
 
   std::string_view source_;

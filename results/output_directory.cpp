@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
+#include <regex>
 #include <system_error>
 #include <vector>
 
@@ -58,14 +58,8 @@ OutputDirectoryLock try_prepare_directory(const fs::path& directory) {
 }  // namespace
 
 std::string case_file_stem(const std::string& case_name) {
-  std::string stem;
-  bool replaced = false;
-  for (const unsigned char c : case_name) {
-    const bool kept = std::isalnum(c) || c == '-' || c == '_' || c == '.';
-    if (kept || !replaced) stem += kept ? static_cast<char>(c) : '_';
-    replaced = !kept;
-  }
-  return stem;
+  static const std::regex replaced("[^A-Za-z0-9._-]+");
+  return std::regex_replace(case_name, replaced, "_");
 }
 
 OutputDirectoryLock::~OutputDirectoryLock() {

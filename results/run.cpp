@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "results/joint_netcdf.hpp"
-#include "results/make_density_curve.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -94,9 +93,7 @@ CaseResult make_case_result(const problem::Problem& problem, const compare::Comp
   CaseResult result{.problem = problem,
                     .solutions = std::move(solutions),
                     .pairs = std::move(comparison.pairs),
-                    .budget = std::move(comparison.budget),
-                    .curves = {},
-                    .joints = {}};
+                    .budget = std::move(comparison.budget)};
   for (auto& found : comparison.marginals)
     result.curves.push_back(make_density_curve(std::move(found)));
   for (auto& found : comparison.smooth)

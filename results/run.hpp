@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,12 +9,14 @@
 #include "compare/comparison.hpp"
 #include "compare/comparison_axes.hpp"
 #include "compare/guaranteed_bounds.hpp"
+#include "compare/pair_distances.hpp"
 #include "problem/problem.hpp"
 #include "transform/density.hpp"
 #include "transform/solution.hpp"
 
 /// The result of a run, computed or read from the files of a saved run. Tables, figures and the
 /// report page are made from this result.
+
 namespace fpkcheck::results {
 
 /// A marginal density of one solution, as averages over n bins.
@@ -61,11 +62,11 @@ struct ErrorSource {
 /// The solutions of one case, their densities and their comparison.
 struct CaseResult {
   problem::Problem problem;
-  std::vector<transform::Solution> solutions;  ///< solutions by increasing trust
-  std::vector<compare::PairDistances> pairs;   ///< distances of all pairs of solutions
-  std::vector<compare::ErrorBudgetRow> budget;
-  std::vector<DensityCurve> curves;  ///< marginal densities over the comparison bins
-  std::vector<JointDensity> joints;
+  std::vector<transform::Solution> solutions = {};  ///< solutions by increasing trust
+  std::vector<compare::PairDistances> pairs = {};   ///< distances of all pairs of solutions
+  std::vector<compare::ErrorBudgetRow> budget = {};
+  std::vector<DensityCurve> curves = {};  ///< marginal densities over the comparison bins
+  std::vector<JointDensity> joints = {};
   /// Marginal densities of all solutions over smooth bins (B-spline weights); empty unless a
   /// solution has smooth estimates (compare/smooth_reference.hpp).
   std::vector<DensityCurve> smooth = {};
@@ -123,5 +124,13 @@ struct Run {
 /// @param solutions by increasing trust
 CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonAxes& axes,
                             std::vector<transform::Solution> solutions);
+
+/// Converts a marginal density of a solution to the form in which runs store marginal densities.
+DensityCurve make_density_curve(compare::SolutionMarginal&& marginal);
+
+/// Returns a sentence on the limiting error (the largest error) of each closure of a case. Another
+/// sentence follows if the finite-volume solution and the simulation disagree. The text is empty if
+/// the case has no error budget.
+std::string limiting_errors_text(const CaseResult& case_result);
 
 }  // namespace fpkcheck::results

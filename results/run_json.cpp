@@ -12,8 +12,7 @@
 #include "base/text/sanitise.hpp"
 #include "compare/assessment.hpp"
 #include "results/json.hpp"
-#include "results/limiting_errors_text.hpp"
-#include "results/solution_json.hpp"
+#include "results/run.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -41,10 +40,6 @@ Json pair_distances_json(const PairDistances& pair) {
             {"log10_tail", tail}};
   if (pair.l1_standard_error) json["l1_standard_error"] = *pair.l1_standard_error;
   return json;
-}
-
-Json number_or_null_json(const std::optional<double>& number) {
-  return number ? Json(*number) : Json();
 }
 
 Json budget_part_json(const ErrorBudgetPart& part) {
@@ -279,12 +274,7 @@ compare::Assessment assessment_from_json(const Json& json, const CaseResult& cas
 }
 
 CaseResult case_from_json(const Json& json) {
-  CaseResult case_result{.problem = problem_from_json(json),
-                         .solutions = {},
-                         .pairs = {},
-                         .budget = {},
-                         .curves = {},
-                         .joints = {}};
+  CaseResult case_result{.problem = problem_from_json(json)};
   std::set<std::string> ids;
   for (const auto& solution : json.at("solutions")) {
     case_result.solutions.push_back(solution_from_json(solution));

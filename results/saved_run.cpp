@@ -6,8 +6,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -178,10 +176,6 @@ Run load_run_summary(const fs::path& file) {
   return read_run_summary(in, sanitise(file.string()));
 }
 
-void load_smooth_curves(const fs::path& file, Run& run) {
-  read_curves(file, run, &CaseResult::smooth);
-}
-
 void load_marginal_curves(const fs::path& file, Run& run) {
   read_curves(file, run, &CaseResult::curves);
   if (!std::ranges::all_of(run.cases, has_matching_curves)) refuse_other_run(file);
@@ -190,8 +184,9 @@ void load_marginal_curves(const fs::path& file, Run& run) {
 Run load_run(const fs::path& directory) {
   Run run = load_run_summary(directory / kSummaryFile);
   load_marginal_curves(directory / kMarginalsFile, run);
-  if (fs::exists(directory / kSmoothMarginalsFile))
-    load_smooth_curves(directory / kSmoothMarginalsFile, run);
+  if (const auto smooth = directory / kSmoothMarginalsFile; fs::exists(smooth)) {
+    read_curves(smooth, run, &CaseResult::smooth);  // a solution may lack curves over smooth bins
+  }
   if (fs::exists(directory / kJointFile)) load_joint_densities(directory / kJointFile, run);
   return run;
 }

@@ -40,10 +40,6 @@ Run load_run_summary(const std::filesystem::path& file);
 ///         summary)
 void load_marginal_curves(const std::filesystem::path& file, Run& run);
 
-/// Reads the curves of a smooth.csv into the cases of a run. A solution may lack curves over smooth
-/// bins.
-void load_smooth_curves(const std::filesystem::path& file, Run& run);
-
 /// Reads the files that add_run_files() wrote. Runs of older program versions lack joint densities
 /// and curves over smooth bins.
 /// @throws InputError with a message of one line, if the directory contains no run, or if a file is

@@ -1,11 +1,10 @@
-#include "results/solution_json.hpp"
+#include "results/json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 
@@ -26,28 +25,27 @@ constexpr const char* kUnknownEquation = "given";
 constexpr const char* kUnknownImpact = "-";
 
 // Keys that all solvers share. All other keys of a solution are metrics of its solver.
-constexpr std::array<std::string_view, 17> kCommonKeys{"id",
-                                                       "method",
-                                                       "equation",
-                                                       "impact",
-                                                       "identity",
-                                                       "options",
-                                                       "status",
-                                                       "reason",
-                                                       "seconds",
-                                                       "moments",
-                                                       "mass",
-                                                       "atoms",
-                                                       "min_density",
-                                                       "energy_residual",
-                                                       "standard_errors",
-                                                       "sampling_l1",
-                                                       "smooth_sampling_l1"};
+constexpr std::string_view kCommonKeys[] = {"id",
+                                            "method",
+                                            "equation",
+                                            "impact",
+                                            "identity",
+                                            "options",
+                                            "status",
+                                            "reason",
+                                            "seconds",
+                                            "moments",
+                                            "mass",
+                                            "atoms",
+                                            "min_density",
+                                            "energy_residual",
+                                            "standard_errors",
+                                            "sampling_l1",
+                                            "smooth_sampling_l1"};
 // Keys of "error" that all solvers share. All other keys of "error" are metrics of the solver.
-constexpr std::array<std::string_view, 3> kCommonErrorKeys{"y_l1", "ydot_l1", "moments"};
+constexpr std::string_view kCommonErrorKeys[] = {"y_l1", "ydot_l1", "moments"};
 
-template <std::size_t N>
-bool contains_key(const std::array<std::string_view, N>& keys, std::string_view key) {
+bool contains_key(std::span<const std::string_view> keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 

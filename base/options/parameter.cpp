@@ -8,18 +8,16 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
+#include "base/text/parse_number.hpp"
 #include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 namespace {
 
 template <class Number>
-std::optional<Value> parse_number(std::string_view text) {
+std::optional<Value> parse_signed_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
+  return parse_number<Number>(text);
 }
 
 std::string type_text(const Parameter& parameter) {
@@ -94,13 +92,13 @@ std::optional<Value> Parameter::parse(std::string_view text) const {
       if (text == "true" || text == "false") return text == "true";
       return std::nullopt;
     case ParameterType::integer:
-      return parse_number<std::int64_t>(text);
+      return parse_signed_number<std::int64_t>(text);
     case ParameterType::number:
-      return parse_number<double>(text);
+      return parse_signed_number<double>(text);
     case ParameterType::word:
       return convert_to_parameter_type(std::string(text));
     case ParameterType::number_or_formula:
-      return parse_number<double>(text).value_or(std::string(text));
+      return parse_signed_number<double>(text).value_or(std::string(text));
   }
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-#include "methods/external/column_detection.hpp"
+#include "methods/external/number_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,18 +49,6 @@ double relative_gap(const std::vector<double>& bin, const std::vector<double>& n
 }
 
 }  // namespace
-
-std::string_view name(HistogramQuantity value) {
-  switch (value) {
-    case HistogramQuantity::density:
-      return "density";
-    case HistogramQuantity::probability:
-      return "probability";
-    case HistogramQuantity::count:
-      return "count";
-  }
-  return "";
-}
 
 StateVariable variable_from_column_names(const NumberTable& table) {
   const auto names = without_ambiguous_names(table.names);

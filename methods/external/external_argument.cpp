@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <system_error>
 
 #include "base/input_error.hpp"
 #include "base/options/enum_names.hpp"
+#include "base/text/parse_number.hpp"
 #include "base/text/sanitise.hpp"
 #include "results/output_directory.hpp"
 
@@ -24,14 +24,10 @@ bool file_exists(const std::string& text) {
 
 int parse_order(const std::string& value) {
   constexpr int kMaxOrder = 99;
-  int order = 0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), order);
-  if (error != std::errc{} || end != value.data() + value.size() || order < 1 ||
-      order > kMaxOrder) {
-    throw InputError(fmt::format("--against: order = {} (must be an integer, 1 .. {})",
-                                 base::in_quotes(value), kMaxOrder));
-  }
-  return order;
+  const auto order = base::parse_number<int>(value);
+  if (order && *order >= 1 && *order <= kMaxOrder) return *order;
+  throw InputError(fmt::format("--against: order = {} (must be an integer, 1 .. {})",
+                               base::in_quotes(value), kMaxOrder));
 }
 
 void set(const std::string& key, const std::string& value, ExternalArgument& argument) {

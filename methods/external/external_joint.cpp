@@ -10,9 +10,9 @@
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "epc/closed_form_density.hpp"
-#include "methods/external/column_detection.hpp"
 #include "methods/external/density_file.hpp"
 #include "methods/external/joint_table.hpp"
+#include "methods/external/number_table.hpp"
 #include "methods/external/range_between_walls.hpp"
 #include "results/joint_netcdf.hpp"
 

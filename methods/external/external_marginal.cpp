@@ -11,7 +11,7 @@
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "methods/external/bin_average_errors.hpp"
-#include "methods/external/column_detection.hpp"
+#include "methods/external/number_table.hpp"
 #include "numerics/statistics.hpp"
 
 // This include follows fpclassify, since pchip of Boost 1.74 calls isnan without a declaration.

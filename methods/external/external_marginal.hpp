@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "methods/external/bin_average_errors.hpp"
-#include "methods/external/column_detection.hpp"
 #include "methods/external/number_table.hpp"
 #include "methods/external/range_between_walls.hpp"
 #include "transform/marginal.hpp"

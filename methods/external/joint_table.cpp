@@ -9,7 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/external/column_detection.hpp"
+#include "methods/external/number_table.hpp"
 #include "methods/external/range_between_walls.hpp"
 
 // This include follows fpclassify, since makima of Boost 1.74 calls isnan without a declaration.

@@ -2,24 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
+#include <locale>
 #include <optional>
 
 #include "base/input_error.hpp"
+#include "base/text/parse_number.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/external/column_detection.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
-std::string trim_blanks(std::string text) {
-  constexpr const char* kAround = " \t\r\"";
-  const auto first = text.find_first_not_of(kAround);
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(kAround) - first + 1);
+std::string trim_blanks(const std::string& text) {
+  return boost::algorithm::trim_copy_if(text, boost::algorithm::is_any_of(" \t\r\""));
 }
 
 constexpr std::size_t kMaxRows = 100000, kMaxGridRows = 1000000;
@@ -33,16 +33,10 @@ char separator_of(const std::string& line) {
 }
 
 std::string_view name_of_separator(char separator) {
-  switch (separator) {
-    case ';':
-      return "semicolons";
-    case '\t':
-      return "tabs";
-    case ',':
-      return "commas";
-    default:
-      return "blanks";
-  }
+  return separator == ';'    ? "semicolons"
+         : separator == '\t' ? "tabs"
+         : separator == ','  ? "commas"
+                             : "blanks";
 }
 
 // Splits a line into fields. Blanks separate fields only if the line has no other separator.
@@ -80,17 +74,11 @@ std::string remove_units(const std::string& line) {
 
 std::optional<double> number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value;
+  return base::parse_number<double>(text);
 }
 
 std::vector<std::string> to_lower_case(std::vector<std::string> names) {
-  for (auto& name : names) {
-    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
+  for (auto& name : names) boost::algorithm::to_lower(name, std::locale::classic());
   return names;
 }
 

@@ -1,9 +1,8 @@
-#include "report/budget/budget_figure.hpp"
+#include "report/figure/case_figures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -40,46 +39,40 @@ constexpr DistanceKind kL1{"", "{/:Italic L}_1 distance", &ErrorBudgetRow::total
 constexpr DistanceKind kTail{", tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
                              &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail};
 
-// Returns the series of a part of the error budget, without points. The colours of Okabe and Ito
-// are distinct for colour-blind readers; hatching distinguishes colours that are equal in grey
-// print. A part that combines the errors of several approximations is grey.
+// The colours of Okabe and Ito are distinct for colour-blind readers; hatching distinguishes
+// colours that are equal in grey print.
+struct BarStyle {
+  compare::Approximation approximation;
+  const char* colour;
+  const char* hatch;
+};
+constexpr BarStyle kBarStyles[] = {{compare::Approximation::closure, "#D55E00", ""},
+                                   {compare::Approximation::impact, "#E69F00", "/"},
+                                   {compare::Approximation::truncation, "#0072B2", ""},
+                                   {compare::Approximation::white_noise, "#009E73", "|"},
+                                   {compare::Approximation::discretisation, "#56B4E9", "\\"},
+                                   {compare::Approximation::sampling, "#CC79A7", "x"}};
+static_assert(std::size(kBarStyles) == std::size(compare::kApproximationNames));
+
+// Returns the series of a part of the error budget, without points. A part that combines the errors
+// of several approximations is grey.
 FigureSeries budget_part_series(const std::string& part) {
-  using compare::Approximation;
-  const auto series = [&](const char* colour, const char* hatch) {
-    return FigureSeries{
-        .name = part, .group = "part " + part, .colour = colour, .is_bars = true, .hatch = hatch};
-  };
+  FigureSeries series{
+      .name = part, .group = "part " + part, .colour = "#999999", .is_bars = true, .hatch = "."};
   const auto approximations = compare::parse_approximations(part);
-  if (approximations.size() > 1) return series("#999999", ".");
-  switch (approximations.front()) {
-    case Approximation::closure:
-      return series("#D55E00", "");
-    case Approximation::impact:
-      return series("#E69F00", "/");
-    case Approximation::truncation:
-      return series("#0072B2", "");
-    case Approximation::white_noise:
-      return series("#009E73", "|");
-    case Approximation::discretisation:
-      return series("#56B4E9", "\\");
-    case Approximation::sampling:
-      break;
-  }
-  return series("#CC79A7", "x");
+  if (approximations.size() > 1) return series;
+  const auto* const style =
+      std::ranges::find(kBarStyles, approximations.front(), &BarStyle::approximation);
+  series.colour = style->colour;
+  series.hatch = style->hatch;
+  return series;
 }
 
 // Returns an axis of whole decades that contains all distances above kSmallestFraction times the
 // largest distance.
 FigureAxis budget_distance_axis(const char* label, const std::vector<FigureSeries>& all) {
-  double least = std::numeric_limits<double>::infinity(), greatest = 0;
-  for (const auto& series : all) {
-    for (const auto& point : series.points) {
-      if (!std::isfinite(point.y)) continue;
-      least = std::min(least, point.y);
-      greatest = std::max(greatest, point.y);
-    }
-  }
-  if (greatest == 0) return {label, 1e-5, 1, true};
+  const auto [least, greatest] = coordinate_range(all, &FigurePoint::y);
+  if (greatest < least) return {label, 1e-5, 1, true};
   const double from = std::max(least, kSmallestFraction * greatest);
   // The factors 0.8 and 1.2 leave space below the lowest and above the highest bar.
   return {label, std::pow(10, std::floor(std::log10(0.8 * from))),

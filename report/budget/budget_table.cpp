@@ -1,4 +1,4 @@
-#include "report/budget/budget_table.hpp"
+#include "report/terminal_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "report/text/number_text.hpp"
-#include "report/text/wrap_text.hpp"
-#include "results/limiting_errors_text.hpp"
+#include "report/text/text_layout.hpp"
+#include "results/run.hpp"
 
 namespace fpkcheck::report {
 namespace {

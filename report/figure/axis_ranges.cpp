@@ -1,4 +1,4 @@
-#include "report/figure/axis_ranges.hpp"
+#include "report/figure/density_content.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "report/figure/convergence_figure.hpp"
+#include "report/figure/case_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "report/case_solutions.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
-#include "report/solution_families.hpp"
-#include "report/solutions_of_full_problem.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "report/solutions_of_full_problem.hpp"
+#include "report/case_solutions.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -16,8 +16,8 @@ inline constexpr std::size_t kMaxDefaultCurves = 6;
 /// Returns the ids of the solutions whose curves the picture of a case shows.
 ///
 /// The default selection contains all external densities. Further solutions are added, up to
-/// kMaxDefaultCurves curves, in this order: the reference, the remaining solutions of the full problem
-/// (report/solutions_of_full_problem.hpp), the closest closure of each formulation, solutions of
+/// kMaxDefaultCurves curves, in this order: the reference, the remaining solutions of the full
+/// problem (report/case_solutions.hpp), the closest closure of each formulation, solutions of
 /// approximate equations by decreasing trust, remaining closures (`ok` and closest first).
 /// @param requested ids, families or solvers whose curves are shown, or "all". An empty list means
 /// the default selection.
@@ -25,9 +25,9 @@ std::set<std::string> select_solutions_to_draw(const results::CaseResult& case_r
                                                const std::vector<std::string>& requested = {});
 
 /// Returns the ids of the solutions whose curves are initially visible on the report page: the
-/// solutions of the full problem (report/solutions_of_full_problem.hpp), the closest closure of
-/// each family, and external densities. If fewer than two solutions would be visible, all solutions
-/// of the case are visible.
+/// solutions of the full problem (report/case_solutions.hpp), the closest closure of each family,
+/// and external densities. If fewer than two solutions would be visible, all solutions of the case
+/// are visible.
 std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result);
 
 /// Checks that every requested id, family or solver matches a solution.

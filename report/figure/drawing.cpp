@@ -129,28 +129,39 @@ void draw_picture(const std::string& gnuplot, const fs::path& script, const fs::
   });
 }
 
-std::vector<std::string> draw_scripts_in_all_formats(const std::string& gnuplot,
-                                                     const fs::path& figures,
-                                                     const std::vector<std::string>& stems,
-                                                     const FigureOptions& options) {
+std::vector<std::string> write_scripts_and_draw(const fs::path& figures,
+                                                const std::vector<PictureScript>& pictures,
+                                                const FigureOptions& options,
+                                                const std::string& gnuplot,
+                                                const std::string& subject,
+                                                const std::string& remedy) {
+  fs::create_directories(figures);
+  for (const auto& [stem, script] : pictures) {
+    base::write_file_atomically(figures / (stem + ".gp"), script);
+  }
   // With more simultaneous processes, a picture on a busy machine could exceed its time limit.
   constexpr int kMaxProcesses = 4;
   const std::size_t formats = options.formats.size();
-  std::vector<std::string> warnings(stems.size() * formats);
-  base::parallel_for(
-      warnings.size(), std::min(kMaxProcesses, base::available_processors()), [&](std::size_t k) {
-        if (base::stop_requested()) return;
-        const std::string& stem = stems[k / formats];
-        try {
-          draw_picture(gnuplot, figures / (stem + ".gp"),
-                       figures / fmt::format("{}.{}", stem, name(options.formats[k % formats])),
-                       options.width);
-        } catch (const GnuplotMissing&) {
-          throw;
-        } catch (const std::runtime_error& error) {
-          warnings[k] = error.what();
-        }
-      });
+  std::vector<std::string> warnings(pictures.size() * formats);
+  const auto draw = [&](std::size_t k) {
+    if (base::stop_requested()) return;
+    const std::string& stem = pictures[k / formats].stem;
+    try {
+      draw_picture(gnuplot, figures / (stem + ".gp"),
+                   figures / fmt::format("{}.{}", stem, name(options.formats[k % formats])),
+                   options.width);
+    } catch (const GnuplotMissing&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      warnings[k] = error.what();
+    }
+  };
+  try {
+    base::parallel_for(warnings.size(), std::min(kMaxProcesses, base::available_processors()),
+                       draw);
+  } catch (const GnuplotMissing& missing) {
+    return {fmt::format("{}: {}{}", subject, missing.what(), remedy)};
+  }
   // After a stop request a missing picture gives no warning, since the user requested the stop.
   if (base::stop_requested()) return {};
   std::erase(warnings, "");
@@ -161,14 +172,9 @@ std::vector<std::string> write_script_and_draw(const fs::path& figures, const st
                                                const std::string& script,
                                                const FigureOptions& options,
                                                const std::string& gnuplot) {
-  fs::create_directories(figures);
-  base::write_file_atomically(figures / (stem + ".gp"), script);
-  try {
-    return draw_scripts_in_all_formats(gnuplot, figures, {stem}, options);
-  } catch (const GnuplotMissing& missing) {
-    return {fmt::format("no picture: {}; install gnuplot, then run `cd {} && gnuplot {}.gp`",
-                        missing.what(), figures.string(), stem)};
-  }
+  return write_scripts_and_draw(
+      figures, {{stem, script}}, options, gnuplot, "no picture",
+      fmt::format("; install gnuplot, then run `cd {} && gnuplot {}.gp`", figures.string(), stem));
 }
 
 void remove_script_and_pictures(const fs::path& figures, const std::string& stem) {

@@ -22,18 +22,24 @@ struct GnuplotMissing : std::runtime_error {
 void draw_picture(const std::string& gnuplot, const std::filesystem::path& script,
                   const std::filesystem::path& picture, FigureWidth width = FigureWidth::screen);
 
-/// Runs gnuplot on each script STEM.gp once for each file format in the figure options, in several
-/// processes at once. The pictures are written to the directory of the scripts.
-/// @return a warning for each picture that was not drawn; empty after a stop request
-/// @throws GnuplotMissing
-std::vector<std::string> draw_scripts_in_all_formats(const std::string& gnuplot,
-                                                     const std::filesystem::path& figures,
-                                                     const std::vector<std::string>& stems,
-                                                     const FigureOptions& options);
+/// A gnuplot script. The script file and its pictures have the file name `stem` plus extension.
+struct PictureScript {
+  std::string stem, script;
+};
 
-/// Writes the script STEM.gp into a directory, and draws its pictures in each file format of the
-/// figure options.
-/// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing
+/// Writes the script STEM.gp of each picture into a directory, and draws the pictures in each file
+/// format of the figure options, in several processes at once.
+/// @param subject, remedy first and last words of the warning if gnuplot is missing
+/// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing;
+///         empty after a stop request
+std::vector<std::string> write_scripts_and_draw(const std::filesystem::path& figures,
+                                                const std::vector<PictureScript>& pictures,
+                                                const FigureOptions& options,
+                                                const std::string& gnuplot,
+                                                const std::string& subject,
+                                                const std::string& remedy);
+
+/// Writes the script of a single picture and draws the picture, as write_scripts_and_draw().
 std::vector<std::string> write_script_and_draw(const std::filesystem::path& figures,
                                                const std::string& stem, const std::string& script,
                                                const FigureOptions& options,

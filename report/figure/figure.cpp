@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <map>
 
-#include "report/figure/axis_ranges.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
@@ -365,29 +363,35 @@ FigureSeries make_empty_series(const std::string& name, const transform::PlotSty
           .symbol = plot_style.symbol};
 }
 
+CoordinateRange coordinate_range(const std::vector<FigureSeries>& all,
+                                 double FigurePoint::*coordinate, double above) {
+  CoordinateRange range;
+  for (const auto& series : all) {
+    for (const auto& point : series.points) {
+      const double value = point.*coordinate;
+      if (!std::isfinite(value) || value <= above) continue;
+      range = {std::min(range.least, value), std::max(range.greatest, value)};
+    }
+  }
+  return range;
+}
+
 FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSeries>& all,
                             double FigurePoint::*coordinate) {
-  LogAxisRange range;
-  for (const auto& series : all) {
-    for (const auto& point : series.points) range.include(point.*coordinate);
-  }
-  const auto [from, to] = range.exponents(0.3, 0.4);
-  return {label, std::pow(10, from), std::pow(10, to), true};
+  const auto range = coordinate_range(all, coordinate, 0);
+  if (range.is_empty()) return {label, 0.1, 10, true};
+  constexpr double kDecadesBelow = 0.3, kDecadesAbove = 0.4;
+  return {label, std::pow(10, std::log10(range.least) - kDecadesBelow),
+          std::pow(10, std::log10(range.greatest) + kDecadesAbove), true};
 }
 
 FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>& all,
                        double FigurePoint::*coordinate) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const auto& series : all) {
-    for (const auto& point : series.points) {
-      if (!std::isfinite(point.*coordinate)) continue;
-      low = std::min(low, point.*coordinate);
-      high = std::max(high, point.*coordinate);
-    }
-  }
-  if (high < low) return {label, 0, 1};
-  const double margin = std::max(0.06 * (high - low), 2e-4 * std::abs(high) + 1e-12);
-  return {label, low - margin, high + margin};
+  const auto range = coordinate_range(all, coordinate);
+  if (range.is_empty()) return {label, 0, 1};
+  const double margin =
+      std::max(0.06 * (range.greatest - range.least), 2e-4 * std::abs(range.greatest) + 1e-12);
+  return {label, range.least - margin, range.greatest + margin};
 }
 
 std::string make_gnuplot_script(const Figure& figure, const std::string& file_stem,

@@ -72,6 +72,17 @@ struct FigureAxis {
   bool operator==(const FigureAxis&) const = default;
 };
 
+/// Range of the coordinates of the points of series; least > greatest if no point counts.
+struct CoordinateRange {
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+
+  bool is_empty() const { return greatest < least; }
+};
+/// Returns the range of the finite coordinates that are larger than `above`.
+CoordinateRange coordinate_range(const std::vector<FigureSeries>& all,
+                                 double FigurePoint::*coordinate,
+                                 double above = -std::numeric_limits<double>::infinity());
+
 /// Makes a logarithmic axis whose range contains the x or y coordinates of all points, with a
 /// margin for marks and labels.
 FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSeries>& all,

@@ -81,15 +81,7 @@ int layout_width_in_pixels(FigureWidth medium, int screen_width_pixels) {
 }
 
 double printed_width_mm(FigureWidth medium) {
-  switch (medium) {
-    case FigureWidth::screen:
-      return 0;
-    case FigureWidth::two_columns:
-      return 170;
-    case FigureWidth::one_column:
-      return 85;
-  }
-  return 0;
+  return medium == FigureWidth::two_columns ? 170 : medium == FigureWidth::one_column ? 85 : 0;
 }
 
 std::string gnuplot_output_commands(const std::string& file_stem, const FigureSize& size) {

@@ -1,26 +1,23 @@
-#include "report/figure/pictures.hpp"
+#include "report/figure/case_figures.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
-#include "base/files/file_transaction.hpp"
 #include "base/process/stop_request.hpp"
-#include "report/budget/budget_figure.hpp"
-#include "report/figure/convergence_figure.hpp"
 #include "report/figure/curve_selection.hpp"
-#include "report/figure/density_figure.hpp"
 #include "report/figure/drawing.hpp"
-#include "report/figure/error_source_figure.hpp"
 #include "results/output_directory.hpp"
 
 namespace fpkcheck::report {
 namespace fs = std::filesystem;
 namespace {
 
-std::string budget_file_stem(const std::string& stem) { return stem + "-budget"; }
-std::string error_source_file_stem(const std::string& stem) { return stem + "-sources"; }
-std::string convergence_file_stem(const std::string& stem) { return stem + "-order"; }
+// Ends of the file stems of all pictures of a case.
+constexpr const char *kDensities = "", *kBudget = "-budget", *kErrorSources = "-sources",
+                     *kConvergence = "-order";
 
 // @param warnings list to which a line is added for each case that has no density to draw
 std::vector<PictureScript> make_picture_scripts(const results::Run& run,
@@ -39,20 +36,14 @@ std::vector<PictureScript> make_picture_scripts(const results::Run& run,
     }
     if (!options.curves.empty()) content.hidden_count = 0;  // the user selected the curves
     const auto width = options.width;
-    pictures.push_back(
-        {stem,
-         make_gnuplot_script(density_figure(case_result.problem, content, width), stem, width)});
-    if (const Figure budget = budget_figure(case_result, width); !budget.panels.empty()) {
-      pictures.push_back(
-          {budget_file_stem(stem), make_gnuplot_script(budget, budget_file_stem(stem), width)});
-    }
-    if (const Figure sources = error_source_figure(case_result, width); !sources.panels.empty()) {
-      pictures.push_back({error_source_file_stem(stem),
-                          make_gnuplot_script(sources, error_source_file_stem(stem), width)});
-    }
-    if (const Figure convergence = convergence_figure(case_result); !convergence.panels.empty()) {
-      pictures.push_back({convergence_file_stem(stem),
-                          make_gnuplot_script(convergence, convergence_file_stem(stem), width)});
+    const std::pair<const char*, Figure> figures[] = {
+        {kDensities, density_figure(case_result.problem, content, width)},
+        {kBudget, budget_figure(case_result, width)},
+        {kErrorSources, error_source_figure(case_result, width)},
+        {kConvergence, convergence_figure(case_result)}};
+    for (const auto& [end, figure] : figures) {
+      if (figure.panels.empty()) continue;
+      pictures.push_back({stem + end, make_gnuplot_script(figure, stem + end, width)});
     }
   }
   return pictures;
@@ -63,9 +54,8 @@ std::vector<PictureScript> make_picture_scripts(const results::Run& run,
 void remove_pictures_of_cases(const fs::path& directory, const results::Run& run) {
   for (const auto& case_result : run.cases) {
     const auto stem = results::case_file_stem(case_result.name());
-    for (const auto& each : {stem, budget_file_stem(stem), error_source_file_stem(stem),
-                             convergence_file_stem(stem)}) {
-      remove_script_and_pictures(directory / "figures", each);
+    for (const char* end : {kDensities, kBudget, kErrorSources, kConvergence}) {
+      remove_script_and_pictures(directory / "figures", stem + end);
     }
   }
 }
@@ -77,23 +67,13 @@ std::vector<std::string> draw_pictures_of_cases(
   std::vector<std::string> warnings;
   auto pictures = make_picture_scripts(run, options, warnings);
   pictures.insert(pictures.end(), additional_pictures.begin(), additional_pictures.end());
-  fs::create_directories(figures);
   remove_pictures_of_cases(directory, run);
   for (const auto& picture : additional_pictures) remove_script_and_pictures(figures, picture.stem);
-  std::vector<std::string> stems;
-  for (const auto& [stem, script] : pictures) {
-    base::write_file_atomically(figures / (stem + ".gp"), script);
-    stems.push_back(stem);
-  }
-  try {
-    for (auto& warning : draw_scripts_in_all_formats(gnuplot, figures, stems, options)) {
-      warnings.push_back(std::move(warning));
-    }
-  } catch (const GnuplotMissing& missing) {
-    warnings.push_back(
-        fmt::format("no pictures: {}; install gnuplot, then run `fpkcheck report {}`",
-                    missing.what(), directory.string()));
-  }
+  std::ranges::move(
+      write_scripts_and_draw(
+          figures, pictures, options, gnuplot, "no pictures",
+          fmt::format("; install gnuplot, then run `fpkcheck report {}`", directory.string())),
+      std::back_inserter(warnings));
   return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 

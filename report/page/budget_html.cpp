@@ -1,4 +1,5 @@
-#include "report/page/budget_html.hpp"
+#include "report/page/sections.hpp"
+
 #include "report/figure/script_text.hpp"
 
 #include <fmt/format.h>

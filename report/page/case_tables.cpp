@@ -1,4 +1,5 @@
-#include "report/page/case_tables.hpp"
+#include "report/page/sections.hpp"
+
 #include "report/figure/script_text.hpp"
 
 #include <fmt/format.h>
@@ -10,13 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "report/case_solutions.hpp"
 #include "report/page/html.hpp"
-#include "report/page/metric_tables.hpp"
 #include "report/page/page_plots.hpp"
-#include "report/solutions_of_full_problem.hpp"
-#include "report/status_reasons.hpp"
 #include "report/text/number_text.hpp"
-#include "report/wall_atoms.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -161,24 +159,20 @@ std::string diagnostics_tables_html(const results::CaseResult& case_result) {
   table.add_number("standard error of the energy residual", [](const Solution& s) {
     return number_text(optional_number(s.standard_errors, &StandardErrors::energy_residual), 1);
   });
-  table.add_number("error estimate of p(y), L1", [](const Solution& s) {
-    return l1_cell_text(optional_number(s.error, &transform::ErrorEstimate::y_l1));
-  });
-  table.add_number("error estimate of p(y\u2032), L1", [](const Solution& s) {
-    return l1_cell_text(optional_number(s.error, &transform::ErrorEstimate::ydot_l1));
-  });
-  table.add_number("sampling error of p(y), L1", [](const Solution& s) {
-    return l1_cell_text(s.sampling ? s.sampling->y : std::nullopt);
-  });
-  table.add_number("sampling error of p(y\u2032), L1", [](const Solution& s) {
-    return l1_cell_text(s.sampling ? s.sampling->ydot : std::nullopt);
-  });
-  table.add_number("sampling error of p(y), smooth bins", [](const Solution& s) {
-    return l1_cell_text(s.smooth_sampling ? s.smooth_sampling->y : std::nullopt);
-  });
-  table.add_number("sampling error of p(y\u2032), smooth bins", [](const Solution& s) {
-    return l1_cell_text(s.smooth_sampling ? s.smooth_sampling->ydot : std::nullopt);
-  });
+  const auto add_l1 = [&](const std::string& header, auto part, auto l1) {
+    table.add_number(header, [part, l1](const Solution& s) {
+      return l1_cell_text(optional_number(s.*part, l1));
+    });
+  };
+  using transform::ErrorEstimate;
+  using transform::SamplingError;
+  add_l1("error estimate of p(y), L1", &Solution::error, &ErrorEstimate::y_l1);
+  add_l1("error estimate of p(y\u2032), L1", &Solution::error, &ErrorEstimate::ydot_l1);
+  add_l1("sampling error of p(y), L1", &Solution::sampling, &SamplingError::y);
+  add_l1("sampling error of p(y\u2032), L1", &Solution::sampling, &SamplingError::ydot);
+  add_l1("sampling error of p(y), smooth bins", &Solution::smooth_sampling, &SamplingError::y);
+  add_l1("sampling error of p(y\u2032), smooth bins", &Solution::smooth_sampling,
+         &SamplingError::ydot);
   table.add_number("standard error of E[y\u00b2]", [](const Solution& s) {
     return number_text(
         optional_number(s.standard_errors, [](const auto& e) { return e.moments.y2; }), 2);

@@ -1,4 +1,4 @@
-#include "report/page/distance_plot.hpp"
+#include "report/page/sections.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "report/page/heat_maps.hpp"
+#include "report/page/sections.hpp"
 
 #include <fmt/format.h>
 

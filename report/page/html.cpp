@@ -34,28 +34,14 @@ bool is_empty_column(const HtmlColumn& column) {
 }  // namespace
 
 std::string escape_html(std::string_view text) {
+  constexpr std::pair<char, std::string_view> kEscapes[] = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
   std::string html;
   html.reserve(text.size());
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      case '\'':
-        html += "&#39;";
-        break;
-      default:
-        html += c;
-    }
+    const auto* const escape =
+        std::ranges::find(kEscapes, c, &std::pair<char, std::string_view>::first);
+    html += escape == std::end(kEscapes) ? std::string_view(&c, 1) : escape->second;
   }
   return html;
 }

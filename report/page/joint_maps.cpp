@@ -1,4 +1,4 @@
-#include "report/page/joint_maps.hpp"
+#include "report/page/sections.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/rest_atoms.hpp"
+#include "report/case_solutions.hpp"
 #include "report/figure/figure.hpp"
 #include "report/figure/heat_map_values.hpp"
 #include "report/page/html.hpp"
-#include "report/solutions_of_full_problem.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
@@ -129,21 +129,21 @@ std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
       "<p>Here L1 is the integral of |p(y, y\u2032) \u2212 reference| over the plane.</p>\n"
       "<div class=\"maps\">\n",
       reference, prefix, options);
-  const std::string parts[][2] = {
-      {"reference", fmt::format("p(y, y\u2032) of {}", reference)},
-      {"chosen",
-       fmt::format("p(y, y\u2032) of <span id=\"{}-joint-name\">{}</span>", prefix, first)},
-      {"difference",
-       fmt::format("<span id=\"{}-joint-caption\">{} \u2212 {}</span>", prefix, first, reference)}};
-  const char* const spoken[] = {"Heat map of the joint density of the reference",
-                                "Heat map of the joint density of the selected solution",
-                                "Heat map of the difference between both joint densities"};
-  for (std::size_t k = 0; k < std::size(parts); ++k) {
+  const auto add_map = [&](const char* id, const std::string& caption, const char* spoken) {
     html += fmt::format(
         "<figure>\n<figcaption>{}</figcaption>\n<div class=\"plot\" id=\"{}-joint-{}\" "
         "role=\"img\" aria-label=\"{}\"></div>\n</figure>\n",
-        parts[k][1], prefix, parts[k][0], spoken[k]);
-  }
+        caption, prefix, id, spoken);
+  };
+  add_map("reference", fmt::format("p(y, y\u2032) of {}", reference),
+          "Heat map of the joint density of the reference");
+  add_map("chosen",
+          fmt::format("p(y, y\u2032) of <span id=\"{}-joint-name\">{}</span>", prefix, first),
+          "Heat map of the joint density of the selected solution");
+  add_map(
+      "difference",
+      fmt::format("<span id=\"{}-joint-caption\">{} \u2212 {}</span>", prefix, first, reference),
+      "Heat map of the difference between both joint densities");
   return html + "</div>\n";
 }
 

@@ -1,14 +1,16 @@
-#include "report/page/metric_tables.hpp"
+#include "report/page/sections.hpp"
 
 #include <fmt/format.h>
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <set>
 #include <string_view>
 #include <vector>
 
+#include "report/case_solutions.hpp"
 #include "report/page/html.hpp"
-#include "report/solution_families.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
@@ -55,19 +57,12 @@ std::vector<std::string> metric_paths(const SolutionFamily& family) {
 }
 
 // Returns the label of a metric in the table: "support: edge density" for "support.edge_density".
-std::string metric_label(const std::string& path) {
-  std::string text;
-  for (const char c : path) {
-    if (c == '.') text += ':';
-    text += c == '.' || c == '_' ? ' ' : c;
-  }
-  return text;
+std::string metric_label(std::string path) {
+  boost::algorithm::replace_all(path, ".", ": ");
+  boost::algorithm::replace_all(path, "_", " ");
+  return path;
 }
 
-// Returns the text of the value of a metric. In a confined closure, the polynomial Q_n may increase
-// although the whole exponent decreases, because of the fixed confinement term. The radius from
-// which Q_n increases would then wrongly appear to be the reason for the status `inadmissible`. The
-// text therefore adds an explanation.
 std::string metric_value_text(const Solution& solution, const std::string& path) {
   const Metric* found = find_metric(solution.metrics, path);
   std::string text = parameter_value_text(found ? found->value : base::Value(), kDigits);

@@ -1,4 +1,4 @@
-#include "report/page/problem_statement.hpp"
+#include "report/page/sections.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "report/page/problem_text.hpp"
+#include "report/page/sections.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,9 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "report/case_solutions.hpp"
 #include "report/page/html.hpp"
-#include "report/page/problem_statement.hpp"
-#include "report/solution_families.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {

@@ -1,4 +1,4 @@
-#include "report/page/report_page.hpp"
+#include "report/page/sections.hpp"
 
 #include <fmt/format.h>
 
@@ -7,22 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "report/budget/budget_figure.hpp"
-#include "report/figure/convergence_figure.hpp"
+#include "report/case_solutions.hpp"
+#include "report/figure/case_figures.hpp"
 #include "report/figure/curve_selection.hpp"
-#include "report/figure/density_figure.hpp"
-#include "report/figure/error_source_figure.hpp"
 #include "report/findings.hpp"
-#include "report/page/budget_html.hpp"
-#include "report/page/case_tables.hpp"
-#include "report/page/heat_maps.hpp"
 #include "report/page/html.hpp"
-#include "report/page/joint_maps.hpp"
 #include "report/page/page_plots.hpp"
-#include "report/page/problem_text.hpp"
-#include "report/page/verdict_html.hpp"
-#include "report/solutions_of_full_problem.hpp"
-#include "results/limiting_errors_text.hpp"
+#include "results/run.hpp"
 
 namespace fpkcheck::report {
 namespace {

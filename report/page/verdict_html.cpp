@@ -1,4 +1,4 @@
-#include "report/page/verdict_html.hpp"
+#include "report/page/sections.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "report/figure/script_text.hpp"
-#include "report/page/distance_plot.hpp"
 #include "report/page/html.hpp"
 #include "report/page/page_plots.hpp"
 #include "report/text/number_text.hpp"

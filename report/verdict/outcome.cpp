@@ -1,4 +1,4 @@
-#include "report/verdict/outcome.hpp"
+#include "report/verdict/verdict.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

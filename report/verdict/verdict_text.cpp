@@ -1,4 +1,4 @@
-#include "report/verdict/verdict_text.hpp"
+#include "report/verdict/verdict.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/text/text_columns.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 
 namespace fpkcheck::report {
 namespace {

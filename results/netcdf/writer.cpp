@@ -5,7 +5,6 @@
 #include <netcdf_mem.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -147,6 +146,7 @@ std::string NetCdfWriter::close_and_take_bytes() {
 }
 
 void write_problem_attributes(NetCdfWriter& file, const problem::Problem& problem, int variable) {
+  file.write_attribute("case", problem.name, variable);
   for (const auto& parameter : problem::displayed_parameters(problem)) {
     const std::string name =
         parameter.section == "system" ? parameter.name : parameter.section + '_' + parameter.name;

@@ -67,6 +67,7 @@ class NetCdfWriter {
   bool open_ = true;
 };
 
+/// Writes the name and the parameters of a problem as attributes.
 /// @param variable id of the variable that gets the attributes, or kGlobal for the file
 void write_problem_attributes(NetCdfWriter& file, const problem::Problem& problem,
                               int variable = NetCdfWriter::kGlobal);

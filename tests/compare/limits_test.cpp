@@ -1,4 +1,4 @@
-#include "results/limiting_errors_text.hpp"
+#include "results/run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "problem/equivalent_linearisation.hpp"
 #include "report/report.hpp"
 #include "report/terminal_tables.hpp"
-#include "results/limiting_errors_text.hpp"
+#include "results/run.hpp"
 #include "results/saved_run.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"

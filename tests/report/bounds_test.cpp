@@ -1,4 +1,3 @@
-#include "report/guaranteed_bounds.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,8 @@
-#include "report/legend.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "modified_case.hpp"
-#include "report/budget/budget_table.hpp"
 #include "report/terminal_tables.hpp"
 #include "saved_run.hpp"
 

@@ -6,11 +6,9 @@
 #include "general_oscillators.hpp"
 #include "modified_case.hpp"
 #include "problem/case_file.hpp"
-#include "report/page/case_tables.hpp"
-#include "report/page/problem_statement.hpp"
-#include "report/status_reasons.hpp"
+#include "report/case_solutions.hpp"
+#include "report/page/sections.hpp"
 #include "report/terminal_tables.hpp"
-#include "report/wall_atoms.hpp"
 #include "results/run_assessment.hpp"
 #include "saved_run.hpp"
 

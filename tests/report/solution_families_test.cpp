@@ -1,4 +1,4 @@
-#include "report/solution_families.hpp"
+#include "report/case_solutions.hpp"
 
 #include <gtest/gtest.h>
 

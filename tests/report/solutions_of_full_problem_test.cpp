@@ -1,4 +1,4 @@
-#include "report/solutions_of_full_problem.hpp"
+#include "report/case_solutions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "report/text/text_columns.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/json.hpp"
 #include "results/run_json.hpp"
 #include "workflows/check/compare_runs.hpp"
@@ -14,6 +13,11 @@
 namespace fpkcheck::check {
 namespace {
 
+using base::Value;
+using report::kAlwaysShown;
+using report::kMissingCell;
+using report::TextColumn;
+using report::TextFormat;
 using results::Json;
 
 Json quantity_change_json(const QuantityChange& quantity_change) {
@@ -26,6 +30,90 @@ Json quantity_change_json(const QuantityChange& quantity_change) {
           {"change", quantity_change.change},
           {"allowed", quantity_change.allowed},
           {"unit", unit_of_change(quantity_change.kind)}};
+}
+
+constexpr std::size_t kMaxRows = 40;
+
+std::string change_text(double value) {
+  return std::isfinite(value) ? fmt::format("{:.2g}", value) : kMissingCell;
+}
+
+std::string parameter_value_text(const Value& value, int digits) {
+  if (base::is_unset(value)) return kMissingCell;
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::value_as_text(value);
+}
+
+// Returns the texts of the two compared values, with few digits, or with all digits if few digits
+// would not show the change.
+std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_change) {
+  constexpr int kFewDigits = 8, kAllDigits = 15;
+  std::pair few{parameter_value_text(quantity_change.baseline, kFewDigits),
+                parameter_value_text(quantity_change.now, kFewDigits)};
+  if (few.first != few.second) return few;
+  return {parameter_value_text(quantity_change.baseline, kAllDigits),
+          parameter_value_text(quantity_change.now, kAllDigits)};
+}
+
+std::string changed_quantity_table(const std::vector<QuantityChange>& moved,
+                                   const TextFormat& format) {
+  std::vector<TextColumn> columns{{"", "case", true, kAlwaysShown},
+                                  {"", "solution", true, kAlwaysShown},
+                                  {"", "figure", true, kAlwaysShown},
+                                  {"", "baseline", false, 2},
+                                  {"", "now", false, 2},
+                                  {"", "change", false, kAlwaysShown},
+                                  {"", "allowed", false, kAlwaysShown},
+                                  {"", "", true, 1}};
+  for (const QuantityChange& f : moved) {
+    const bool is_number = f.kind != QuantityKind::status;
+    const auto [baseline, now] = value_texts(f);
+    report::add_table_row(columns, {f.case_name, f.solution, f.name, baseline, now,
+                                    is_number ? change_text(f.change) : kMissingCell,
+                                    is_number ? change_text(f.allowed) : kMissingCell,
+                                    std::string(unit_of_change(f.kind))});
+  }
+  return report::format_text_table(std::move(columns), format);
+}
+
+std::string quantity_kind_table(const CheckResult& check, const TextFormat& format) {
+  std::vector<TextColumn> columns{{"", "compared", true, kAlwaysShown},
+                                  {"", "figures", false, kAlwaysShown},
+                                  {"", "moved", false, kAlwaysShown},
+                                  {"within allowance", "largest", false, kAlwaysShown},
+                                  {"within allowance", "allowed", false, kAlwaysShown},
+                                  {"within allowance", "", true, 2},
+                                  {"", "of", true, 1}};
+  for (const auto& [kind, count, moved, largest] : summarise_changes_by_kind(check)) {
+    const bool shown = largest != nullptr && kind != QuantityKind::status;
+    const std::string of =
+        shown && largest->change > 0 ? largest->case_name + ' ' + largest->solution : "";
+    report::add_table_row(
+        columns, {std::string(name(kind)), fmt::format("{}", count), fmt::format("{}", moved),
+                  shown ? change_text(largest->change) : kMissingCell,
+                  shown ? change_text(largest->allowed) : kMissingCell,
+                  std::string(shown ? unit_of_change(kind) : ""), of});
+  }
+  return report::format_text_table(std::move(columns), format);
+}
+
+// Returns the changes that are largest in units of their tolerance, in the order of the run.
+std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& moved,
+                                            std::size_t most) {
+  if (moved.size() <= most) return moved;
+  std::vector<double> shares;
+  for (const auto& quantity_change : moved)
+    shares.push_back(quantity_change.change_over_tolerance());
+  std::ranges::nth_element(shares, shares.begin() + static_cast<std::ptrdiff_t>(most - 1),
+                           std::greater<>{});
+  const double least = shares[most - 1];
+  std::vector<QuantityChange> result;
+  for (const auto& quantity_change : moved) {
+    if (!(quantity_change.change_over_tolerance() < least) && result.size() < most)
+      result.push_back(quantity_change);
+  }
+  return result;
 }
 
 }  // namespace
@@ -55,104 +143,6 @@ std::string check_result_json(const CheckResult& check, const std::string& comma
        {"kinds", kinds},
        {"notes", check.notes}}));
 }
-
-namespace {
-
-using base::Value;
-using report::kAlwaysShown;
-using report::kMissingCell;
-using report::TextColumn;
-using report::TextFormat;
-
-constexpr std::size_t kMaxRows = 40;
-
-std::string change_text(double value) {
-  return std::isfinite(value) ? fmt::format("{:.2g}", value) : kMissingCell;
-}
-
-std::string parameter_value_text(const Value& value, int digits) {
-  if (base::is_unset(value)) return kMissingCell;
-  if (const auto* word = std::get_if<std::string>(&value)) return *word;
-  const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::value_as_text(value);
-}
-
-// Returns the texts of the two compared values, with few digits, or with all digits if few digits
-// would not show the change.
-std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_change) {
-  constexpr int kFewDigits = 8, kAllDigits = 15;
-  std::pair few{parameter_value_text(quantity_change.baseline, kFewDigits),
-                parameter_value_text(quantity_change.now, kFewDigits)};
-  if (few.first != few.second) return few;
-  return {parameter_value_text(quantity_change.baseline, kAllDigits),
-          parameter_value_text(quantity_change.now, kAllDigits)};
-}
-
-void add_table_row(std::vector<TextColumn>& columns, const std::vector<std::string>& cells) {
-  for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells.at(k));
-}
-
-std::string changed_quantity_table(const std::vector<QuantityChange>& moved,
-                                   const TextFormat& format) {
-  std::vector<TextColumn> columns{{"", "case", true, kAlwaysShown},
-                                  {"", "solution", true, kAlwaysShown},
-                                  {"", "figure", true, kAlwaysShown},
-                                  {"", "baseline", false, 2},
-                                  {"", "now", false, 2},
-                                  {"", "change", false, kAlwaysShown},
-                                  {"", "allowed", false, kAlwaysShown},
-                                  {"", "", true, 1}};
-  for (const QuantityChange& f : moved) {
-    const bool is_number = f.kind != QuantityKind::status;
-    const auto [baseline, now] = value_texts(f);
-    add_table_row(columns, {f.case_name, f.solution, f.name, baseline, now,
-                            is_number ? change_text(f.change) : kMissingCell,
-                            is_number ? change_text(f.allowed) : kMissingCell,
-                            std::string(unit_of_change(f.kind))});
-  }
-  return report::format_text_table(std::move(columns), format);
-}
-
-std::string quantity_kind_table(const CheckResult& check, const TextFormat& format) {
-  std::vector<TextColumn> columns{{"", "compared", true, kAlwaysShown},
-                                  {"", "figures", false, kAlwaysShown},
-                                  {"", "moved", false, kAlwaysShown},
-                                  {"within allowance", "largest", false, kAlwaysShown},
-                                  {"within allowance", "allowed", false, kAlwaysShown},
-                                  {"within allowance", "", true, 2},
-                                  {"", "of", true, 1}};
-  for (const auto& [kind, count, moved, largest] : summarise_changes_by_kind(check)) {
-    const bool shown = largest != nullptr && kind != QuantityKind::status;
-    const std::string of =
-        shown && largest->change > 0 ? largest->case_name + ' ' + largest->solution : "";
-    add_table_row(columns,
-                  {std::string(name(kind)), fmt::format("{}", count), fmt::format("{}", moved),
-                   shown ? change_text(largest->change) : kMissingCell,
-                   shown ? change_text(largest->allowed) : kMissingCell,
-                   std::string(shown ? unit_of_change(kind) : ""), of});
-  }
-  return report::format_text_table(std::move(columns), format);
-}
-
-// Returns the changes that are largest in units of their tolerance, in the order of the run.
-std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& moved,
-                                            std::size_t most) {
-  if (moved.size() <= most) return moved;
-  std::vector<double> shares;
-  for (const auto& quantity_change : moved)
-    shares.push_back(quantity_change.change_over_tolerance());
-  std::ranges::nth_element(shares, shares.begin() + static_cast<std::ptrdiff_t>(most - 1),
-                           std::greater<>{});
-  const double least = shares[most - 1];
-  std::vector<QuantityChange> result;
-  for (const auto& quantity_change : moved) {
-    if (!(quantity_change.change_over_tolerance() < least) && result.size() < most)
-      result.push_back(quantity_change);
-  }
-  return result;
-}
-
-}  // namespace
 
 std::string check_result_table(const CheckResult& check, const TextFormat& format) {
   const auto moved = check.changed_quantities();

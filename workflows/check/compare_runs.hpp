@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/text/text_format.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/run.hpp"
 #include "workflows/check/quantity.hpp"
 #include "workflows/check/tolerances.hpp"

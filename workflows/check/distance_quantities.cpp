@@ -10,6 +10,8 @@
 namespace fpkcheck::check {
 namespace {
 
+using compare::ErrorBudgetPart;
+using compare::ErrorBudgetRow;
 using compare::PairDistances;
 
 double standard_deviation(const transform::Solution* reference, transform::StateVariable variable) {
@@ -48,52 +50,6 @@ void add_l1_standard_error(const PairDistances& pair, const transform::Solution&
                      *pair.l1_standard_error,
                      standard_error_change_tolerance(simulation, kBothVariables, 1, tolerances));
 }
-
-}  // namespace
-
-Quantities distance_quantities(const results::CaseResult& case_result,
-                               const results::CaseResult& case_in_other_run,
-                               const Tolerances& tolerances) {
-  Quantities quantities;
-  for (const PairDistances& pair : case_result.pairs) {
-    const auto *a = case_result.find(pair.a), *b = case_result.find(pair.b);
-    const auto& d = pair.distances;
-    const PartQuantityAppender part{
-        quantities, pair.a,
-        fmt::format("{} to {}", marginal_density_symbol(pair.variable), pair.b)};
-    const auto add = [&](const char* symbol, double distance, double scale) -> Quantity& {
-      return part.append_number(fmt::format("{} {}", symbol, part.name), QuantityKind::distance,
-                                distance, tolerances.deterministic, scale);
-    };
-    part.begin_part(QuantityKind::distance);
-    Quantity& l1 = add("L1", d.l1, 1);
-    for (const auto* end : {a, b}) {
-      if (end == nullptr) continue;
-      const bool measured = pair.l1_standard_error.has_value();
-      set_sampling_tolerance(l1, measured ? transform::best_sampling_error(*end) : end->sampling,
-                             pair.variable, tolerances);
-    }
-    const bool has_sampling_error = l1.kind == QuantityKind::simulated_l1;
-    const auto* measure = b != nullptr && b->smooth_sampling ? b : a;
-    if (pair.l1_standard_error && measure != nullptr) {
-      add_l1_standard_error(pair, *measure, tolerances, part);
-    }
-    if (has_sampling_error) continue;
-    const double unit = 1 / standard_deviation(b, pair.variable);
-    add("L2", d.l2, std::sqrt(unit));
-    add("sup", d.sup, unit);
-    add("Hellinger", d.hellinger, 1);
-    if (has_finite_divergence(case_result, pair) && has_finite_divergence(case_in_other_run, pair))
-      add("KL", d.kl, 1);
-    add_tail_distances(d, part, tolerances.tail_tolerance());
-  }
-  return quantities;
-}
-
-namespace {
-
-using compare::ErrorBudgetPart;
-using compare::ErrorBudgetRow;
 
 // Returns the reference and the parts of a row of the error budget as text. Two rows with different
 // texts have different parts, and are not compared.
@@ -154,6 +110,45 @@ void add_budget_row_quantities(const ErrorBudgetRow& row, const transform::Solut
 }
 
 }  // namespace
+
+Quantities distance_quantities(const results::CaseResult& case_result,
+                               const results::CaseResult& case_in_other_run,
+                               const Tolerances& tolerances) {
+  Quantities quantities;
+  for (const PairDistances& pair : case_result.pairs) {
+    const auto *a = case_result.find(pair.a), *b = case_result.find(pair.b);
+    const auto& d = pair.distances;
+    const PartQuantityAppender part{
+        quantities, pair.a,
+        fmt::format("{} to {}", marginal_density_symbol(pair.variable), pair.b)};
+    const auto add = [&](const char* symbol, double distance, double scale) -> Quantity& {
+      return part.append_number(fmt::format("{} {}", symbol, part.name), QuantityKind::distance,
+                                distance, tolerances.deterministic, scale);
+    };
+    part.begin_part(QuantityKind::distance);
+    Quantity& l1 = add("L1", d.l1, 1);
+    for (const auto* end : {a, b}) {
+      if (end == nullptr) continue;
+      const bool measured = pair.l1_standard_error.has_value();
+      set_sampling_tolerance(l1, measured ? transform::best_sampling_error(*end) : end->sampling,
+                             pair.variable, tolerances);
+    }
+    const bool has_sampling_error = l1.kind == QuantityKind::simulated_l1;
+    const auto* measure = b != nullptr && b->smooth_sampling ? b : a;
+    if (pair.l1_standard_error && measure != nullptr) {
+      add_l1_standard_error(pair, *measure, tolerances, part);
+    }
+    if (has_sampling_error) continue;
+    const double unit = 1 / standard_deviation(b, pair.variable);
+    add("L2", d.l2, std::sqrt(unit));
+    add("sup", d.sup, unit);
+    add("Hellinger", d.hellinger, 1);
+    if (has_finite_divergence(case_result, pair) && has_finite_divergence(case_in_other_run, pair))
+      add("KL", d.kl, 1);
+    add_tail_distances(d, part, tolerances.tail_tolerance());
+  }
+  return quantities;
+}
 
 Quantities budget_quantities(const results::CaseResult& case_result,
                              const results::CaseResult& case_in_other_run,

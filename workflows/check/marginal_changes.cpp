@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
 
 #include "numerics/statistics.hpp"
 #include "workflows/check/case_quantities.hpp"

@@ -14,6 +14,10 @@
 namespace fpkcheck::check {
 namespace {
 
+using base::Value;
+using transform::Metric;
+using transform::MetricKind;
+using transform::Metrics;
 using transform::Solution;
 
 void add_density_quantities(const Solution& s, const Tolerances& tolerances,
@@ -85,43 +89,6 @@ void add_sampling_error_quantities(const transform::SamplingError& sampling,
     add(" in 99 of 100 of ", l1_error_quantile_99(sampling, variable));
   }
 }
-
-}  // namespace
-
-Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) {
-  Quantities quantities;
-  const auto part = [&](const char* name, const char* value = "there") {
-    return PartQuantityAppender{quantities, s.id(), name}.begin_part(QuantityKind::status, value);
-  };
-  const PartQuantityAppender whole = part(kWholeSolutionPart);
-  whole.append_word("equation", equation_and_impact_text(s.identity));
-  whole.append_word("status", std::string(name(s.status)));
-  const PartQuantityAppender density = part("density", s.has_density() ? "one" : "none");
-  if (s.has_density()) add_density_quantities(s, tolerances, density);
-  if (s.error) add_error_estimates(s, tolerances, part(kErrorEstimatePart));
-  if (s.standard_errors) add_standard_error_quantities(*s.standard_errors, part("standard errors"));
-  if (s.sampling) add_sampling_error_quantities(*s.sampling, part("sampling L1"));
-  if (s.smooth_sampling)
-    add_sampling_error_quantities(*s.smooth_sampling, part("sampling L1 in smooth bins"));
-  add_metric_quantities(s.metrics, tolerances, whole);
-  // For standard errors, add_metric_quantities() stores an exponent in the member `allowed`. The
-  // following loop replaces this exponent by the tolerance, adjusted for multiple comparisons.
-  const auto errors =
-      std::ranges::count(quantities, QuantityKind::simulated_error, &Quantity::kind);
-  for (Quantity& quantity : quantities) {
-    if (quantity.kind != QuantityKind::simulated_error) continue;
-    quantity.allowed = standard_error_change_tolerance(s, static_cast<std::size_t>(errors),
-                                                       quantity.allowed, tolerances);
-  }
-  return quantities;
-}
-
-namespace {
-
-using base::Value;
-using transform::Metric;
-using transform::MetricKind;
-using transform::Metrics;
 
 // Returns the part that contains a metric, e.g. "peaks[3]" for "peaks[3].rate" and "peaks" for
 // "peaks[3]".
@@ -248,6 +215,34 @@ class MetricQuantityAppender {
 };
 
 }  // namespace
+
+Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) {
+  Quantities quantities;
+  const auto part = [&](const char* name, const char* value = "there") {
+    return PartQuantityAppender{quantities, s.id(), name}.begin_part(QuantityKind::status, value);
+  };
+  const PartQuantityAppender whole = part(kWholeSolutionPart);
+  whole.append_word("equation", equation_and_impact_text(s.identity));
+  whole.append_word("status", std::string(name(s.status)));
+  const PartQuantityAppender density = part("density", s.has_density() ? "one" : "none");
+  if (s.has_density()) add_density_quantities(s, tolerances, density);
+  if (s.error) add_error_estimates(s, tolerances, part(kErrorEstimatePart));
+  if (s.standard_errors) add_standard_error_quantities(*s.standard_errors, part("standard errors"));
+  if (s.sampling) add_sampling_error_quantities(*s.sampling, part("sampling L1"));
+  if (s.smooth_sampling)
+    add_sampling_error_quantities(*s.smooth_sampling, part("sampling L1 in smooth bins"));
+  add_metric_quantities(s.metrics, tolerances, whole);
+  // For standard errors, add_metric_quantities() stores an exponent in the member `allowed`. The
+  // following loop replaces this exponent by the tolerance, adjusted for multiple comparisons.
+  const auto errors =
+      std::ranges::count(quantities, QuantityKind::simulated_error, &Quantity::kind);
+  for (Quantity& quantity : quantities) {
+    if (quantity.kind != QuantityKind::simulated_error) continue;
+    quantity.allowed = standard_error_change_tolerance(s, static_cast<std::size_t>(errors),
+                                                       quantity.allowed, tolerances);
+  }
+  return quantities;
+}
 
 void add_metric_quantities(const Metrics& metrics, const Tolerances& tolerances,
                            const PartQuantityAppender& whole) {

@@ -14,10 +14,14 @@
 namespace fpkcheck::check {
 namespace {
 
+using transform::Solution;
+
 void require_positive(double value, const char* option) {
   if (std::isfinite(value) && value > 0) return;
   throw InputError(fmt::format("{} {} (must be a positive number)", option, value));
 }
+
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -33,14 +37,6 @@ void validate(const Tolerances& tolerances) {
   require_positive(tolerances.deterministic, "--tolerance");
   require_positive(tolerances.standard_errors, "--standard-errors");
 }
-
-namespace {
-
-using transform::Solution;
-
-constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 bool differs_by_sampling(const Solution& one, const Solution& other) {
   if (!one.standard_errors || !other.standard_errors) return false;

@@ -9,7 +9,7 @@ using transform::StateVariable;
 
 const std::vector<StateVariable> kY{StateVariable::y}, kYdot{StateVariable::ydot},
     kBoth{kY[0], kYdot[0]};
-const std::vector<int> kAll{1, 2, 3, 4};
+const std::vector<int> kAll{1, 2, 3, 4}, kCase1{1}, kCase2{2}, kCase3{3}, kCase4{4};
 
 constexpr const char* kOrderEightQuote =
     "the conventional Newton-Raphson method solving Eq. (23) becomes non-convergent for EPC "
@@ -37,172 +37,78 @@ const std::vector<Claim>& paper_claims() {
       {kAll, "abcd", kBoth, 2, is_linearisation, 0,
        "EPC (n = 2) is the same as that given by equivalent linearization method in the case of "
        "Gaussian white noise."},
-      {{1},
-       "ab",
-       kY,
-       2,
-       agrees,
-       0,
+      {kCase1, "ab", kY, 2, agrees, 0,
        "Both EPC (n = 2) and EPC (n = 6) are close to MCS showing that the PDF distribution of "
        "displacement is almost Gaussian."},
-      {{1}, "ab", kY, 6, agrees, 0, "Both EPC (n = 2) and EPC (n = 6) are close to MCS"},
-      {{1},
-       "b",
-       kY,
-       4,
-       differs_in_tail,
-       0,
+      {kCase1, "ab", kY, 6, agrees, 0, "Both EPC (n = 2) and EPC (n = 6) are close to MCS"},
+      {kCase1, "b", kY, 4, differs_in_tail, 0,
        "EPC (n = 4) differs a lot from the simulation in the tail as shown in Fig. 2b."},
-      {{1},
-       "cd",
-       kYdot,
-       6,
-       agrees,
-       0,
+      {kCase1, "cd", kYdot, 6, agrees, 0,
        "in the case of velocity as shown in Fig. 2c, d, EPC (n = 6) agrees well with MCS"},
-      {{1},
-       "cd",
-       kYdot,
-       2,
-       differs,
-       0,
+      {kCase1, "cd", kYdot, 2, differs, 0,
        "they [n = 6 and MCS] differ significantly from EPC (n = 2) (denoting a Gaussian PDF)"},
-      {{1},
-       "cd",
-       kYdot,
-       4,
-       differs,
-       0,
+      {kCase1, "cd", kYdot, 4, differs, 0,
        "EPC (n = 4) differs from the simulation result unlike EPC (n = 2) and EPC (n = 6)."},
-      {{1}, "", {}, 8, not_found, 0, kOrderEightQuote},
+      {kCase1, "", {}, 8, not_found, 0, kOrderEightQuote},
       // Section 3.2 of the paper
-      {{2},
-       "ab",
-       kY,
-       2,
-       differs,
-       0,
+      {kCase2, "ab", kY, 2, differs, 0,
        "EPC (n = 2) differs significantly from the simulated result showing that the PDF of "
        "displacement becomes non-Gaussian due to the increase in excitation intensity."},
-      {{2},
-       "ab",
-       kY,
-       4,
-       closer,
-       2,
+      {kCase2, "ab", kY, 4, closer, 2,
        "Compared with EPC (n = 2), EPC (n = 4) provides an improved result for the PDF of "
        "displacement"},
-      {{2},
-       "b",
-       kY,
-       4,
-       differs_in_tail,
-       0,
+      {kCase2, "b", kY, 4, differs_in_tail, 0,
        "but it [n = 4] still differs a lot from the simulation result as shown in Fig. 3b"},
-      {{2}, "ab", kY, 6, agrees, 0, "EPC (n = 6) coincides well with the simulated result"},
-      {{2}, "b", kY, 6, agrees_in_tail, 0, "especially in the tail region as shown in Fig. 3b"},
-      {{2}, "cd", kYdot, 2, differs, 0, "EPC (n = 2) and EPC (n = 4) are different from MCS"},
-      {{2}, "cd", kYdot, 4, differs, 0, "EPC (n = 2) and EPC (n = 4) are different from MCS"},
-      {{2}, "cd", kYdot, 6, agrees, 0, "whereas EPC (n = 6) agrees well with the simulated result"},
-      {{2}, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
-      {{2}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
-      {{2}, "", {}, 8, not_found, 0, kOrderEightQuote},
+      {kCase2, "ab", kY, 6, agrees, 0, "EPC (n = 6) coincides well with the simulated result"},
+      {kCase2, "b", kY, 6, agrees_in_tail, 0, "especially in the tail region as shown in Fig. 3b"},
+      {kCase2, "cd", kYdot, 2, differs, 0, "EPC (n = 2) and EPC (n = 4) are different from MCS"},
+      {kCase2, "cd", kYdot, 4, differs, 0, "EPC (n = 2) and EPC (n = 4) are different from MCS"},
+      {kCase2, "cd", kYdot, 6, agrees, 0,
+       "whereas EPC (n = 6) agrees well with the simulated result"},
+      {kCase2, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {kCase2, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {kCase2, "", {}, 8, not_found, 0, kOrderEightQuote},
       // Section 3.3 of the paper
-      {{3},
-       "ab",
-       kY,
-       2,
-       differs,
-       0,
+      {kCase3, "ab", kY, 2, differs, 0,
        "Compared with Case 1, EPC (n = 2) departs from the simulated result due to the increase in "
        "the nonlinearity coefficient."},
-      {{3},
-       "ab",
-       kY,
-       4,
-       closer,
-       2,
+      {kCase3, "ab", kY, 4, closer, 2,
        "Similar to Case 2, EPC (n = 4) gave a better result compared to EPC (n = 2)."},
-      {{3}, "ab", kY, 6, agrees, 0, "EPC (n = 6) agrees well with the simulated result."},
-      {{3},
-       "cd",
-       kYdot,
-       2,
-       differs,
-       0,
+      {kCase3, "ab", kY, 6, agrees, 0, "EPC (n = 6) agrees well with the simulated result."},
+      {kCase3, "cd", kYdot, 2, differs, 0,
        "the PDF distribution of velocity is non-Gaussian because EPC (n = 2) differs from the "
        "simulated result"},
-      {{3},
-       "cd",
-       kYdot,
-       6,
-       agrees,
-       0,
+      {kCase3, "cd", kYdot, 6, agrees, 0,
        "EPC (n = 6) is in good agreement with the simulated result"},
-      {{3}, "cd", kYdot, 6, closer, 2, "which is better than EPC (n = 2) and EPC (n = 4)"},
-      {{3}, "cd", kYdot, 6, closer, 4, "which is better than EPC (n = 2) and EPC (n = 4)"},
-      {{3}, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
-      {{3}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
-      {{3}, "", {}, 8, not_found, 0, kOrderEightQuote},
+      {kCase3, "cd", kYdot, 6, closer, 2, "which is better than EPC (n = 2) and EPC (n = 4)"},
+      {kCase3, "cd", kYdot, 6, closer, 4, "which is better than EPC (n = 2) and EPC (n = 4)"},
+      {kCase3, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {kCase3, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {kCase3, "", {}, 8, not_found, 0, kOrderEightQuote},
       // Section 3.4 of the paper
-      {{4},
-       "ab",
-       kY,
-       2,
-       differs,
-       0,
+      {kCase4, "ab", kY, 2, differs, 0,
        "the simulated result differs a lot from EPC (n = 2) (i.e., a Gaussian PDF) in the case of "
        "displacement"},
-      {{4},
-       "ab",
-       kY,
-       4,
-       agrees,
-       0,
+      {kCase4, "ab", kY, 4, agrees, 0,
        "both EPC (n = 4) and EPC (n = 6) can present a satisfactory PDF solution compared with the "
        "simulated result"},
-      {{4},
-       "ab",
-       kY,
-       6,
-       agrees,
-       0,
+      {kCase4, "ab", kY, 6, agrees, 0,
        "both EPC (n = 4) and EPC (n = 6) can present a satisfactory PDF solution compared with the "
        "simulated result"},
-      {{4}, "b", kY, 4, agrees_in_tail, 0, "[n = 4 and n = 6] especially in the tail region"},
-      {{4}, "b", kY, 6, agrees_in_tail, 0, "[n = 4 and n = 6] especially in the tail region"},
-      {{4}, "cd", kYdot, 2, differs, 0, "EPC (n = 2) differs from MCS"},
-      {{4},
-       "cd",
-       kYdot,
-       4,
-       agrees,
-       0,
+      {kCase4, "b", kY, 4, agrees_in_tail, 0, "[n = 4 and n = 6] especially in the tail region"},
+      {kCase4, "b", kY, 6, agrees_in_tail, 0, "[n = 4 and n = 6] especially in the tail region"},
+      {kCase4, "cd", kYdot, 2, differs, 0, "EPC (n = 2) differs from MCS"},
+      {kCase4, "cd", kYdot, 4, agrees, 0,
        "EPC (n = 4) and EPC (n = 6) agree well with the simulated result"},
-      {{4},
-       "cd",
-       kYdot,
-       6,
-       agrees,
-       0,
+      {kCase4, "cd", kYdot, 6, agrees, 0,
        "EPC (n = 4) and EPC (n = 6) agree well with the simulated result"},
-      {{4},
-       "a",
-       kY,
-       6,
-       closer_in_l1,
-       4,
+      {kCase4, "a", kY, 6, closer_in_l1, 4,
        "EPC (n = 6) is more accurate than EPC (n = 4) as shown in Fig. 5a, d"},
-      {{4},
-       "d",
-       kYdot,
-       6,
-       closer_in_tail,
-       4,
+      {kCase4, "d", kYdot, 6, closer_in_tail, 4,
        "EPC (n = 6) is more accurate than EPC (n = 4) as shown in Fig. 5a, d"},
-      {{4}, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
-      {{4}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
-      {{4}, "", {}, 8, not_found, 0, kOrderEightQuote},
+      {kCase4, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {kCase4, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {kCase4, "", {}, 8, not_found, 0, kOrderEightQuote},
       // Section 4 of the paper
       {kAll, "ab", kY, 6, agrees, 0, kConclusionQuote},
       {kAll, "cd", kYdot, 6, agrees, 0, kConclusionQuote},
@@ -211,34 +117,9 @@ const std::vector<Claim>& paper_claims() {
 }
 
 std::string claim_text(const Claim& claim) {
-  const auto formatted = [&](const char* what) {
-    return fmt::format(fmt::runtime(what), fmt::arg("n", claim.order),
-                       fmt::arg("rival", claim.rival),
-                       fmt::arg("p", claim.variables.empty() ? "" : marginal_density_names(claim)));
-  };
-  switch (claim.relation) {
-    case ClaimedRelation::agrees:
-      return formatted("n={n} agrees with MCS in {p}");
-    case ClaimedRelation::agrees_in_tail:
-      return formatted("n={n} agrees in the tail of {p}");
-    case ClaimedRelation::differs:
-      return formatted("n={n} differs from MCS in {p}");
-    case ClaimedRelation::differs_in_tail:
-      return formatted("n={n} differs in the tail of {p}");
-    case ClaimedRelation::closer:
-      return formatted("n={n} is better than n={rival} in {p}");
-    case ClaimedRelation::closer_in_l1:
-      return formatted("n={n} is better than n={rival} in {p}, L1");
-    case ClaimedRelation::closer_in_tail:
-      return formatted("n={n} is better than n={rival} in {p}, tail");
-    case ClaimedRelation::further_than_in_case_1:
-      return formatted("{p} is less Gaussian than in case 1");
-    case ClaimedRelation::is_linearisation:
-      return formatted("n={n} is equivalent linearisation");
-    case ClaimedRelation::not_found:
-      return formatted("n={n} is not found by Newton's method");
-  }
-  return "";
+  return fmt::format(fmt::runtime(base::meaning_of(claim.relation)), fmt::arg("n", claim.order),
+                     fmt::arg("rival", claim.rival),
+                     fmt::arg("p", claim.variables.empty() ? "" : marginal_density_names(claim)));
 }
 
 std::string paper_closure_id(int order) { return fmt::format("epc-gaussian-n{}", order); }

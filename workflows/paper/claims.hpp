@@ -15,35 +15,31 @@ namespace fpkcheck::paper {
 
 /// Relation between a closure and the simulation that a claim of the paper states.
 enum class ClaimedRelation {
-  agrees,
-  agrees_in_tail,
-  differs,
-  differs_in_tail,
-  closer,
-  closer_in_l1,
-  closer_in_tail,
-  further_than_in_case_1,
-  is_linearisation,
-  not_found
+  agrees,                  ///< L1 and tail are both within the limits of agreement
+  agrees_in_tail,          ///< the tail is within the limit of agreement
+  differs,                 ///< L1 or tail exceeds the limit of agreement
+  differs_in_tail,         ///< the tail exceeds the limit of agreement
+  closer,                  ///< L1 and tail are both smaller than those of the rival
+  closer_in_l1,            ///< L1 is smaller than that of the rival
+  closer_in_tail,          ///< the tail is smaller than that of the rival
+  further_than_in_case_1,  ///< L1 is larger than in case 1
+  is_linearisation,        ///< L1 to the Gaussian of equivalent linearisation is 0 up to rounding
+  not_found                ///< plain Newton steps from equivalent linearisation find no root
 };
-/// Name of each claimed relation in files, and the condition under which the relation holds.
+/// Name of each claimed relation in files, and the text of a claim with this relation.
 inline constexpr base::EnumEntry<ClaimedRelation> kRelationNames[] = {
-    {ClaimedRelation::agrees, "agrees", "L1 and tail are both within the limits of agreement"},
-    {ClaimedRelation::agrees_in_tail, "agrees_in_tail",
-     "the tail is within the limit of agreement"},
-    {ClaimedRelation::differs, "differs", "L1 or tail exceeds the limit of agreement"},
-    {ClaimedRelation::differs_in_tail, "differs_in_tail",
-     "the tail exceeds the limit of agreement"},
-    {ClaimedRelation::closer, "closer", "L1 and tail are both smaller than those of the rival"},
-    {ClaimedRelation::closer_in_l1, "closer_in_l1", "L1 is smaller than that of the rival"},
+    {ClaimedRelation::agrees, "agrees", "n={n} agrees with MCS in {p}"},
+    {ClaimedRelation::agrees_in_tail, "agrees_in_tail", "n={n} agrees in the tail of {p}"},
+    {ClaimedRelation::differs, "differs", "n={n} differs from MCS in {p}"},
+    {ClaimedRelation::differs_in_tail, "differs_in_tail", "n={n} differs in the tail of {p}"},
+    {ClaimedRelation::closer, "closer", "n={n} is better than n={rival} in {p}"},
+    {ClaimedRelation::closer_in_l1, "closer_in_l1", "n={n} is better than n={rival} in {p}, L1"},
     {ClaimedRelation::closer_in_tail, "closer_in_tail",
-     "the tail is smaller than that of the rival"},
+     "n={n} is better than n={rival} in {p}, tail"},
     {ClaimedRelation::further_than_in_case_1, "further_than_in_case_1",
-     "L1 is larger than in case 1"},
-    {ClaimedRelation::is_linearisation, "is_linearisation",
-     "L1 to the Gaussian of equivalent linearisation is 0 up to rounding"},
-    {ClaimedRelation::not_found, "not_found",
-     "plain Newton steps from equivalent linearisation find no root"}};
+     "{p} is less Gaussian than in case 1"},
+    {ClaimedRelation::is_linearisation, "is_linearisation", "n={n} is equivalent linearisation"},
+    {ClaimedRelation::not_found, "not_found", "n={n} is not found by Newton's method"}};
 constexpr const auto& enumerator_names(ClaimedRelation) { return kRelationNames; }
 constexpr std::string_view name(ClaimedRelation relation) { return base::name_of(relation); }
 

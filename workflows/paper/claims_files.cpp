@@ -1,4 +1,4 @@
-#include "workflows/paper/claims_files.hpp"
+#include "workflows/paper/supplement.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,12 +31,8 @@ std::string csv_limit_text(const MeasuredNumber& of) {
   return of.limit ? fmt::format("{} {:.6g}", of.above ? ">" : "<=", *of.limit) : "";
 }
 
-Json number_or_null_json(const std::optional<double>& number) {
-  return number ? Json(*number) : Json();
-}
-
 Json measured_number_json(const MeasuredNumber& of) {
-  Json json{{"value", number_or_null_json(of.value)}};
+  Json json{{"value", results::number_or_null_json(of.value)}};
   json["wanted"] = of.limit ? Json{{of.above ? "above" : "at_most", *of.limit}} : Json();
   return json;
 }
@@ -95,12 +91,9 @@ std::string claims_csv(std::span<const ClaimJudgement> judgements) {
                                   std::string(name(judgement.outcome)),
                                   judgement.note,
                                   claim.quote};
-    std::string separator;
-    for (const auto& field : fields) {
-      text += separator + results::quote_csv_field(field);
-      separator = ",";
-    }
-    text += '\n';
+    std::vector<std::string> quoted;
+    for (const auto& field : fields) quoted.push_back(results::quote_csv_field(field));
+    text += fmt::format("{}\n", fmt::join(quoted, ","));
   }
   return text;
 }

@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "report/text/number_text.hpp"
-#include "report/text/text_columns.hpp"
-#include "report/text/wrap_text.hpp"
-#include "workflows/paper/claim_number_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "workflows/paper/criteria.hpp"
+#include "workflows/paper/judge_claims.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -48,10 +47,9 @@ std::string claim_rows_text(std::span<const ClaimJudgement> judgements,
                                   {"tail", "required", true, kLimits},
                                   {"", "outcome", true, kAlwaysShown}};
   for (const auto& row : claim_table_rows(judgements)) {
-    const std::string cells[] = {
-        row.cases,    cell_or_dash(row.figure), row.claim,      cell_or_dash(row.l1),
-        row.l1_limit, cell_or_dash(row.tail),   row.tail_limit, row.outcome};
-    for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells[k]);
+    report::add_table_row(columns,
+                          {row.cases, cell_or_dash(row.figure), row.claim, cell_or_dash(row.l1),
+                           row.l1_limit, cell_or_dash(row.tail), row.tail_limit, row.outcome});
   }
   return report::format_text_table(std::move(columns), format);
 }
@@ -75,18 +73,6 @@ std::string claims_with_outcome(std::span<const ClaimJudgement> judgements, Clai
   for (const auto& [claim, cases] : claims)
     texts.push_back(fmt::format("{} (case {})", claim, cases));
   return fmt::format("{}", fmt::join(texts, "; "));
-}
-
-std::string wrap_indented_lines(const std::vector<std::string>& lines, std::size_t width) {
-  std::string text;
-  for (const auto& line : lines) text += report::wrap_text("  " + line, width, 4);
-  return text;
-}
-
-std::string wrap_paragraphs(const std::vector<std::string>& sentences, std::size_t width) {
-  std::string text;
-  for (const auto& sentence : sentences) text += report::wrap_text(sentence, width);
-  return text;
 }
 
 }  // namespace
@@ -185,10 +171,15 @@ std::vector<std::string> outcome_summary(std::span<const ClaimJudgement> judgeme
 
 std::string claims_table_text(std::span<const ClaimJudgement> judgements,
                               const report::TextFormat& format) {
-  return claim_rows_text(judgements, format) +
-         wrap_indented_lines(claim_notes(judgements), format.width) + '\n' +
-         wrap_paragraphs(criteria_sentences(), format.width) + '\n' +
-         report::wrap_text(claim_count_sentence(judgements), format.width);
+  std::string text = claim_rows_text(judgements, format);
+  for (const auto& line : claim_notes(judgements)) {
+    text += report::wrap_text("  " + line, format.width, 4);
+  }
+  text += '\n';
+  for (const auto& sentence : criteria_sentences()) {
+    text += report::wrap_text(sentence, format.width);
+  }
+  return text + '\n' + report::wrap_text(claim_count_sentence(judgements), format.width);
 }
 
 }  // namespace fpkcheck::paper

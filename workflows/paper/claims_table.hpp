@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/text/text_format.hpp"
+#include "report/text/text_layout.hpp"
 #include "workflows/paper/judge_claims.hpp"
 
 namespace fpkcheck::paper {

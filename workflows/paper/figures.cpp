@@ -1,4 +1,4 @@
-#include "workflows/paper/figures.hpp"
+#include "workflows/paper/supplement.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "report/figure/axis_ranges.hpp"
+#include "report/figure/case_figures.hpp"
 #include "report/figure/density_content.hpp"
-#include "report/figure/density_figure.hpp"
 #include "report/page/page_plots.hpp"
 #include "workflows/paper/claims.hpp"
 
@@ -32,12 +31,7 @@ std::vector<std::pair<std::string, std::string>> ids_and_paper_names() {
 // Returns the case with only the four solutions of the paper's figure, under the names of the
 // paper.
 CaseResult paper_figure_case(const CaseResult& case_result) {
-  CaseResult shown{.problem = case_result.problem,
-                   .solutions = {},
-                   .pairs = {},
-                   .budget = {},
-                   .curves = {},
-                   .joints = {}};
+  CaseResult shown{.problem = case_result.problem};
   for (const auto& [id, paper_name] : ids_and_paper_names()) {
     const auto* solution = case_result.find(id);
     if (solution == nullptr) continue;

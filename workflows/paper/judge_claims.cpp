@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "workflows/paper/claim_number_text.hpp"
+#include "report/text/number_text.hpp"
 #include "workflows/paper/criteria.hpp"
 #include "workflows/paper/distances.hpp"
 
@@ -206,6 +206,25 @@ std::vector<ClaimJudgement> judge_claims(const results::Run& run) {
   std::vector<ClaimJudgement> all;
   for (const auto& claim : paper_claims()) all.push_back(ClaimJudge(run, claim).make_judgement());
   return all;
+}
+
+namespace {
+
+// Trailing zeros, as in "0.02000", would suggest more significant digits than a criterion has.
+std::string without_trailing_zeros(std::string number) {
+  if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  return number.ends_with('.') ? number.substr(0, number.size() - 1) : number;
+}
+
+}  // namespace
+
+std::string l1_distance_text(const std::optional<double>& l1) {
+  return l1 ? without_trailing_zeros(report::l1_distance_text(*l1)) : "";
+}
+
+std::string tail_text(const std::optional<double>& tail) {
+  return tail ? without_trailing_zeros(fmt::format("{:.3f}", *tail)) : "";
 }
 
 }  // namespace fpkcheck::paper

@@ -7,6 +7,9 @@
 #include "results/run.hpp"
 #include "workflows/paper/claims.hpp"
 
+/// Texts of the L1 distances and tail ratios with which the claims of the paper are judged; the
+/// text of an absent number is empty.
+
 namespace fpkcheck::paper {
 
 enum class ClaimOutcome { established, qualified, not_established, unjudged };
@@ -55,5 +58,8 @@ struct ClaimJudgement {
 /// @param run run of the paper's cases by the methods kRequiredMethods. If a required number is
 /// missing, the outcome of the claim is `unjudged`.
 std::vector<ClaimJudgement> judge_claims(const results::Run& run);
+
+std::string l1_distance_text(const std::optional<double>& l1);
+std::string tail_text(const std::optional<double>& tail);
 
 }  // namespace fpkcheck::paper

@@ -8,9 +8,7 @@
 
 #include "report/page/html.hpp"
 #include "report/page/page_plots.hpp"
-#include "workflows/paper/claims_files.hpp"
 #include "workflows/paper/claims_table.hpp"
-#include "workflows/paper/figures.hpp"
 
 namespace fpkcheck::paper {
 namespace {

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
 #include "workflows/study/closure_order.hpp"
-#include "workflows/study/plot_series.hpp"
+#include "workflows/study/record.hpp"
 
 namespace fpkcheck::study {
 namespace {

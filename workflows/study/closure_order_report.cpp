@@ -2,11 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "report/terminal_tables.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "workflows/study/closure_order.hpp"
 
 namespace fpkcheck::study {

@@ -12,7 +12,7 @@
 #include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
 #include "workflows/study/grid.hpp"
-#include "workflows/study/plot_series.hpp"
+#include "workflows/study/record.hpp"
 
 namespace fpkcheck::study {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "report/terminal_tables.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "transform/metric.hpp"
 #include "workflows/study/grid.hpp"
 

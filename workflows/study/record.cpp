@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/json.hpp"
 #include "results/run_json.hpp"
 
@@ -18,6 +18,7 @@ namespace fpkcheck::study {
 namespace {
 
 using base::Value;
+using results::Json;
 
 Value value_at(const StudyRecord& record, const std::string& path) {
   const auto found = std::ranges::find(record, path, &base::NamedParameterValue::name);
@@ -32,6 +33,12 @@ std::string value_text(const Value& value, const char* format) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr && std::isfinite(*number) ? fmt::format(fmt::runtime(format), *number)
                                                      : std::string();
+}
+
+void add_record_to_json(const StudyRecord& record, Json& object) {
+  transform::MetricBuilder values;
+  for (const auto& [path, value] : record) values.add_result(path, value);
+  results::add_metrics(std::move(values).take_metrics(), object);
 }
 
 }  // namespace
@@ -98,18 +105,6 @@ std::string status_reason_text(const std::string& name, const transform::Solutio
   const auto status = transform::name(solution.status);
   return report::wrap_text(fmt::format("  {} {}: {}", name, status, solution.reason), width, 4);
 }
-
-namespace {
-
-using results::Json;
-
-void add_record_to_json(const StudyRecord& record, Json& object) {
-  transform::MetricBuilder values;
-  for (const auto& [path, value] : record) values.add_result(path, value);
-  results::add_metrics(std::move(values).take_metrics(), object);
-}
-
-}  // namespace
 
 std::string study_records_to_json(
     const std::string& study, const problem::Problem& problem, const std::string& command,

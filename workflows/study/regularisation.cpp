@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "report/terminal_tables.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 
 namespace fpkcheck::study {
 
@@ -53,6 +53,8 @@ using transform::value_from_optional;
 
 namespace {
 
+using report::wrap_text;
+
 void add_eigenvalue(const std::string& name, const std::optional<std::complex<double>>& value,
                     StudyRecord& record) {
   if (!value) {
@@ -62,46 +64,6 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
   record.push_back({name + ".re", value->real()});
   record.push_back({name + ".im", value->imag()});
 }
-
-}  // namespace
-
-StudyRecord make_record(const RegularisationSchemeResult& row) {
-  StudyRecord record{
-      {"scheme", row.scheme},
-      {"step", row.step},
-      // The scheme `pade` has no length of the fourth difference.
-      {"length", row.length > 0 ? Value(row.length) : Value()},
-      {"nx", value_from_count(row.nx)},
-      {"nv", value_from_count(row.nv)},
-      {"symbol_rate", optional_member_value(row.symbol, &FastestGrowingWave::rate)},
-      {"symbol_wavenumber", optional_member_value(row.symbol, &FastestGrowingWave::wavenumber)},
-      {"symbol_grows", row.symbol ? Value(row.symbol_grows) : Value()},
-      {"growth_rate", value_from_optional(row.growth_rate)},
-      {"l1_y", value_from_optional(row.l1_y)},
-      {"l1_ydot", value_from_optional(row.l1_ydot)},
-      {"min_density", value_from_optional(row.min_density)},
-      {"remark", row.remark}};
-  add_eigenvalue("rightmost", row.rightmost, record);
-  add_eigenvalue("next", row.next, record);
-  return record;
-}
-
-std::string study_json_text(const RegularisationStudy& study, const std::string& command) {
-  return study_records_to_json(
-      RegularisationStudy::kName, study.problem, command,
-      {{"default_length", study.default_length}, {"shortest_length", study.shortest_length}},
-      {{"rows", make_records(study.rows)}});
-}
-
-std::string study_csv_text(const RegularisationStudy& study) {
-  return records_csv_text(
-      make_records(study.rows),
-      "scheme step length nx nv symbol_rate symbol_wavenumber rightmost_re=rightmost.re rightmost_im=rightmost.im next_re=next.re next_im=next.im growth_rate l1_y l1_ydot min_density");
-}
-
-namespace {
-
-using report::wrap_text;
 
 // If no wave grows, the largest growth rate is 0, the limit for long waves.
 std::string fastest_wave_text(const RegularisationSchemeResult& row,
@@ -274,6 +236,40 @@ constexpr const char* kRegularisationLegend =
     "peak.";
 
 }  // namespace
+
+StudyRecord make_record(const RegularisationSchemeResult& row) {
+  StudyRecord record{
+      {"scheme", row.scheme},
+      {"step", row.step},
+      // The scheme `pade` has no length of the fourth difference.
+      {"length", row.length > 0 ? Value(row.length) : Value()},
+      {"nx", value_from_count(row.nx)},
+      {"nv", value_from_count(row.nv)},
+      {"symbol_rate", optional_member_value(row.symbol, &FastestGrowingWave::rate)},
+      {"symbol_wavenumber", optional_member_value(row.symbol, &FastestGrowingWave::wavenumber)},
+      {"symbol_grows", row.symbol ? Value(row.symbol_grows) : Value()},
+      {"growth_rate", value_from_optional(row.growth_rate)},
+      {"l1_y", value_from_optional(row.l1_y)},
+      {"l1_ydot", value_from_optional(row.l1_ydot)},
+      {"min_density", value_from_optional(row.min_density)},
+      {"remark", row.remark}};
+  add_eigenvalue("rightmost", row.rightmost, record);
+  add_eigenvalue("next", row.next, record);
+  return record;
+}
+
+std::string study_json_text(const RegularisationStudy& study, const std::string& command) {
+  return study_records_to_json(
+      RegularisationStudy::kName, study.problem, command,
+      {{"default_length", study.default_length}, {"shortest_length", study.shortest_length}},
+      {{"rows", make_records(study.rows)}});
+}
+
+std::string study_csv_text(const RegularisationStudy& study) {
+  return records_csv_text(
+      make_records(study.rows),
+      "scheme step length nx nv symbol_rate symbol_wavenumber rightmost_re=rightmost.re rightmost_im=rightmost.im next_re=next.re next_im=next.im growth_rate l1_y l1_ydot min_density");
+}
 
 std::string study_table_text(const RegularisationStudy& study, const report::TextFormat& format) {
   std::string text = wrap_text(report::case_title(study.problem), format.width, 2) +

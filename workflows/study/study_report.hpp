@@ -3,7 +3,7 @@
 #include <string>
 
 #include "report/figure/figure.hpp"
-#include "report/text/text_format.hpp"
+#include "report/text/text_layout.hpp"
 
 namespace fpkcheck::study {
 

@@ -1,4 +1,4 @@
-#include "report/budget/budget_figure.hpp"
+#include "report/figure/case_figures.hpp"
 
 #include <gtest/gtest.h>
 

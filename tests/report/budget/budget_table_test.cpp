@@ -1,4 +1,4 @@
-#include "report/budget/budget_table.hpp"
+#include "report/terminal_tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "modified_case.hpp"
-#include "results/limiting_errors_text.hpp"
+#include "results/run.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {

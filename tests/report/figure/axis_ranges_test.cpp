@@ -1,11 +1,12 @@
-#include "report/figure/axis_ranges.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "modified_case.hpp"
 #include "report/figure/density_content.hpp"
+#include "report/figure/figure.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -85,20 +86,21 @@ TEST(MarginalAxisRanges, OfADisplacementBeginAtTheWall) {
   EXPECT_EQ(ranges.largest_difference, 0);
 }
 
-TEST(LogAxisRange, HoldsAllThatHasALogarithmWithRoomAtBothEnds) {
-  LogAxisRange range;
+TEST(LogarithmicAxis, HoldsAllThatHasALogarithmWithRoomAtBothEnds) {
+  FigureSeries series{.name = "toy", .colour = "#000000"};
   for (const double value : {1e-3, 10.0, 0.0, -1.0, std::numeric_limits<double>::infinity(),
                              std::numeric_limits<double>::quiet_NaN()}) {
-    range.include(value);
+    series.points.push_back({.x = 0, .y = value});
   }
-  const auto [from, to] = range.exponents(0.5, 0.25);
-  EXPECT_DOUBLE_EQ(from, -3.5);
-  EXPECT_DOUBLE_EQ(to, 1.25);
+  const auto axis = logarithmic_axis("toy", {series}, &FigurePoint::y);
+  EXPECT_DOUBLE_EQ(std::log10(axis.from), -3.3);
+  EXPECT_DOUBLE_EQ(std::log10(axis.to), 1.4);
 }
 
-TEST(LogAxisRange, OfNothingIsSomeRange) {
-  const auto [from, to] = LogAxisRange().exponents(0.5, 0.5);
-  EXPECT_LT(from, to);
+TEST(LogarithmicAxis, OfNothingIsSomeRange) {
+  const auto axis = logarithmic_axis("toy", {}, &FigurePoint::y);
+  EXPECT_GT(axis.from, 0);
+  EXPECT_LT(axis.from, axis.to);
 }
 
 }  // namespace

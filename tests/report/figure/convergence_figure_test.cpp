@@ -1,10 +1,9 @@
-#include "report/figure/convergence_figure.hpp"
+#include "report/figure/case_figures.hpp"
 
 #include <gtest/gtest.h>
 
 #include "../external_family.hpp"
 #include "../page/made_up_page.hpp"
-#include "report/figure/pictures.hpp"
 #include "report/page/page_plots.hpp"
 #include "temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-#include "report/figure/density_figure.hpp"
+#include "report/figure/case_figures.hpp"
 
 #include <gtest/gtest.h>
 

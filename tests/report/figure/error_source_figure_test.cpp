@@ -1,4 +1,4 @@
-#include "report/figure/error_source_figure.hpp"
+#include "report/figure/case_figures.hpp"
 
 #include <gtest/gtest.h>
 

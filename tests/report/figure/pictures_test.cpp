@@ -1,4 +1,4 @@
-#include "report/figure/pictures.hpp"
+#include "report/figure/case_figures.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

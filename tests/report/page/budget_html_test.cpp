@@ -1,4 +1,4 @@
-#include "report/page/budget_html.hpp"
+#include "report/page/sections.hpp"
 
 #include <gtest/gtest.h>
 

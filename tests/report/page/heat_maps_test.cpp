@@ -1,11 +1,11 @@
-#include "report/page/heat_maps.hpp"
+#include "report/page/sections.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "case_with_sources.hpp"
-#include "report/figure/error_source_figure.hpp"
+#include "report/figure/case_figures.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {

@@ -1,4 +1,4 @@
-#include "report/page/joint_maps.hpp"
+#include "report/page/sections.hpp"
 
 #include <gtest/gtest.h>
 

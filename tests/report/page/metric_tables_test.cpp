@@ -1,4 +1,4 @@
-#include "report/page/metric_tables.hpp"
+#include "report/page/sections.hpp"
 
 #include <gtest/gtest.h>
 

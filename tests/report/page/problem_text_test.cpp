@@ -1,4 +1,4 @@
-#include "report/page/problem_text.hpp"
+#include "report/page/sections.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

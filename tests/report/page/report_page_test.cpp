@@ -1,12 +1,12 @@
-#include "report/page/report_page.hpp"
 #include "base/files/file_transaction.hpp"
+#include "report/page/sections.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "made_up_page.hpp"
-#include "results/limiting_errors_text.hpp"
+#include "results/run.hpp"
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
 

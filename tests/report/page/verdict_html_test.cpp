@@ -1,9 +1,8 @@
-#include "report/page/verdict_html.hpp"
+#include "report/page/sections.hpp"
 
 #include <gtest/gtest.h>
 
 #include "made_up_page.hpp"
-#include "report/page/distance_plot.hpp"
 #include "report/verdict/verdict.hpp"
 
 namespace fpkcheck::report {

@@ -1,4 +1,4 @@
-#include "report/text/text_columns.hpp"
+#include "report/text/text_layout.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 
 #include <gtest/gtest.h>
 

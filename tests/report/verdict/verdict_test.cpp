@@ -9,7 +9,6 @@
 
 #include "../modified_case.hpp"
 #include "report/findings.hpp"
-#include "report/verdict/verdict_text.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {

@@ -1,4 +1,4 @@
-#include "workflows/paper/claims_files.hpp"
+#include "workflows/paper/supplement.hpp"
 
 #include <gtest/gtest.h>
 

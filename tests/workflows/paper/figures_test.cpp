@@ -1,4 +1,4 @@
-#include "workflows/paper/figures.hpp"
+#include "workflows/paper/supplement.hpp"
 
 #include <gtest/gtest.h>
 

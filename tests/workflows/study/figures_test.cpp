@@ -9,7 +9,7 @@
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "transient/made_up_transient.hpp"
-#include "workflows/study/plot_series.hpp"
+#include "workflows/study/record.hpp"
 
 namespace fpkcheck::study {
 namespace {

@@ -10,9 +10,7 @@
 #include "base/input_error.hpp"
 #include "paper_cases.hpp"
 #include "problem/case_file.hpp"
-#include "workflows/study/functionals/passage.hpp"
-#include "workflows/study/functionals/sensitivity.hpp"
-#include "workflows/study/functionals/spectrum.hpp"
+#include "workflows/study/functionals/functionals.hpp"
 
 namespace fpkcheck::study {
 namespace {

@@ -9,7 +9,6 @@
 #include "made_up_sweep.hpp"
 #include "problem/case_file.hpp"
 #include "temporary_directory.hpp"
-#include "workflows/sweep/plan/axis.hpp"
 #include "workflows/sweep/plan/plan.hpp"
 #include "workflows/sweep/result/sweep_json.hpp"
 

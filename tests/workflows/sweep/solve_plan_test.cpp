@@ -10,7 +10,6 @@
 #include "made_up_sweep.hpp"
 #include "methods/run_cases.hpp"
 #include "temporary_directory.hpp"
-#include "workflows/sweep/execution/point_queue.hpp"
 #include "workflows/sweep/execution/solve_plan.hpp"
 #include "workflows/sweep/execution/solve_point.hpp"
 

@@ -6,7 +6,7 @@
 #include "saved_run.hpp"
 #include "script_legend.hpp"
 #include "temporary_directory.hpp"
-#include "workflows/sweep/report/figure/sweep_figures.hpp"
+#include "workflows/sweep/report/figure/figures.hpp"
 
 namespace fpkcheck::sweep {
 namespace {

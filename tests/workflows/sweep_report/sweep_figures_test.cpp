@@ -1,4 +1,4 @@
-#include "workflows/sweep/report/figure/sweep_figures.hpp"
+#include "workflows/sweep/report/figure/figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -120,6 +120,15 @@ void append_value_columns(const std::string& id, const std::string& header,
   columns.push_back({id, has_standard_errors ? "std err" : "error", id + "-error", "{:.1e}"});
 }
 
+report::FigurePoint point_with_interval(double x, double y, double error, bool is_standard_error) {
+  report::FigurePoint point{.x = x, .y = y};
+  if (is_standard_error) {
+    point.lower = y - 2 * error;
+    point.upper = y + 2 * error;
+  }
+  return point;
+}
+
 std::vector<std::string> split_at_commas(const std::string& list) {
   std::vector<std::string> parts;
   std::istringstream items(list);

@@ -15,6 +15,7 @@
 #include "fd_fpk/options.hpp"
 #include "mcs/options.hpp"
 #include "methods/run_cases.hpp"
+#include "report/figure/figure.hpp"
 #include "results/json.hpp"
 #include "transform/solution.hpp"
 #include "workflows/study/record.hpp"
@@ -128,6 +129,10 @@ std::string error_kind_text(bool has_standard_errors);
 void append_value_columns(const std::string& id, const std::string& header,
                           bool has_standard_errors, std::vector<TableColumn>& columns,
                           const char* format = "{:.6g}");
+
+/// Returns a point with an interval of two standard errors, or without an interval if the error is
+/// no standard error.
+report::FigurePoint point_with_interval(double x, double y, double error, bool is_standard_error);
 
 /// Returns the items of a comma-separated list.
 std::vector<std::string> split_at_commas(const std::string& list);

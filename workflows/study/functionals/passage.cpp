@@ -1,4 +1,4 @@
-#include "workflows/study/functionals/passage.hpp"
+#include "workflows/study/functionals/functionals.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
 #include "report/terminal_tables.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -347,13 +347,8 @@ report::Figure study_figure(const PassageStudy& study) {
                   ? transform::PlotStyle{.colour = "#D55E00", .dash = "(6,3)", .symbol = ""}
                   : method->identity.plot_style);
     const auto add = [&](double time, const ValueWithError& survival) {
-      const auto [value, error] = survival;
-      report::FigurePoint point{.x = time, .y = value};
-      if (p.has_standard_errors) {
-        point.lower = value - 2 * error;
-        point.upper = value + 2 * error;
-      }
-      one.points.push_back(point);
+      one.points.push_back(
+          point_with_interval(time, survival.value, survival.error, p.has_standard_errors));
     };
     add(0, {1, 0});
     for (std::size_t k = 0; k < p.times.size(); ++k) add(p.times[k], p.survival_from_stationary[k]);

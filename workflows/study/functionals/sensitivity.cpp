@@ -1,4 +1,4 @@
-#include "workflows/study/functionals/sensitivity.hpp"
+#include "workflows/study/functionals/functionals.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "problem/parameter_derivative.hpp"
 #include "report/figure/layout.hpp"
 #include "report/terminal_tables.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/json.hpp"
 
 namespace fpkcheck::study {

@@ -1,4 +1,4 @@
-#include "workflows/study/functionals/spectrum.hpp"
+#include "workflows/study/functionals/functionals.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "problem/motion_scales.hpp"
 #include "report/figure/layout.hpp"
 #include "report/terminal_tables.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/json.hpp"
 
 namespace fpkcheck::study {
@@ -153,8 +153,9 @@ std::string study_json_text(const SpectrumStudy& study, const std::string& comma
               {{"lag", s.lags}, {"value", s.autocovariance}, {"error", s.autocovariance_error}}},
              {"peak", nullptr}};
     if (s.peak) {
-      one["peak"] = {{"frequency", s.peak->frequency}, {"density", s.peak->density}};
-      one["peak"]["half_width"] = s.peak->half_width ? Json(*s.peak->half_width) : Json();
+      one["peak"] = {{"frequency", s.peak->frequency},
+                     {"density", s.peak->density},
+                     {"half_width", results::number_or_null_json(s.peak->half_width)}};
     }
     one["modes"] = Json::array();
     for (const auto& mode : s.modes) {
@@ -260,12 +261,7 @@ std::vector<report::FigureSeries> series_of_solutions(const SpectrumStudy& study
     const std::size_t step = s.has_standard_errors ? std::max<std::size_t>(y.size() / 50, 1) : 1;
     one.mark_step = s.has_standard_errors ? 1 : std::max<std::size_t>(y.size() / 25, 1);
     for (std::size_t k = 0; k < y.size(); k += step) {
-      report::FigurePoint point{.x = x[k], .y = y[k]};
-      if (s.has_standard_errors) {
-        point.lower = y[k] - 2 * error[k];
-        point.upper = y[k] + 2 * error[k];
-      }
-      one.points.push_back(point);
+      one.points.push_back(point_with_interval(x[k], y[k], error[k], s.has_standard_errors));
     }
     series.push_back(std::move(one));
   }

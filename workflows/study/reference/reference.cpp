@@ -92,6 +92,40 @@ double covered_fraction(const Solution& exact, const transform::Marginal& simula
   return counted == 0 ? 0 : static_cast<double>(within) / counted;
 }
 
+constexpr int kMomentDigits = 7;
+constexpr int kDensityDigits = 5;
+
+// Returns the text of a number with trailing zeros, which count as significant digits.
+std::string significant_digits_text(double x, int significant) {
+  if (x == 0) return "0";
+  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));
+  return exponent < -3 ? fmt::format("{:.{}e}", x, significant - 1)
+                       : fmt::format("{:.{}f}", x, std::max(0, significant - 1 - exponent));
+}
+
+void append_moment_table(const CaseReference& r, std::string& text) {
+  text +=
+      "| | value | difference of the orders | simulation | deviation in standard errors |\n"
+      "|---|---|---|---|---|\n";
+  for (const auto& [name, symbol, value, simulated, error] : r.moments) {
+    text += fmt::format("| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol,
+                        significant_digits_text(value.seventh, value.agreed_digits(kMomentDigits)),
+                        std::abs(value.seventh - value.fifth), simulated, error,
+                        (simulated - value.seventh) / error);
+  }
+}
+
+void append_density_table(const CaseReference& r, std::string& text) {
+  text += "| y | p(y) | y' | p(y') |\n|---|---|---|---|\n";
+  for (std::size_t k = 0; k < r.y.size(); ++k) {
+    const auto& [y, p] = r.y[k];
+    const auto& [v, q] = r.ydot[k];
+    text += fmt::format("| {:.6g} | {} | {:.6g} | {} |\n", y,
+                        significant_digits_text(p.seventh, p.agreed_digits(kDensityDigits)), v,
+                        significant_digits_text(q.seventh, q.agreed_digits(kDensityDigits)));
+  }
+}
+
 }  // namespace
 
 int ReferenceValue::agreed_digits(int most) const {
@@ -137,44 +171,6 @@ CaseReference compute_reference(const problem::Problem& problem, const Reference
   }
   return result;
 }
-
-namespace {
-
-constexpr int kMomentDigits = 7;
-constexpr int kDensityDigits = 5;
-
-// Returns the text of a number with trailing zeros, which count as significant digits.
-std::string significant_digits_text(double x, int significant) {
-  if (x == 0) return "0";
-  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));
-  return exponent < -3 ? fmt::format("{:.{}e}", x, significant - 1)
-                       : fmt::format("{:.{}f}", x, std::max(0, significant - 1 - exponent));
-}
-
-void append_moment_table(const CaseReference& r, std::string& text) {
-  text +=
-      "| | value | difference of the orders | simulation | deviation in standard errors |\n"
-      "|---|---|---|---|---|\n";
-  for (const auto& [name, symbol, value, simulated, error] : r.moments) {
-    text += fmt::format("| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol,
-                        significant_digits_text(value.seventh, value.agreed_digits(kMomentDigits)),
-                        std::abs(value.seventh - value.fifth), simulated, error,
-                        (simulated - value.seventh) / error);
-  }
-}
-
-void append_density_table(const CaseReference& r, std::string& text) {
-  text += "| y | p(y) | y' | p(y') |\n|---|---|---|---|\n";
-  for (std::size_t k = 0; k < r.y.size(); ++k) {
-    const auto& [y, p] = r.y[k];
-    const auto& [v, q] = r.ydot[k];
-    text += fmt::format("| {:.6g} | {} | {:.6g} | {} |\n", y,
-                        significant_digits_text(p.seventh, p.agreed_digits(kDensityDigits)), v,
-                        significant_digits_text(q.seventh, q.agreed_digits(kDensityDigits)));
-  }
-}
-
-}  // namespace
 
 std::string reference_markdown(const std::vector<CaseReference>& references,
                                const std::string& command) {

@@ -15,11 +15,11 @@
 #include "mcs/transient.hpp"
 #include "report/figure/layout.hpp"
 #include "report/terminal_tables.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/json.hpp"
 #include "results/netcdf/writer.hpp"
 #include "results/run.hpp"
-#include "workflows/study/transient/density_heat_map_panel.hpp"
+#include "workflows/study/transient/report.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -527,13 +527,9 @@ report::FigurePanel moment_panel(const TransientComparison& study, const Methods
     if (solution.snapshots.empty()) continue;
     report::FigureSeries series = make_empty_series(methods, solution);
     for (const TransientSnapshot& s : solution.snapshots) {
-      report::FigurePoint point{.x = s.time, .y = s.moments.*moment};
-      if (solution.has_standard_errors) {
-        const double error = s.error->moments.*moment;
-        point.lower = point.y - 2 * error;
-        point.upper = point.y + 2 * error;
-      }
-      series.points.push_back(point);
+      const double error = solution.has_standard_errors ? s.error->moments.*moment : 0;
+      series.points.push_back(
+          point_with_interval(s.time, s.moments.*moment, error, solution.has_standard_errors));
     }
     all.push_back(std::move(series));
   }
@@ -602,7 +598,6 @@ std::string study_netcdf_bytes(const TransientComparison& study, const std::stri
   file.write_attribute("Conventions", "CF-1.8");
   file.write_attribute("title", "marginal densities over time of a randomly excited oscillator");
   file.write_attribute("command", command);
-  file.write_attribute("case", study.problem.name);
   results::write_problem_attributes(file, study.problem);
   std::vector<std::string> ids;
   for (const Transient& solution : study.solutions) ids.push_back(solution.id);

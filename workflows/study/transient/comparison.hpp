@@ -8,7 +8,7 @@
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
 #include "report/figure/figure.hpp"
-#include "report/text/text_format.hpp"
+#include "report/text/text_layout.hpp"
 #include "transform/transient.hpp"
 #include "workflows/study/functionals/functional.hpp"
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "report/figure/layout.hpp"
-#include "workflows/study/transient/density_heat_map_panel.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -29,6 +28,16 @@ double interpolate(std::span<const double> edges, std::span<const double> averag
   if (b + 1 == averages.size()) --b;
   const double weight = std::clamp((x - centre(b)) / (centre(b + 1) - centre(b)), 0.0, 1.0);
   return (1 - weight) * averages[b] + weight * averages[b + 1];
+}
+
+DensityOverTime density_over_time(const TransientRun& run, const std::vector<double>& edges,
+                                  std::vector<double> DensitySnapshot::*marginal) {
+  DensityOverTime density{.edges = edges};
+  for (const DensitySnapshot& s : run.result.snapshots) {
+    density.times.push_back(s.time);
+    density.averages.push_back(&(s.*marginal));
+  }
+  return density;
 }
 
 }  // namespace
@@ -72,20 +81,6 @@ report::FigurePanel density_heat_map_panel(const DensityOverTime& density, const
   }
   return {.title = title, .x = {"{/:Italic t}", 0, until}, .y = {symbol, from, to}, .map = map};
 }
-
-namespace {
-
-DensityOverTime density_over_time(const TransientRun& run, const std::vector<double>& edges,
-                                  std::vector<double> DensitySnapshot::*marginal) {
-  DensityOverTime density{.edges = edges};
-  for (const DensitySnapshot& s : run.result.snapshots) {
-    density.times.push_back(s.time);
-    density.averages.push_back(&(s.*marginal));
-  }
-  return density;
-}
-
-}  // namespace
 
 report::Figure transient_figure(const TransientRun& run) {
   assert(run.result.snapshots.size() >= 2);

@@ -7,14 +7,12 @@
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string_view>
 #include <vector>
 
 #include "base/files/file_transaction.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/terminal_tables.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/json.hpp"
 #include "results/netcdf/writer.hpp"
 #include "results/output_directory.hpp"
@@ -86,15 +84,11 @@ std::string transient_table(const TransientRun& run, std::size_t width) {
   return text;
 }
 
-std::string transient_figure_file_stem(const std::string& case_name) {
-  return "transient-" + results::case_file_stem(case_name);
-}
-
 std::vector<std::string> write_transient_files(const fs::path& directory, const TransientRun& run,
                                                const report::FigureOptions& options,
                                                const std::string& gnuplot) {
   const fs::path figures = directory / "figures";
-  const std::string stem = transient_figure_file_stem(run.problem.name);
+  const std::string stem = "transient-" + results::case_file_stem(run.problem.name);
   report::remove_script_and_pictures(figures, stem);
   if (run.result.snapshots.empty()) {
     std::error_code ignored;
@@ -227,7 +221,6 @@ void write_attributes(results::NetCdfWriter& file, const TransientRun& run) {
   const auto program = results::current_program(run.command);
   file.write_attribute("source", fmt::format("{} {}", program.name, program.version));
   file.write_attribute("command", program.command);
-  file.write_attribute("case", run.problem.name);
   results::write_problem_attributes(file, run.problem);
   file.write_attribute("equation", std::string(problem::name(run.options.equation)));
   file.write_attribute("impact", std::string(problem::name(run.options.impact)));

@@ -50,9 +50,6 @@ report::Figure transient_figure(const TransientRun& run);
 /// @throws std::runtime_error with a message of one line if the file cannot be written
 void write_transient_netcdf(const std::filesystem::path& file, const TransientRun& run);
 
-/// Returns the stem of the file names for the figure of a density over time.
-std::string transient_figure_file_stem(const std::string& case_name);
-
 /// Writes transient.nc, the script figures/transient-CASE.gp and the pictures of this script into a
 /// prepared directory. After a failure a file is missing, but never incomplete. A file of an
 /// earlier run of the case is removed if the new run has no data for the file.
@@ -62,5 +59,18 @@ std::vector<std::string> write_transient_files(const std::filesystem::path& dire
                                                const TransientRun& run,
                                                const report::FigureOptions& figures = {},
                                                const std::string& gnuplot = "gnuplot");
+
+/// A marginal density at several times.
+struct DensityOverTime {
+  std::vector<double> edges;  ///< increasing edges of cells
+  std::vector<double> times = {};
+  std::vector<const std::vector<double>*> averages = {};  ///< averages over cells at each time
+};
+
+/// Returns a heat map of a density over time.
+/// @param symbol symbol of the variable, in gnuplot's enhanced text
+/// @pre at least two times
+report::FigurePanel density_heat_map_panel(const DensityOverTime& density, const std::string& title,
+                                           const std::string& symbol);
 
 }  // namespace fpkcheck::study

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <numeric>
 #include <queue>
 #include <set>
 
@@ -70,6 +69,33 @@ class QuadraticBasis {
   std::vector<Range> ranges_;
 };
 
+// Limits of the number of points in the sample, which must suffice for the fit of the cost model.
+constexpr std::size_t kMinSample = 24, kMaxSample = 64;
+constexpr double kSampleFraction = 0.06;
+
+std::size_t forecast_sample_size(std::size_t points) {
+  return std::clamp(static_cast<std::size_t>(kSampleFraction * static_cast<double>(points)),
+                    kMinSample, kMaxSample);
+}
+
+// Leave-one-out cross-validation gives the relative standard error: the root of the sum of squared
+// prediction errors, divided by the sum of the seconds.
+double relative_standard_error(const SweepPlan& plan,
+                               const std::vector<SolveTimeModel::Measurement>& sample) {
+  if (sample.size() < 3) return 1;
+  if (sample.size() >= plan.points.size()) return 0;
+  double squares = 0, sum = 0;
+  for (std::size_t omitted = 0; omitted < sample.size(); ++omitted) {
+    auto others = sample;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(omitted));
+    const double residual = sample[omitted].seconds -
+                            SolveTimeModel(plan, others).expected_seconds(sample[omitted].point);
+    squares += residual * residual;
+    sum += sample[omitted].seconds;
+  }
+  return sum > 0 ? std::sqrt(squares) / sum : 0;
+}
+
 }  // namespace
 
 SolveTimeModel::SolveTimeModel(const SweepPlan& plan, std::span<const Measurement> measured)
@@ -115,37 +141,6 @@ std::vector<std::size_t> evenly_spread_sample(const std::vector<std::size_t>& ca
   }
   return chosen;
 }
-
-namespace {
-
-// Limits of the number of points in the sample, which must suffice for the fit of the cost model.
-constexpr std::size_t kMinSample = 24, kMaxSample = 64;
-constexpr double kSampleFraction = 0.06;
-
-std::size_t forecast_sample_size(std::size_t points) {
-  return std::clamp(static_cast<std::size_t>(kSampleFraction * static_cast<double>(points)),
-                    kMinSample, kMaxSample);
-}
-
-// Leave-one-out cross-validation gives the relative standard error: the root of the sum of squared
-// prediction errors, divided by the sum of the seconds.
-double relative_standard_error(const SweepPlan& plan,
-                               const std::vector<SolveTimeModel::Measurement>& sample) {
-  if (sample.size() < 3) return 1;
-  if (sample.size() >= plan.points.size()) return 0;
-  double squares = 0, sum = 0;
-  for (std::size_t omitted = 0; omitted < sample.size(); ++omitted) {
-    auto others = sample;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(omitted));
-    const double residual = sample[omitted].seconds -
-                            SolveTimeModel(plan, others).expected_seconds(sample[omitted].point);
-    squares += residual * residual;
-    sum += sample[omitted].seconds;
-  }
-  return sum > 0 ? std::sqrt(squares) / sum : 0;
-}
-
-}  // namespace
 
 double parallel_wall_clock_time(std::span<const double> seconds, std::size_t workers,
                                 PointDispatchRule dispatch) {

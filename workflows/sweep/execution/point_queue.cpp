@@ -1,4 +1,4 @@
-#include "workflows/sweep/execution/point_queue.hpp"
+#include "workflows/sweep/execution/solve_plan.hpp"
 
 #include <fmt/format.h>
 

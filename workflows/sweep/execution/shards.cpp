@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <system_error>
 
 #include "base/input_error.hpp"
+#include "base/text/parse_number.hpp"
 #include "base/text/sanitise.hpp"
 #include "workflows/sweep/result/journal.hpp"
 #include "workflows/sweep/result/sweep_json.hpp"
@@ -20,48 +20,18 @@
 namespace fpkcheck::sweep {
 namespace {
 
-std::optional<Shard> parse_shard_numbers(std::string_view text, std::string_view separator) {
-  Shard shard;
-  const char *const begin = text.data(), *const end = begin + text.size();
-  const auto [middle, first_error] = std::from_chars(begin, end, shard.number);
-  if (first_error != std::errc() || !std::string_view(middle, end).starts_with(separator)) {
-    return std::nullopt;
-  }
-  const auto [stop, error] = std::from_chars(middle + separator.size(), end, shard.of);
-  const bool whole = error == std::errc() && stop == end;
-  if (!whole || shard.number < 1 || shard.number > shard.of) return std::nullopt;
-  return shard;
-}
-
-}  // namespace
-
-std::vector<std::size_t> Shard::point_numbers(std::size_t total_points) const {
-  std::vector<std::size_t> own_points;
-  for (std::size_t p = number - 1; p < total_points; p += of) own_points.push_back(p);
-  return own_points;
-}
-
-std::string Shard::journal_name() const {
-  return of == 1 ? "journal" : fmt::format("journal.{}-of-{}", number, of);
-}
-
-std::optional<Shard> shard_of_journal(std::string_view name) {
-  if (name == "journal") return Shard{};
-  constexpr std::string_view kBefore = "journal.";
-  if (!name.starts_with(kBefore)) return std::nullopt;
-  return parse_shard_numbers(name.substr(kBefore.size()), "-of-");
-}
-
-Shard parse_shard(std::string_view text) {
-  if (const auto shard = parse_shard_numbers(text, "/")) return *shard;
-  throw InputError(fmt::format("--shard {} (must be i/N with 1 <= i <= N)", base::in_quotes(text)));
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 using base::sanitise;
 using results::Json;
+
+std::optional<Shard> parse_shard_numbers(std::string_view text, std::string_view separator) {
+  const auto at = text.find(separator);
+  if (at == std::string_view::npos) return std::nullopt;
+  const auto number = base::parse_number<std::size_t>(text.substr(0, at)),
+             of = base::parse_number<std::size_t>(text.substr(at + separator.size()));
+  if (!number || !of || *number < 1 || *number > *of) return std::nullopt;
+  return Shard{*number, *of};
+}
 
 bool is_journal(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
@@ -128,6 +98,28 @@ std::string missing_points_text(const std::set<std::size_t>& there, std::size_t 
 }
 
 }  // namespace
+
+std::vector<std::size_t> Shard::point_numbers(std::size_t total_points) const {
+  std::vector<std::size_t> own_points;
+  for (std::size_t p = number - 1; p < total_points; p += of) own_points.push_back(p);
+  return own_points;
+}
+
+std::string Shard::journal_name() const {
+  return of == 1 ? "journal" : fmt::format("journal.{}-of-{}", number, of);
+}
+
+std::optional<Shard> shard_of_journal(std::string_view name) {
+  if (name == "journal") return Shard{};
+  constexpr std::string_view kBefore = "journal.";
+  if (!name.starts_with(kBefore)) return std::nullopt;
+  return parse_shard_numbers(name.substr(kBefore.size()), "-of-");
+}
+
+Shard parse_shard(std::string_view text) {
+  if (const auto shard = parse_shard_numbers(text, "/")) return *shard;
+  throw InputError(fmt::format("--shard {} (must be i/N with 1 <= i <= N)", base::in_quotes(text)));
+}
 
 MergedSweep merge_journals(const std::vector<fs::path>& directories,
                            const methods::SolverRegistry& registry) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -20,6 +19,7 @@
 
 #include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
+#include "base/text/parse_number.hpp"
 #include "workflows/sweep/result/sweep_json.hpp"
 
 namespace fpkcheck::sweep {
@@ -47,12 +47,6 @@ constexpr char kSolved = 's';    // result of a point, and next request
 constexpr char kFailed = 'f';    // text of an exception; final message of the worker
 constexpr char kFinished = 'b';  // final message of a worker without an exception
 constexpr const char* kNoPointsLeft = "none";
-
-std::optional<std::size_t> parse_point_reply(const std::string& text) {
-  std::size_t point = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), point);
-  return error == std::errc() ? std::optional(point) : std::nullopt;
-}
 
 /// Solver threads of a rank. The calling thread meanwhile exchanges messages with the other ranks.
 class BackgroundSolver {
@@ -194,7 +188,7 @@ void run_worker(const SweepPlan& plan, const std::filesystem::path& directory,
     if (const auto message = ranks.receive()) {
       idle = false;
       --open_requests;
-      if (const auto point = parse_point_reply(message->text)) {
+      if (const auto point = base::parse_number<std::size_t>(message->text)) {
         ++unsolved;
         points.add(*point);
       }

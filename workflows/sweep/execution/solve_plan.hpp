@@ -1,13 +1,112 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "base/mpi/communicator.hpp"
-#include "workflows/sweep/execution/point_queue.hpp"
+#include "workflows/sweep/execution/forecast.hpp"
+#include "workflows/sweep/execution/shards.hpp"
+#include "workflows/sweep/execution/solve_point.hpp"
 #include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/result/journal.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
+
+/// Thread-safe queue of the points to solve. The first points of the queue are a sample from all
+/// regions of the plan. When the measured times of the sample suffice for predictions, the queue is
+/// sorted by decreasing expected time. Threads therefore do not wait for a single long point at the
+/// end of the sweep.
+class PointQueue {
+ public:
+  struct State {
+    std::size_t done = 0,
+                total = 0;  ///< number of solved points and number of all points of the queue
+    /// Total expected seconds of all unsolved points; empty until enough points are measured.
+    std::optional<double> remaining_seconds = {};
+  };
+
+  /// @param own_points points of this queue, in increasing order
+  /// @param solved points that were solved before, for the cost model; points of other queues are
+  /// allowed
+  PointQueue(const SweepPlan& plan, const std::vector<std::size_t>& own_points,
+             const std::vector<PointResult>& solved);
+
+  /// Removes and returns the next point; empty if no point remains.
+  std::optional<std::size_t> take_next_point();
+  /// Records the wall-clock time of a solved point. The caller must record every solved point.
+  void record_solve_time(std::size_t point, double seconds);
+
+  State state() const;
+
+ private:
+  void sort_if_enough_measured();
+
+  const SweepPlan& plan_;
+  mutable std::mutex mutex_;
+  std::size_t total_;
+  std::vector<SolveTimeModel::Measurement> measured_;
+  // Waiting points in reverse order: the next point is the last element.
+  std::vector<std::size_t> waiting_;
+  // Expected seconds of each point; empty until enough points are measured.
+  std::vector<double> expected_;
+  std::size_t unfinished_;
+  double remaining_seconds_ = 0;
+};
+
+/// Thread-safe source of the unsolved points, which also receives the results of these points.
+class PointSource {
+ public:
+  virtual ~PointSource() = default;
+  /// Removes and returns the next point. If another process assigns the points, the function waits
+  /// for the assignment.
+  /// @return the next point; empty if no point remains, after a stop request, and after close()
+  virtual std::optional<std::size_t> take_next_point() = 0;
+  virtual void store_solved_point(SolvedPoint&& solved) = 0;
+  /// Ends the assignment of points: take_next_point() returns no further point.
+  virtual void close() = 0;
+};
+
+/// Listener that receives the state of the queue after each solved point. Several threads call the
+/// listener, but never at the same time. An exception of the listener ends the sweep.
+using QueueStateListener = std::function<void(const PointQueue::State&)>;
+
+/// Journal of a sweep, with a queue of the points that the journal lacks.
+class JournaledPointQueue final : public PointSource {
+ public:
+  /// Opens or creates the journal of a sweep in the directory.
+  /// @throws the exceptions of Journal's constructor
+  JournaledPointQueue(const SweepPlan& plan, const std::filesystem::path& directory,
+                      const Shard& shard, QueueStateListener listener);
+
+  std::optional<std::size_t> take_next_point() override;
+  void store_solved_point(SolvedPoint&& solved) override;
+  void close() override { closed_ = true; }
+
+  PointQueue::State state() const { return queue_.state(); }
+  /// Returns a line of text with the numbers of solved points, remaining points and damaged lines
+  /// of a resumed sweep. The text is empty for a new journal.
+  std::string resumption_text() const;
+  /// Returns the results of all solved points, first the points of earlier runs.
+  std::vector<PointResult> solved_points() const { return points_; }
+
+ private:
+  const SweepPlan& plan_;
+  std::filesystem::path directory_;
+  std::string journal_name_;
+  Journal journal_;
+  PointQueue queue_;
+  QueueStateListener listener_;
+  std::atomic<bool> closed_ = false;
+  std::mutex mutex_;
+  std::vector<PointResult> points_;
+};
 
 /// Solves all points that a source returns. Each thread solves one point at a time. After an
 /// exception on a thread, the points in progress are completed, and the exception is rethrown.

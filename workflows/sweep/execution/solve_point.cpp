@@ -15,8 +15,8 @@
 #include "compare/comparison.hpp"
 #include "methods/residual_error_estimator.hpp"
 #include "methods/run_cases.hpp"
-#include "results/make_density_curve.hpp"
 #include "results/marginals_csv.hpp"
+#include "results/run.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -145,12 +145,8 @@ void write_marginals(const SweepPlan& plan, const std::filesystem::path& directo
   if (solved.curves.empty()) return;
   const base::ExitBlocker in_hand;
   std::filesystem::create_directories(directory / "marginals");
-  const std::vector<results::CaseResult> cases{{.problem = plan.problem_at(solved.result.point),
-                                                .solutions = {},
-                                                .pairs = {},
-                                                .budget = {},
-                                                .curves = solved.curves,
-                                                .joints = {}}};
+  const std::vector<results::CaseResult> cases{
+      {.problem = plan.problem_at(solved.result.point), .curves = solved.curves}};
   std::ostringstream text;
   results::write_marginals_csv(text, cases);
   base::write_file_atomically(

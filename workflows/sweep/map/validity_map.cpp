@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
 #include "base/input_error.hpp"
+#include "base/text/parse_number.hpp"
 #include "base/text/sanitise.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/motion_scales.hpp"
@@ -66,11 +66,9 @@ std::vector<std::string_view> split_at(std::string_view text, char separator) {
 // Parses a nonnegative number. All numbers of the map are nonnegative: fractions, ratios, distances
 // or times.
 double parse_nonnegative_number(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (!is_number || !std::isfinite(number) || number < 0) refuse(text);
-  return number;
+  const auto number = base::parse_number<double>(text);
+  if (!number || !std::isfinite(*number) || *number < 0) refuse(text);
+  return *number;
 }
 
 std::optional<ValidityMapResult> parse_result_cell(std::string_view cell) {

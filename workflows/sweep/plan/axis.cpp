@@ -1,4 +1,6 @@
-#include "workflows/sweep/plan/axis.hpp"
+#include "workflows/sweep/plan/plan.hpp"
+
+#include "base/text/parse_number.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +9,6 @@
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
-#include <charconv>
 #include <cmath>
 
 #include "base/input_error.hpp"
@@ -25,10 +26,7 @@ constexpr std::string_view kLogarithmic = "log:";
 // Rounds a number, since 0.57 is easier to read than 0.5700000000000001. Twelve digits exceed the
 // accuracy of every solver.
 double round_to_twelve_digits(double number) {
-  double rounded = number;
-  const std::string text = fmt::format("{:.12g}", number);
-  std::from_chars(text.data(), text.data() + text.size(), rounded);
-  return rounded;
+  return base::parse_number<double>(fmt::format("{:.12g}", number)).value_or(number);
 }
 
 std::vector<std::string> split_at(std::string_view text, char separator) {
@@ -59,12 +57,8 @@ struct AxisParser {
 };
 
 std::size_t parse_value_count(const std::string& text, const AxisParser& reading) {
-  std::size_t count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error == std::errc() && end == text.data() + text.size() && count >= 2 &&
-      count <= kMaxValues) {
-    return count;
-  }
+  const auto count = base::parse_number<std::size_t>(text);
+  if (count && *count >= 2 && *count <= kMaxValues) return *count;
   throw InputError(fmt::format("{}: {} is no number of points (must be an integer, 2 .. {})",
                                reading.label, base::in_quotes(text), kMaxValues));
 }

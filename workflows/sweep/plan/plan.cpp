@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <boost/random/sobol.hpp>
-#include <charconv>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -11,11 +10,16 @@
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
 #include "base/options/enum_names.hpp"
+#include "base/text/parse_number.hpp"
 #include "base/text/sanitise.hpp"
 #include "problem/case_file.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
+
+using base::in_quotes;
+using base::IniSetting;
+using SweepLines = std::map<std::string, IniSetting>;
 
 void require_at_most_max_points(double count) {
   if (count <= static_cast<double>(kMaxPoints)) return;
@@ -94,6 +98,28 @@ PlanPoints sobol_points_in_box(const std::vector<SweepAxis>& axes, std::size_t c
   return points;
 }
 
+constexpr const char* kSweep = "sweep";
+constexpr const char* kVary = "vary";
+
+std::size_t parse_point_count(const IniSetting& line) {
+  const auto count = base::parse_number<std::size_t>(line.text);
+  if (count && *count > 0 && *count <= kMaxPoints) return *count;
+  throw InputError(fmt::format("{}: points {} (must be an integer, 1 .. {})", line.where,
+                               in_quotes(line.text), kMaxPoints));
+}
+
+SweepLines extract_sweep_lines(const std::vector<IniSetting>& all) {
+  SweepLines lines;
+  for (const auto& line : all) {
+    if (line.section != kSweep) continue;
+    if (!lines.emplace(line.key, line).second) {
+      throw InputError(
+          fmt::format("{}: key '{}' is given twice (keep one)", line.where, line.path()));
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 PlanPoints make_plan_points(const std::vector<SweepAxis>& axes, PlanDesign design,
@@ -151,40 +177,6 @@ problem::Problem SweepPlan::problem_at(std::size_t point) const {
   }
   return problem::problem_from_sections(base.name, sections);
 }
-
-namespace {
-
-using base::in_quotes;
-using base::IniSetting;
-
-constexpr const char* kSweep = "sweep";
-constexpr const char* kVary = "vary";
-
-std::size_t parse_point_count(const IniSetting& line) {
-  std::size_t count = 0;
-  const char *const begin = line.text.data(), *const end = begin + line.text.size();
-  if (std::from_chars(begin, end, count).ptr == end && count > 0 && count <= kMaxPoints) {
-    return count;
-  }
-  throw InputError(fmt::format("{}: points {} (must be an integer, 1 .. {})", line.where,
-                               in_quotes(line.text), kMaxPoints));
-}
-
-using SweepLines = std::map<std::string, IniSetting>;
-
-SweepLines extract_sweep_lines(const std::vector<IniSetting>& all) {
-  SweepLines lines;
-  for (const auto& line : all) {
-    if (line.section != kSweep) continue;
-    if (!lines.emplace(line.key, line).second) {
-      throw InputError(
-          fmt::format("{}: key '{}' is given twice (keep one)", line.where, line.path()));
-    }
-  }
-  return lines;
-}
-
-}  // namespace
 
 ParsedPlan read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides) {
   constexpr std::size_t kMaxBytes = 1 << 20;

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "report/text/text_columns.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 #include "results/json.hpp"
 #include "results/run.hpp"
 
@@ -49,20 +48,19 @@ std::string nearest_point_sentence(const MethodRecommendation& advice) {
 
 std::string nearby_results_table(const std::vector<NearbyMethodResults>& methods,
                                  const report::TextFormat& format) {
-  TextColumn id{"", "method", true, report::kAlwaysShown},
-      points{"at the points nearby", "points", false, 1},
-      ok{"at the points nearby", "ok", false, 2},
-      worst{"at the points nearby", "worst L1", false, report::kAlwaysShown},
-      seconds{"at the points nearby", "seconds", false, 3};
+  constexpr const char* kNearby = "at the points nearby";
+  std::vector<TextColumn> columns{{"", "method", true, report::kAlwaysShown},
+                                  {kNearby, "points", false, 1},
+                                  {kNearby, "ok", false, 2},
+                                  {kNearby, "worst L1", false, report::kAlwaysShown},
+                                  {kNearby, "seconds", false, 3}};
   for (const auto& one : methods) {
-    id.cells.push_back(one.id);
-    points.cells.push_back(std::to_string(one.points));
-    ok.cells.push_back(std::to_string(one.ok));
-    worst.cells.push_back(one.worst_l1 ? fmt::format("{:.2g}", *one.worst_l1)
-                                       : report::kMissingCell);
-    seconds.cells.push_back(fmt::format("{:.2g}", one.seconds));
+    report::add_table_row(
+        columns, {one.id, std::to_string(one.points), std::to_string(one.ok),
+                  one.worst_l1 ? fmt::format("{:.2g}", *one.worst_l1) : report::kMissingCell,
+                  fmt::format("{:.2g}", one.seconds)});
   }
-  return report::format_text_table({id, points, ok, worst, seconds}, format);
+  return report::format_text_table(std::move(columns), format);
 }
 
 // Returns a sentence on methods with underestimated errors. The sentence states the equation and
@@ -104,6 +102,16 @@ std::string missing_density_sentence(const MethodRecommendation& advice) {
   return fmt::format("No probability density at any of these points: {}.", fmt::join(items, ", "));
 }
 
+results::Json nearby_results_json(const NearbyMethodResults& one,
+                                  const RecommendationContext& context) {
+  results::Json json{{"id", one.id},           {"promised", one.promised},
+                     {"points", one.points},   {"ok", one.ok},
+                     {"worst_l1", nullptr},    {"misstated", one.underestimated},
+                     {"seconds", one.seconds}, {"command", context.command(one.id)}};
+  if (one.worst_l1) json["worst_l1"] = *one.worst_l1;
+  return json;
+}
+
 }  // namespace
 
 std::string recommendation_text(const MethodRecommendation& advice,
@@ -143,20 +151,6 @@ std::string recommendation_text(const MethodRecommendation& advice,
          paragraph("No guarantee: the map has no data between its points (docs/validity.md). " +
                    status_note);
 }
-
-namespace {
-
-results::Json nearby_results_json(const NearbyMethodResults& one,
-                                  const RecommendationContext& context) {
-  results::Json json{{"id", one.id},           {"promised", one.promised},
-                     {"points", one.points},   {"ok", one.ok},
-                     {"worst_l1", nullptr},    {"misstated", one.underestimated},
-                     {"seconds", one.seconds}, {"command", context.command(one.id)}};
-  if (one.worst_l1) json["worst_l1"] = *one.worst_l1;
-  return json;
-}
-
-}  // namespace
 
 std::string recommendation_json(const MethodRecommendation& advice,
                                 const RecommendationContext& context,

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "methods/registry.hpp"
-#include "report/text/text_format.hpp"
+#include "report/text/text_layout.hpp"
 #include "workflows/sweep/map/advice.hpp"
 
 namespace fpkcheck::sweep {

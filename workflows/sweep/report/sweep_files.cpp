@@ -6,7 +6,7 @@
 
 #include "base/files/file_transaction.hpp"
 #include "base/process/stop_request.hpp"
-#include "workflows/sweep/report/figure/sweep_figures.hpp"
+#include "workflows/sweep/report/figure/figures.hpp"
 #include "workflows/sweep/report/page/sweep_page.hpp"
 
 namespace fpkcheck::sweep {

@@ -6,8 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "report/text/text_columns.hpp"
-#include "report/text/wrap_text.hpp"
+#include "report/text/text_layout.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -55,25 +54,25 @@ std::string status_counts_cell(const std::map<transform::Status, int>& statuses)
 
 std::vector<TextColumn> method_table_columns(const SweepResults& results) {
   const SweepPlan& plan = results.plan;
-  TextColumn id{"", "solution", true, report::kAlwaysShown},
-      ok{"", "ok", false, report::kAlwaysShown}, reference{"", "reference", false, 2},
-      median{"L1 of ok", "median", false, 4}, ninetieth_percentile{"L1 of ok", "90 %", false, 3},
-      worst{"L1 of ok", "worst", false, 4}, seconds{"", "sec", false, 2},
-      others{"", "not ok", true, 1};
+  std::vector<TextColumn> columns{{"", "solution", true, report::kAlwaysShown},
+                                  {"", "ok", false, report::kAlwaysShown},
+                                  {"", "reference", false, 2},
+                                  {"L1 of ok", "median", false, 4},
+                                  {"L1 of ok", "90 %", false, 3},
+                                  {"L1 of ok", "worst", false, 4},
+                                  {"", "sec", false, 2},
+                                  {"", "not ok", true, 1}};
+  const auto points = static_cast<double>(std::max<std::size_t>(results.points.size(), 1));
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     auto found = summarise_method(results, m);
-    id.cells.push_back(plan.methods[m].id());
-    ok.cells.push_back(std::to_string(found.statuses[transform::Status::ok]));
-    reference.cells.push_back(std::to_string(found.references));
-    median.cells.push_back(l1_cell_text(found.l1, 0.5));
-    ninetieth_percentile.cells.push_back(l1_cell_text(found.l1, 0.9));
-    worst.cells.push_back(l1_cell_text(found.l1, 1));
-    seconds.cells.push_back(fmt::format(
-        "{:.2g}",
-        results.points.empty() ? 0.0 : found.seconds / static_cast<double>(results.points.size())));
-    others.cells.push_back(status_counts_cell(found.statuses));
+    report::add_table_row(
+        columns,
+        {plan.methods[m].id(), std::to_string(found.statuses[transform::Status::ok]),
+         std::to_string(found.references), l1_cell_text(found.l1, 0.5), l1_cell_text(found.l1, 0.9),
+         l1_cell_text(found.l1, 1), fmt::format("{:.2g}", found.seconds / points),
+         status_counts_cell(found.statuses)});
   }
-  return {id, ok, reference, median, ninetieth_percentile, worst, seconds, others};
+  return columns;
 }
 
 const char* method_table_legend() {
@@ -123,31 +122,25 @@ std::string solve_time_forecast_text(const SweepPlan& plan, const SolveTimeForec
                   forecast.megabytes > 0 ? fmt::format(", {:.0f} MB", forecast.megabytes) : ""),
       format.width);
   if (ranks.empty()) return text;
-  using report::TextColumn;
-  TextColumn count{"", "ranks", false, report::kAlwaysShown},
-      longest{"", "longest first", false, report::kAlwaysShown},
-      busy{"", "busy", false, report::kAlwaysShown},
-      in_order{"", "in order", false, report::kAlwaysShown},
-      shards{"", "shards", false, report::kAlwaysShown},
-      memory{"", "GB", false, report::kAlwaysShown};
+  constexpr int kAlways = report::kAlwaysShown;
+  std::vector<TextColumn> columns{
+      {"", "ranks", false, kAlways},  {"", "longest first", false, kAlways},
+      {"", "busy", false, kAlways},   {"", "in order", false, kAlways},
+      {"", "shards", false, kAlways}, {"", "GB", false, kAlways}};
   for (const int number : ranks) {
-    const auto workers = static_cast<std::size_t>(number);
-    const double best =
-        parallel_wall_clock_time(forecast.seconds, workers, PointDispatchRule::longest_first);
-    count.cells.push_back(std::to_string(number));
-    longest.cells.push_back(duration_text(best));
-    busy.cells.push_back(fmt::format("{:.0f} %", 100 * all / (best * number)));
-    in_order.cells.push_back(duration_text(
-        parallel_wall_clock_time(forecast.seconds, workers, PointDispatchRule::in_order)));
-    shards.cells.push_back(duration_text(
-        parallel_wall_clock_time(forecast.seconds, workers, PointDispatchRule::shards)));
-    memory.cells.push_back(forecast.megabytes > 0
-                               ? fmt::format("{:.1f}", forecast.megabytes * number / 1024)
-                               : report::kMissingCell);
+    const auto time = [&](PointDispatchRule rule) {
+      return parallel_wall_clock_time(forecast.seconds, static_cast<std::size_t>(number), rule);
+    };
+    const double best = time(PointDispatchRule::longest_first);
+    report::add_table_row(
+        columns, {std::to_string(number), duration_text(best),
+                  fmt::format("{:.0f} %", 100 * all / (best * number)),
+                  duration_text(time(PointDispatchRule::in_order)),
+                  duration_text(time(PointDispatchRule::shards)),
+                  forecast.megabytes > 0 ? fmt::format("{:.1f}", forecast.megabytes * number / 1024)
+                                         : report::kMissingCell});
   }
-  return text + '\n' +
-         report::format_text_table({count, longest, busy, in_order, shards, memory}, format) +
-         '\n' +
+  return text + '\n' + report::format_text_table(std::move(columns), format) + '\n' +
          report::wrap_text(
              "ranks: processes of one thread. longest first: the order of mpirun, the longest "
              "expected point first; busy: fraction of the time in which its ranks solve. in order: "

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/text/text_columns.hpp"
-#include "report/text/text_format.hpp"
+#include "report/text/text_layout.hpp"
 #include "workflows/sweep/execution/forecast.hpp"
 #include "workflows/sweep/plan/plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"

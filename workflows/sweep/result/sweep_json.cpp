@@ -12,6 +12,7 @@ namespace fpkcheck::sweep {
 namespace {
 
 using results::Json;
+using transform::Moments;
 
 Json axis_json(const SweepAxis& axis) {
   Json json{{"key", axis.key}, {"spacing", name(axis.spacing)}};
@@ -58,57 +59,6 @@ methods::Method method_from_json(const Json& json, const methods::SolverRegistry
   }
   return registry.make_method(*found, results::values_from_json(json.at("options")));
 }
-
-}  // namespace
-
-Json plan_json(const SweepPlan& plan) {
-  Json json{{"case", results::problem_to_json(plan.base)},
-            {"vary", Json::array()},
-            {"design", name(plan.design)},
-            {"points", plan.sobol_points},
-            {"marginals", plan.marginals},
-            {"closure_errors", name(plan.closure_errors)},
-            {"methods", Json::array()}};
-  for (const auto& axis : plan.axes) json["vary"].push_back(axis_json(axis));
-  for (const auto& method : plan.methods) {
-    json["methods"].push_back({{"id", method.id()},
-                               {"method", method.identity.method},
-                               {"options", results::values_to_json(method.options)}});
-  }
-  return json;
-}
-
-SweepPlan plan_from_json(const Json& json, const methods::SolverRegistry& registry) {
-  SweepPlan plan{.base = results::problem_from_json(json.at("case")),
-                 .axes = {},
-                 .design = enum_from_json<PlanDesign>(json.at("design")),
-                 .sobol_points = json.at("points"),
-                 .marginals = json.at("marginals"),
-                 .closure_errors = enum_from_json<ClosureErrorSource>(json.at("closure_errors"))};
-  for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_from_json(axis));
-  for (const auto& method : json.at("methods")) {
-    plan.methods.push_back(method_from_json(method, registry));
-  }
-  plan.points = make_plan_points(plan.axes, plan.design, plan.sobol_points);
-  return plan;
-}
-
-std::string first_plan_difference(const Json& before, const Json& now) {
-  const Json patch = Json::diff(before, now);
-  if (patch.empty()) return "";
-  const Json& first = patch.front();
-  const auto place = first.at("path").get<std::string>();
-  const Json::json_pointer path(place);
-  return fmt::format(
-      "{}: {} then, {} now", base::sanitise(place),
-      before.contains(path) ? base::sanitise(before.at(path).dump()) : "nothing",
-      first.contains("value") ? base::sanitise(first.at("value").dump()) : "nothing");
-}
-
-namespace {
-
-using results::Json;
-using transform::Moments;
 
 Json marginal_pair_json(const MarginalL1Values& pair) { return {pair.y, pair.ydot}; }
 
@@ -161,6 +111,50 @@ MethodResult method_result_from_json(const Json& json) {
 }
 
 }  // namespace
+
+Json plan_json(const SweepPlan& plan) {
+  Json json{{"case", results::problem_to_json(plan.base)},
+            {"vary", Json::array()},
+            {"design", name(plan.design)},
+            {"points", plan.sobol_points},
+            {"marginals", plan.marginals},
+            {"closure_errors", name(plan.closure_errors)},
+            {"methods", Json::array()}};
+  for (const auto& axis : plan.axes) json["vary"].push_back(axis_json(axis));
+  for (const auto& method : plan.methods) {
+    json["methods"].push_back({{"id", method.id()},
+                               {"method", method.identity.method},
+                               {"options", results::values_to_json(method.options)}});
+  }
+  return json;
+}
+
+SweepPlan plan_from_json(const Json& json, const methods::SolverRegistry& registry) {
+  SweepPlan plan{.base = results::problem_from_json(json.at("case")),
+                 .axes = {},
+                 .design = enum_from_json<PlanDesign>(json.at("design")),
+                 .sobol_points = json.at("points"),
+                 .marginals = json.at("marginals"),
+                 .closure_errors = enum_from_json<ClosureErrorSource>(json.at("closure_errors"))};
+  for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_from_json(axis));
+  for (const auto& method : json.at("methods")) {
+    plan.methods.push_back(method_from_json(method, registry));
+  }
+  plan.points = make_plan_points(plan.axes, plan.design, plan.sobol_points);
+  return plan;
+}
+
+std::string first_plan_difference(const Json& before, const Json& now) {
+  const Json patch = Json::diff(before, now);
+  if (patch.empty()) return "";
+  const Json& first = patch.front();
+  const auto place = first.at("path").get<std::string>();
+  const Json::json_pointer path(place);
+  return fmt::format(
+      "{}: {} then, {} now", base::sanitise(place),
+      before.contains(path) ? base::sanitise(before.at(path).dump()) : "nothing",
+      first.contains("value") ? base::sanitise(first.at("value").dump()) : "nothing");
+}
 
 Json point_result_json(const PointResult& result) {
   Json json{{"point", result.point},

@@ -248,7 +248,6 @@ std::string sweep_netcdf_bytes(const SweepResults& results, const std::string& c
   file.write_attribute("title", "solutions over the parameters of an oscillator");
   file.write_attribute("source", fmt::format("{} {}", program.name, program.version));
   file.write_attribute("command", program.command);
-  file.write_attribute("case", results.plan.base.name);
   results::write_problem_attributes(file, results.plan.base);
 
   SweepNetcdfFile sweep(file, results);

@@ -258,13 +258,9 @@ report::FigureAxis l1_distance_axis(const std::string& label,
                                     std::size_t rows_above) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   for (const auto& panel : panels) {
-    for (const auto& series : panel.series) {
-      for (const auto& point : series.points) {
-        if (!std::isfinite(point.y) || point.y <= 0) continue;
-        low = std::min(low, point.y);
-        high = std::max(high, point.y);
-      }
-    }
+    const auto range = report::coordinate_range(panel.series, &FigurePoint::y, 0);
+    low = std::min(low, range.least);
+    high = std::max(high, range.greatest);
   }
   if (high == 0) low = 1e-3, high = 1;
   constexpr double kLargest = 20, kDecades = 1e8;  // the L1 distance of two densities is at most 2

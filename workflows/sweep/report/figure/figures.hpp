@@ -1,10 +1,14 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "report/figure/drawing.hpp"
 #include "report/figure/figure.hpp"
+#include "report/figure/options.hpp"
 #include "workflows/sweep/report/figure/sweep_view.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -41,5 +45,22 @@ report::FigureAxis l1_distance_axis(const std::string& label,
 /// Returns the ordinate of a row of marks above the L1 distances in a figure.
 /// @param row index of the row, counted from the top
 double mark_row_ordinate(const report::FigureAxis& axis, std::size_t row);
+
+struct SweepFigure : report::PictureScript {
+  std::string caption;  ///< description of the figure in sentences
+};
+
+/// Returns the figures of a sweep: curves for one varied key, maps for two keys, and scatter plots
+/// for three or more keys.
+std::vector<SweepFigure> sweep_figures(const SweepResults& results,
+                                       report::FigureWidth width = report::FigureWidth::screen);
+
+/// Writes the script STEM.gp of each figure, draws the figure, and removes figures that belong to
+/// another plan.
+/// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing
+std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures,
+                                            const std::vector<SweepFigure>& pictures,
+                                            const report::FigureOptions& options = {},
+                                            const std::string& gnuplot = "gnuplot");
 
 }  // namespace fpkcheck::sweep

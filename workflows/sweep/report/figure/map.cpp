@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include "workflows/sweep/report/figure/figures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "report/figure/gnuplot.hpp"
-#include "workflows/sweep/report/figure/figures.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"
 
 namespace fpkcheck::sweep {
@@ -39,29 +38,19 @@ struct StatusMark {
   std::optional<Status> status;  ///< status of the marked points; empty for the reference
 };
 
+constexpr std::pair<Status, const char*> kStatusSymbols[] = {
+    {Status::not_converged, "cross"},  // gnuplot draws the cross as a plus sign
+    {Status::ill_posed, "triangle-up-open"},
+    {Status::inaccurate, "circle"},
+    {Status::inadmissible, "x"},
+    {Status::failed, "asterisk"},
+    {Status::not_offered, "square-open"}};
+static_assert(std::size(kStatusSymbols) + 1 == std::size(transform::kStatusNames));
+
 std::vector<StatusMark> status_marks() {
   std::vector<StatusMark> marks;
-  const auto symbol = [](Status status) {
-    switch (status) {
-      case Status::ok:
-        break;
-      case Status::not_converged:
-        return "cross";  // gnuplot draws the cross as a plus sign
-      case Status::ill_posed:
-        return "triangle-up-open";
-      case Status::inaccurate:
-        return "circle";
-      case Status::inadmissible:
-        return "x";
-      case Status::failed:
-        return "asterisk";
-      case Status::not_offered:
-        return "square-open";
-    }
-    return "";
-  };
-  for (const auto& [status, name, meaning] : transform::kStatusNames) {
-    if (status != Status::ok) marks.push_back({symbol(status), std::string(name), status});
+  for (const auto& [status, symbol] : kStatusSymbols) {
+    marks.push_back({symbol, std::string(name(status)), status});
   }
   marks.push_back({"circle-open", "the reference", std::nullopt});
   return marks;

@@ -1,10 +1,8 @@
-#include "workflows/sweep/report/figure/sweep_figures.hpp"
+#include "workflows/sweep/report/figure/figures.hpp"
 
 #include <fmt/format.h>
 
-#include "base/files/file_transaction.hpp"
 #include "report/figure/drawing.hpp"
-#include "workflows/sweep/report/figure/figures.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"
 
 namespace fpkcheck::sweep {
@@ -19,18 +17,17 @@ std::vector<SweepFigure> curve_figures(const SweepView& view, report::FigureWidt
   std::vector<SweepFigure> pictures;
   if (view.has_distances()) {
     pictures.push_back(
-        {kDistances,
+        {{kDistances, report::make_gnuplot_script(distance_curves_figure(view), kDistances, width)},
          "L1 distances of p(y) and p(y') to the reference of each point. Open marks: the solution "
          "is not ok. Dotted: error estimate of the method (for a discretised equation: with "
          "respect to that equation, which may differ from the problem's). Grey: error estimate of "
          "the reference, below which distances are not significant. Crosses at the top: solutions "
-         "without a density.",
-         report::make_gnuplot_script(distance_curves_figure(view), kDistances, width)});
+         "without a density."});
   }
-  pictures.push_back({kMoments,
-                      "E[y\u00b2] and E[y\u2032\u00b2]. Open marks: the solution is not ok. The "
-                      "axes cover the solutions that are ok.",
-                      report::make_gnuplot_script(moment_curves_figure(view), kMoments, width)});
+  pictures.push_back(
+      {{kMoments, report::make_gnuplot_script(moment_curves_figure(view), kMoments, width)},
+       "E[y\u00b2] and E[y\u2032\u00b2]. Open marks: the solution is not ok. The axes cover the "
+       "solutions that are ok."});
   return pictures;
 }
 
@@ -41,7 +38,7 @@ SweepFigure map_figure(const SweepView& view, report::FigureWidth width) {
   if (const auto reference = view.common_reference_id(); !reference.empty()) {
     caption += fmt::format(" The reference is {} at all points.", reference);
   }
-  return {kMap, caption, report::make_gnuplot_script(distance_map_figure(view), kMap, width)};
+  return {{kMap, report::make_gnuplot_script(distance_map_figure(view), kMap, width)}, caption};
 }
 
 }  // namespace
@@ -55,31 +52,21 @@ std::vector<SweepFigure> sweep_figures(const SweepResults& results, report::Figu
   if (plan.axes.size() == 1 || one_is_words) return curve_figures(view, width);
   if (!view.has_distances()) return {};
   if (plan.axes.size() == 2) return {map_figure(view, width)};
-  return {{kScatter,
+  return {{{kScatter, report::make_gnuplot_script(distance_scatter_figure(view), kScatter, width)},
            "The larger of the L1 distances of p(y) and p(y') to the reference of each point, "
-           "against each key, and the median over the solutions that are ok.",
-           report::make_gnuplot_script(distance_scatter_figure(view), kScatter, width)}};
+           "against each key, and the median over the solutions that are ok."}};
 }
 
 std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures,
                                             const std::vector<SweepFigure>& pictures,
                                             const report::FigureOptions& options,
                                             const std::string& gnuplot) {
-  std::filesystem::create_directories(figures);
   for (const char* stem : {kDistances, kMoments, kMap, kScatter}) {
     report::remove_script_and_pictures(figures, stem);
   }
-  std::vector<std::string> stems;
-  for (const auto& picture : pictures) {
-    base::write_file_atomically(figures / (picture.stem + ".gp"), picture.script);
-    stems.push_back(picture.stem);
-  }
-  try {
-    return report::draw_scripts_in_all_formats(gnuplot, figures, stems, options);
-  } catch (const report::GnuplotMissing& missing) {
-    return {fmt::format("no pictures: {} (install gnuplot, then the same command draws them)",
-                        missing.what())};
-  }
+  return report::write_scripts_and_draw(figures, {pictures.begin(), pictures.end()}, options,
+                                        gnuplot, "no pictures",
+                                        " (install gnuplot, then the same command draws them)");
 }
 
 }  // namespace fpkcheck::sweep

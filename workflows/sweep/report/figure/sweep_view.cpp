@@ -84,14 +84,11 @@ std::string SweepView::common_reference_id() const {
   return only;
 }
 
-bool SweepView::is_always_reference(std::size_t method_index) const {
-  return common_reference_id() == plan().methods[method_index].id();
-}
-
 std::vector<std::size_t> SweepView::compared_method_indices() const {
+  const std::string always_reference = common_reference_id();
   std::vector<std::size_t> compared;
   for (std::size_t method_index = 0; method_index < plan().methods.size(); ++method_index) {
-    if (!is_always_reference(method_index)) compared.push_back(method_index);
+    if (plan().methods[method_index].id() != always_reference) compared.push_back(method_index);
   }
   return compared;
 }

@@ -33,9 +33,8 @@ class SweepView {
   bool has_distances() const;
   /// Returns the id of the reference that all points share; "" if the references differ.
   std::string common_reference_id() const;
-  /// Returns whether the method is the reference of every point that has a reference.
-  bool is_always_reference(std::size_t method_index) const;
-  /// Returns the indices of all methods except a method that is always the reference.
+  /// Returns the indices of all methods except a method that is the reference of every point with a
+  /// reference.
   std::vector<std::size_t> compared_method_indices() const;
 
   /// Returns the parts of a figure title. Each part states one parameter that has the same value at

@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
+#include <regex>
 #include <span>
 #include <tuple>
 
@@ -42,18 +42,6 @@ std::string axis_sentence(const SweepAxis& axis) {
                            axis.to, axis.values.size(), how);
 }
 
-const char* design_text(PlanDesign design) {
-  switch (design) {
-    case PlanDesign::product:
-      return "every value with every other";
-    case PlanDesign::list:
-      return "the k-th values of all keys together";
-    case PlanDesign::sobol:
-      return "points of a Sobol sequence";
-  }
-  return "";
-}
-
 std::string introduction_html(const SweepResults& results) {
   const SweepPlan& plan = results.plan;
   std::vector<std::string> varied;
@@ -61,7 +49,7 @@ std::string introduction_html(const SweepResults& results) {
   std::string text =
       fmt::format("Varied parameters of {}: {}", plan.base.name, fmt::join(varied, "; "));
   if (plan.axes.size() > 1 || plan.design == PlanDesign::sobol) {
-    text += fmt::format("; design: {}", design_text(plan.design));
+    text += fmt::format("; design: {}", base::meaning_of(plan.design));
   }
   text += fmt::format(". {}, each solved by {}.", count_with_noun(plan.points.size(), "point"),
                       count_with_noun(plan.methods.size(), "method"));
@@ -154,43 +142,9 @@ std::string sweep_page(const SweepResults& results, const std::vector<EmbeddedPi
       escape_html(command));
 }
 
-namespace {
-
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-std::size_t end_of_number(const std::string& text, std::size_t at) {
-  while (at < text.size() && is_digit(text[at])) ++at;
-  if (at + 1 < text.size() && text[at] == '.' && is_digit(text[at + 1])) {
-    ++at;
-    while (at < text.size() && is_digit(text[at])) ++at;
-  }
-  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-    const bool has_sign = at + 1 < text.size() && (text[at + 1] == '-' || text[at + 1] == '+');
-    const std::size_t digits = at + (has_sign ? 2 : 1);
-    if (digits < text.size() && is_digit(text[digits])) {
-      at = digits;
-      while (at < text.size() && is_digit(text[at])) ++at;
-    }
-  }
-  return at;
-}
-
-}  // namespace
-
 std::string replace_numbers_by_dots(const std::string& reason) {
-  std::string text;
-  for (std::size_t at = 0; at < reason.size();) {
-    const bool in_word = at > 0 && (is_letter(reason[at - 1]) || is_digit(reason[at - 1]));
-    const bool is_signed = reason[at] == '-' && at + 1 < reason.size() && is_digit(reason[at + 1]);
-    if (in_word || !(is_digit(reason[at]) || is_signed)) {
-      text += reason[at++];
-      continue;
-    }
-    text += "...";
-    at = end_of_number(reason, at + (is_signed ? 1 : 0));
-  }
-  return text;
+  static const std::regex number("(^|[^A-Za-z0-9_])-?[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
+  return std::regex_replace(reason, number, "$1...");
 }
 
 std::vector<ReasonGroup> reason_groups(const SweepResults& results) {

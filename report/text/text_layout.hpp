@@ -1,12 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "report/text/text_format.hpp"
-
 namespace fpkcheck::report {
+
+struct TextFormat {
+  // This constructor is not explicit, since most callers set only the text width.
+  TextFormat(std::size_t characters = 100, bool with_colour = false)  // NOLINT
+      : width(characters), colour(with_colour) {}
+
+  std::size_t width;
+  bool colour;  ///< whether to use ANSI colours, for a terminal that supports them
+};
+
+/// Breaks a text between words into lines of at most `width` characters, each ended by a newline.
+/// All lines after the first line begin with `indent` spaces. A word longer than a line is not
+/// broken.
+std::string wrap_text(std::string_view text, std::size_t width, std::size_t indent = 0);
 
 inline constexpr const char* kMissingCell = "-";
 
@@ -26,6 +40,9 @@ struct TextColumn {
 inline constexpr int kAlwaysShown = std::numeric_limits<int>::max();
 
 TextColumn make_status_column();
+
+/// Adds a row with one cell for each column.
+void add_table_row(std::vector<TextColumn>& columns, const std::vector<std::string>& cells);
 
 /// Returns the columns that fit into the width of the format. The least important columns are
 /// omitted first.

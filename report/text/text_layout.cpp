@@ -1,10 +1,11 @@
-#include "report/text/text_columns.hpp"
+#include "report/text/text_layout.hpp"
 
 #include <fmt/color.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "transform/solution.hpp"
@@ -81,6 +82,10 @@ std::size_t TextColumn::width() const {
   return width;
 }
 
+void add_table_row(std::vector<TextColumn>& columns, const std::vector<std::string>& cells) {
+  for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells.at(k));
+}
+
 TextColumn make_status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
 
 std::vector<TextColumn> select_columns_to_fit(std::vector<TextColumn> columns,
@@ -122,6 +127,25 @@ std::string format_text_table(std::vector<TextColumn> columns, const TextFormat&
     text += row_line(columns, gap, k, format.colour);
   }
   return text;
+}
+
+std::string wrap_text(std::string_view text, std::size_t width, std::size_t indent) {
+  // The first line keeps the leading spaces of the text.
+  const std::size_t first_word = text.find_first_not_of(' ');
+  std::string result, line(first_word == std::string_view::npos ? 0 : first_word, ' ');
+  bool line_is_empty = true;
+  std::istringstream words{std::string(text)};
+  for (std::string word; words >> word;) {
+    if (!line_is_empty && line.size() + 1 + word.size() > width) {
+      result += line + '\n';
+      line.assign(indent, ' ');
+      line_is_empty = true;
+    }
+    if (!line_is_empty) line += ' ';
+    line += word;
+    line_is_empty = false;
+  }
+  return result + line + '\n';
 }
 
 }  // namespace fpkcheck::report

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "results/run.hpp"
+#include "transform/solution.hpp"
+
+namespace fpkcheck::report {
+
+/// Returns the solutions of the full problem, with which tables and sentences compare all other
+/// solutions. The reference of the case is the first element. All further solutions have their
+/// order in the case. The list is empty if the case has no reference.
+std::vector<const transform::Solution*> solutions_of_full_problem(
+    const results::CaseResult& case_result);
+
+/// Returns a sentence on the reference and the reason for its selection.
+std::string describe_reference(const results::CaseResult& case_result);
+
+struct SolutionFamily {
+  std::string name;
+  std::vector<const transform::Solution*> solutions;
+};
+
+/// Groups solutions by family. The order of the families is the order of their first members in
+/// `solutions`.
+std::vector<SolutionFamily> group_by_family(
+    const std::vector<const transform::Solution*>& solutions);
+std::vector<SolutionFamily> group_by_family(std::span<const transform::Solution> solutions);
+
+/// The reason why solutions of a case have a status other than `ok`. Solutions with status
+/// `not_offered` and equal reasons share one StatusReason.
+struct StatusReason {
+  std::vector<std::string> solutions;  ///< ids in the order of the case
+  transform::Status status;
+  std::string text;
+};
+
+std::vector<StatusReason> group_status_reasons(const results::CaseResult& case_result);
+
+/// Returns the walls at which a solution of the case has an atom (mass at rest in contact), in
+/// increasing order. For the cases of the paper the list of walls is empty.
+std::vector<double> walls_with_rest_atoms(const results::CaseResult& case_result);
+
+/// Returns the header of the column of a wall: "P(rest)", or "P(rest at -0.5)" if several walls
+/// have atoms.
+std::string rest_probability_header(const results::CaseResult& case_result, double wall);
+
+/// Returns the probability of rest at a wall; NaN if the solution has no atom at the wall.
+double rest_atom_probability(const transform::Solution& solution, double wall);
+
+}  // namespace fpkcheck::report

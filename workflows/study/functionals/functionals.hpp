@@ -1,0 +1,112 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/options/description.hpp"
+#include "methods/run_cases.hpp"
+#include "problem/problem.hpp"
+#include "report/figure/figure.hpp"
+#include "report/text/text_layout.hpp"
+#include "transform/passage.hpp"
+#include "transform/sensitivities.hpp"
+#include "transform/spectrum.hpp"
+#include "workflows/study/functionals/functional.hpp"
+
+/// The commands `passage`, `spectrum` and `sensitivity`: functionals of the motion.
+namespace fpkcheck::study {
+
+/// First passage of the displacement above a barrier.
+struct PassageOptions : FunctionalOptions {
+  std::optional<double> displacement{};
+  /// Initial state "Y,V"; empty for a start at rest.
+  std::optional<std::string> start{};
+  /// Comma-separated times of the survival probabilities.
+  std::optional<std::string> times{};
+};
+
+const base::Description<PassageOptions>& passage_option_descriptions();
+
+struct PassageStudy {
+  static constexpr const char* kFileStem = "passage";
+  problem::Problem problem;
+  PassageOptions options;
+  /// Passage results of the selected methods, and of the approximation by Rice's rate if the
+  /// finite-volume solution has an upcrossing rate.
+  std::vector<transform::Passage> passages;
+};
+
+/// @throws InputError for invalid options
+PassageStudy study_passage(const problem::Problem& problem, const PassageOptions& options,
+                           const methods::ProgressListener& listener);
+
+/// Returns whether the status of every method that supports the problem is `ok`.
+bool has_converged(const PassageStudy& study);
+
+std::string study_json_text(const PassageStudy& study, const std::string& command);
+std::string study_csv_text(const PassageStudy& study);
+std::string study_table_text(const PassageStudy& study, const report::TextFormat& format);
+/// Returns a figure of the survival probabilities, and of the mean times over all starts if a
+/// method computes them.
+report::Figure study_figure(const PassageStudy& study);
+
+/// Spectral densities of y or y'.
+struct SpectrumOptions : FunctionalOptions {
+  transform::StateVariable variable = transform::StateVariable::y;
+  /// Frequencies "FROM:TO:N". If empty, the range from 0 to four times the mean frequency is
+  /// divided into 200 intervals.
+  std::optional<std::string> frequencies{};
+};
+
+const base::Description<SpectrumOptions>& spectrum_option_descriptions();
+
+struct SpectrumStudy {
+  static constexpr const char* kFileStem = "spectrum";
+  problem::Problem problem;
+  SpectrumOptions options;
+  std::vector<transform::Spectrum> spectra;
+};
+
+/// @throws InputError for invalid options
+SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOptions& options,
+                             const methods::ProgressListener& listener);
+
+/// Returns whether the status of every method that supports the problem is `ok`.
+bool has_converged(const SpectrumStudy& study);
+
+std::string study_json_text(const SpectrumStudy& study, const std::string& command);
+std::string study_csv_text(const SpectrumStudy& study);
+std::string study_table_text(const SpectrumStudy& study, const report::TextFormat& format);
+report::Figure study_figure(const SpectrumStudy& study);
+
+/// Derivatives of the stationary moments with respect to parameters.
+struct SensitivityOptions : FunctionalOptions {
+  /// Comma-separated keys of the parameters; empty for all of differentiable_parameters().
+  std::optional<std::string> parameters{};
+};
+
+const base::Description<SensitivityOptions>& sensitivity_option_descriptions();
+
+struct SensitivityStudy {
+  static constexpr const char* kFileStem = "sensitivity";
+  problem::Problem problem;
+  SensitivityOptions options;
+  std::vector<transform::Sensitivities> solutions;
+};
+
+/// @throws InputError for invalid options and parameters
+SensitivityStudy study_sensitivity(const problem::Problem& problem,
+                                   const SensitivityOptions& options,
+                                   const methods::ProgressListener& listener);
+
+/// Returns whether the status of every method that supports the problem is `ok`.
+bool has_converged(const SensitivityStudy& study);
+
+std::string study_json_text(const SensitivityStudy& study, const std::string& command);
+std::string study_csv_text(const SensitivityStudy& study);
+std::string study_table_text(const SensitivityStudy& study, const report::TextFormat& format);
+/// Returns a figure with the elasticities as bars.
+report::Figure study_figure(const SensitivityStudy& study);
+
+}  // namespace fpkcheck::study
