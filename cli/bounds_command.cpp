@@ -33,7 +33,7 @@ examples:
   fpkcheck bounds case1 --bin ydot:0.5:0.3          average of p(y') around 0.5
 )";
 
-backward::Functional parse_smooth_bin(const std::string& text) {
+backward::StationaryFunctional parse_smooth_bin(const std::string& text) {
   const auto refuse = [&] {
     throw InputError(
         fmt::format("--bin {} (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)",
@@ -49,7 +49,7 @@ backward::Functional parse_smooth_bin(const std::string& text) {
     return std::get<double>(*found);
   };
   return backward::SmoothBin::with_equidistant_knots(
-      variable == "y" ? backward::Axis::displacement : backward::Axis::velocity,
+      variable == "y" ? backward::StateVariable::y : backward::StateVariable::ydot,
       number(text.substr(first + 1, second - first - 1)), number(text.substr(second + 1)));
 }
 
@@ -58,8 +58,8 @@ backward::Functional parse_smooth_bin(const std::string& text) {
 int bounds_command(const CommandCall& call) {
   namespace po = boost::program_options;
   CommonArguments common;
-  const auto& description = backward::description();
-  base::Values values = description.values(backward::Options{});
+  const auto& description = backward::bounds_option_descriptions();
+  base::Values values = description.values(backward::BoundsOptions{});
   std::vector<std::string> bins;
   po::options_description own = make_command_line_options(description, values);
   own.add_options()(
@@ -71,9 +71,9 @@ int bounds_command(const CommandCall& call) {
     return kSuccess;
   }
   if (common.cases.empty()) throw InputError("no case; name one, e.g. case1");
-  backward::Options options = description.read(values, "options");
+  backward::BoundsOptions options = description.read(values, "options");
   for (const auto& bin : bins) options.functionals.push_back(parse_smooth_bin(bin));
-  backward::validate(options);
+  backward::require_valid_bounds_options(options);
   const auto problems = load_cases(common);
   const OutputDirectory directory(common.out);
 

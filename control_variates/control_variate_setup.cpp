@@ -72,10 +72,12 @@ DepositLayout make_deposit_layout(const problem::Problem& problem,
   const auto linear = problem::equivalent_linearisation(problem);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double deflection = problem::static_deflection(problem);
-  auto splines =
-      backward::control_splines(problem, {.y = cells.y, .v = cells.v}, backward::CellWidths::even);
-  DepositLayout p{
-      .y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
+  auto splines = backward::make_control_splines(problem, {.y_cells = cells.y, .v_cells = cells.v},
+                                                backward::ControlCellWidths::equal);
+  DepositLayout p{.y = std::move(splines.y_splines),
+                  .v = std::move(splines.v_splines),
+                  .grid = {},
+                  .functionals = {}};
   const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
   constexpr int kBinHalfWidth = 2;
   const int v_half = static_cast<int>(kBinExtent / kVBinSpacing) - kBinHalfWidth;
@@ -105,17 +107,17 @@ DepositLayout make_deposit_layout(const problem::Problem& problem,
 ControlVariateSetup make_control_variate_setup(const problem::Problem& problem,
                                                const DepositLayout& deposit_layout,
                                                double sampling_interval) {
-  const auto control = backward::control_function_fit(problem, deposit_layout.y, deposit_layout.v,
-                                                      1 / sampling_interval);
+  const auto control = backward::make_control_fit_problem(problem, deposit_layout.y,
+                                                          deposit_layout.v, 1 / sampling_interval);
   auto functions =
       backward::fit_control_functions(control, deposit_layout.functionals.functional_integrands());
   return {.problem = problem,
           .deposit_layout = deposit_layout,
-          .control = std::move(functions.coefficients),
+          .control = std::move(functions.spline_coefficients),
           .after_impulse = backward::spline_means_after_impulse(
               deposit_layout.v, problem.impulses.amplitude_law(),
               lattice_velocities(deposit_layout.grid)),
-          .backward_means = std::move(functions.means)};
+          .backward_means = std::move(functions.mean_estimates)};
 }
 
 }  // namespace fpkcheck::control_variates

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "backward/residual/density_residuals.hpp"
+#include "backward/residual/density_error_estimator.hpp"
 #include "base/input_error.hpp"
 #include "base/process/parallel_for.hpp"
 #include "base/process/stopwatch.hpp"
@@ -34,7 +34,7 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
     constexpr double kSeconds = 1;  // time of all processors in which most problems reach grid 3
     cases[k].bounds =
         compute_guaranteed_bounds(cases[k].problem, {.relative_half_width = 1e-5,
-                                                     .seconds = kSeconds * cases_at_once,
+                                                     .time_limit_seconds = kSeconds * cases_at_once,
                                                      .threads = threads / cases_at_once});
     poll();
     add_moment_error_estimates(cases[k], estimators[k], threads / cases_at_once);
@@ -45,14 +45,15 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
 }
 
 compare::GuaranteedBounds compute_guaranteed_bounds(const problem::Problem& problem,
-                                                    const backward::Options& options) {
+                                                    const backward::BoundsOptions& options) {
   const base::Stopwatch stopwatch;
   compare::GuaranteedBounds bounds{.reason = {}, .seconds = 0, .each = {}};
   const bool completed = run_unless_out_of_memory([&] {
-    const backward::GuaranteedBounds computed = backward::compute_bounds(problem, options);
+    const backward::GuaranteedBounds computed =
+        backward::compute_guaranteed_bounds(problem, options);
     bounds.reason = computed.reason;
-    for (const auto& [functional, value] : computed.each) {
-      bounds.each.push_back({backward::name(functional), value.lower, value.upper});
+    for (const auto& [functional, value] : computed.functional_bounds) {
+      bounds.each.push_back({backward::functional_name(functional), value.lower, value.upper});
     }
   });
   if (!completed) bounds = {.reason = kOutOfMemory, .seconds = 0, .each = {}};
@@ -70,14 +71,14 @@ struct MomentErrorsAndSources {
   std::vector<results::ErrorSource> sources;
 };
 
-results::ErrorSource make_error_source(const backward::DensityResiduals& residuals,
+results::ErrorSource make_error_source(const backward::DensityErrorEstimator& error_estimator,
                                        const problem::WallFrame& frame, const std::string& solution,
                                        const transform::NamedMoment& moment,
                                        const Eigen::MatrixXd& contributions,
                                        const transform::GridDensity& cells) {
-  Eigen::MatrixXd values =
-      residuals.contributions_per_cell(contributions, transform::to_x_edges(frame, cells.y_edges),
-                                       transform::transform_v_edges(frame, cells.v_edges));
+  Eigen::MatrixXd values = error_estimator.distribute_contributions_over_cells(
+      contributions, transform::to_x_edges(frame, cells.y_edges),
+      transform::transform_v_edges(frame, cells.v_edges));
   if (frame.mirrored) values = values.reverse().eval();
   results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
@@ -91,19 +92,20 @@ results::ErrorSource make_error_source(const backward::DensityResiduals& residua
 
 /// @param cells cells of the error sources, or null
 std::optional<MomentErrorsAndSources> estimate_moment_errors(
-    const backward::DensityResiduals& residuals, const problem::WallFrame& frame,
+    const backward::DensityErrorEstimator& error_estimator, const problem::WallFrame& frame,
     const transform::Solution& solution, const transform::GridDensity* cells) try {
   const auto weighted =
-      residuals.estimate_errors(transform::to_wall_coordinates(frame, *solution.density));
-  MomentErrorsAndSources found{.error = {solution.id(), weighted.corrected, {}}, .sources = {}};
+      error_estimator.estimate_errors(transform::to_wall_coordinates(frame, *solution.density));
+  MomentErrorsAndSources found{.error = {solution.id(), weighted.corrected_moments, {}},
+                               .sources = {}};
   for (std::size_t k = 0; k < backward::kMomentCount; ++k) {
     const auto& named = transform::kMoments[k];
     found.error.error.*named.moment =
-        solution.moments.*named.moment - weighted.corrected.*named.moment;
+        solution.moments.*named.moment - weighted.corrected_moments.*named.moment;
     const bool has_error_source = named.moment == &Moments::y2 || named.moment == &Moments::v2;
     if (!has_error_source || cells == nullptr) continue;
-    found.sources.push_back(make_error_source(residuals, frame, solution.id(), named,
-                                              weighted.contributions[k], *cells));
+    found.sources.push_back(make_error_source(error_estimator, frame, solution.id(), named,
+                                              weighted.moment_error_contributions[k], *cells));
   }
   return found;
 } catch (const InputError&) {
@@ -124,11 +126,11 @@ void add_moment_error_estimates(CaseResult& case_result, const ResidualErrorEsti
   const auto* cells = case_result.joints.empty() ? nullptr : &case_result.joints.front().density;
   std::vector<std::optional<MomentErrorsAndSources>> found(densities.size());
   const bool completed = run_unless_out_of_memory([&] {
-    const auto* residuals = estimator.density_residuals();
-    if (residuals == nullptr) return;
+    const auto* error_estimator = estimator.density_error_estimator();
+    if (error_estimator == nullptr) return;
     base::parallel_for(densities.size(), thread_count, [&](std::size_t k) {
-      found[k] =
-          estimate_moment_errors(*residuals, estimator.wall_coordinates(), *densities[k], cells);
+      found[k] = estimate_moment_errors(*error_estimator, estimator.wall_coordinates(),
+                                        *densities[k], cells);
     });
   });
   if (!completed) return;

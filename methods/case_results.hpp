@@ -32,16 +32,16 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
                                                       const std::vector<Method>& methods,
                                                       const CaseResultSettings& settings);
 
-/// Computes guaranteed bounds by backward::compute_bounds(). If memory does not suffice, the result
-/// has no bounds, and its `reason` is kOutOfMemory.
+/// Computes guaranteed bounds by backward::compute_guaranteed_bounds(). If memory does not suffice,
+/// the result has no bounds, and its `reason` is kOutOfMemory.
 compare::GuaranteedBounds compute_guaranteed_bounds(const problem::Problem& problem,
-                                                    const backward::Options& options);
+                                                    const backward::BoundsOptions& options);
 
 /// Computes moment error estimates and error sources of solutions by the dual-weighted residual
-/// method (backward/residual/density_residuals.hpp). Only solutions whose density is a function, or
-/// averages over cells of a finite-volume method, get estimates. A histogram of a simulation gets
-/// no estimate, since sampling noise is not a residual of an equation. If the backward equation
-/// cannot be solved or memory does not suffice, no solution gets an estimate.
+/// method (backward/residual/density_error_estimator.hpp). Only solutions whose density is a
+/// function, or averages over cells of a finite-volume method, get estimates. A histogram of a
+/// simulation gets no estimate, since sampling noise is not a residual of an equation. If the
+/// backward equation cannot be solved or memory does not suffice, no solution gets an estimate.
 /// @param thread_count number of threads; 0 for one per processor
 void add_moment_error_estimates(results::CaseResult& case_result,
                                 const ResidualErrorEstimator& estimator, int thread_count);

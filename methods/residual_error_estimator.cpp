@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "backward/generator/normal_equations.hpp"
-#include "backward/residual/density_residuals.hpp"
+#include "backward/residual/density_error_estimator.hpp"
 #include "base/input_error.hpp"
 #include "transform/coordinate_transformation.hpp"
 
@@ -23,7 +23,7 @@ struct ResidualErrorEstimator::LazyFit {
   problem::Problem problem;
   std::string unsupported_reason;
   std::once_flag once = {};
-  std::optional<backward::DensityResiduals> estimator = {};
+  std::optional<backward::DensityErrorEstimator> estimator = {};
 };
 
 ResidualErrorEstimator::ResidualErrorEstimator(const problem::Problem& problem)
@@ -31,7 +31,7 @@ ResidualErrorEstimator::ResidualErrorEstimator(const problem::Problem& problem)
 ResidualErrorEstimator::ResidualErrorEstimator(ResidualErrorEstimator&&) noexcept = default;
 ResidualErrorEstimator::~ResidualErrorEstimator() = default;
 
-const backward::DensityResiduals* ResidualErrorEstimator::density_residuals() const {
+const backward::DensityErrorEstimator* ResidualErrorEstimator::density_error_estimator() const {
   std::call_once(fit_->once, [&] {
     if (!fit_->unsupported_reason.empty()) return;
     try {
@@ -59,10 +59,11 @@ namespace {
 std::optional<backward::DensityErrors> estimate_density_errors(
     const ResidualErrorEstimator& estimator, const transform::Density& density,
     const problem::WallFrame& coordinates) try {
-  const auto* known = estimator.density_residuals();
-  if (known == nullptr) return std::nullopt;
-  if (coordinates == estimator.wall_coordinates()) return known->estimate_errors(density);
-  return known->estimate_errors(
+  const auto* density_estimator = estimator.density_error_estimator();
+  if (density_estimator == nullptr) return std::nullopt;
+  if (coordinates == estimator.wall_coordinates())
+    return density_estimator->estimate_errors(density);
+  return density_estimator->estimate_errors(
       transform::to_wall_coordinates(estimator.wall_coordinates(), density));
 } catch (const InputError&) {
   return std::nullopt;  // no error estimate for a density without a mean
@@ -84,8 +85,9 @@ std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,
 // inaccurate, or the estimate is only an upper bound that is much larger than the error.
 std::string large_estimate_reason(const backward::DensityErrors& weighted,
                                   const transform::ErrorEstimate& error, double accuracy) {
-  const double found = backward::DensityErrors::kSubBinFactor *
-                       std::max(weighted.y_l1.found, weighted.ydot_l1.found);
+  const double found =
+      backward::DensityErrors::kSubBinFactor *
+      std::max(weighted.y_l1.dual_weighted_error, weighted.ydot_l1.dual_weighted_error);
   if (found <= accuracy) {
     return fmt::format(
         "the residuals only bound the error by L1 {:.2g} in p(y) and {:.2g} in p(y'): the solution "

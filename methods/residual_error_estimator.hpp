@@ -9,7 +9,7 @@
 #include "transform/solution.hpp"
 
 namespace fpkcheck::backward {
-class DensityResiduals;
+class DensityErrorEstimator;
 }  // namespace fpkcheck::backward
 
 namespace fpkcheck::methods {
@@ -27,7 +27,7 @@ class ResidualErrorEstimator {
   /// Returns the residual estimator for densities in wall coordinates. The result is null if the
   /// backward equations cannot be solved, or if residuals_unsupported_reason() of `backward`
   /// excludes the problem. Several threads may call this function at the same time.
-  const backward::DensityResiduals* density_residuals() const;
+  const backward::DensityErrorEstimator* density_error_estimator() const;
   const problem::WallFrame& wall_coordinates() const;
   /// Returns why the estimator does not support the problem; empty for a supported problem.
   const std::string& unsupported_reason() const;
@@ -41,9 +41,9 @@ std::vector<ResidualErrorEstimator> make_error_estimators(
     const std::vector<problem::Problem>& problems);
 
 /// Sets the error estimate of a solution with a density by the dual-weighted residual method
-/// (backward/residual/density_residuals.hpp). The estimate refers to the exact density of the full
-/// problem, even if the method solves another equation. An `ok` solution becomes `inaccurate` if
-/// the L1 error estimate is missing or exceeds `accuracy`.
+/// (backward/residual/density_error_estimator.hpp). The estimate refers to the exact density of the
+/// full problem, even if the method solves another equation. An `ok` solution becomes `inaccurate`
+/// if the L1 error estimate is missing or exceeds `accuracy`.
 /// @param accuracy largest admissible L1 error of p(y) and of p(y')
 /// @param coordinates coordinates of the density of the solution; by default physical coordinates
 /// @param reason_prefix first words of the reason for the status `inaccurate`

@@ -20,53 +20,62 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kWeightPower = 12;
+constexpr int kWeightExponent = 12;  // exponent m of the weight tau
 
-int threads_of(const Options& options) {
+int thread_count(const BoundsOptions& options) {
   return options.threads.value_or(base::available_processors());
 }
 
-double requested_half_width(const FunctionalBounds& bound, const Options& options) {
-  return std::max(options.half_width, options.relative_half_width * std::abs(bound.value.middle()));
+double requested_half_width(const FunctionalBounds& bound, const BoundsOptions& options) {
+  return std::max(options.absolute_half_width,
+                  options.relative_half_width * std::abs(bound.enclosure.middle()));
 }
 
-bool is_narrow_enough(const FunctionalBounds& bound, const Options& options) {
+bool is_narrow_enough(const FunctionalBounds& bound, const BoundsOptions& options) {
   const double requested = requested_half_width(bound, options);
-  return requested > 0 && bound.value.half_width() <= requested;
+  return requested > 0 && bound.enclosure.half_width() <= requested;
 }
 
 // Reason why the refinement of the grids stopped for a functional.
 struct StopReason {
-  enum class Cause { none, time, grids, fit } cause = Cause::none;
-  double seconds = 0;  ///< expected total computing time at the end of the next grid
+  enum class Cause {
+    none,         // the refinement continues, or the bounds have the requested half-width
+    time_limit,   // the next grid would end after the time limit
+    finest_grid,  // no finer grid exists
+    fit_failure   // the fit failed, with the error message below
+  };
+  Cause cause = Cause::none;
+  double expected_seconds = 0;  // expected total computing time at the end of the next grid
   std::string error_message{};
 };
 
 // The next grid of a functional in its sequence of grids.
 struct NextGrid {
   std::size_t level = 0;
-  bool skips_a_grid = false;
-  double seconds = 0;  ///< expected computing time; 0 for the first grid
+  bool skips_a_grid = false;    // whether the grid before this grid was not computed
+  double expected_seconds = 0;  // expected computing time; 0 for the first grid
 };
 
-struct Refinement {
+// State of the refinement of the grids.
+struct GridRefinement {
   GuaranteedBounds bounds;
-  std::vector<StopReason> ends;  ///< reason why the refinement stopped, for each functional
-  std::vector<NextGrid> next;    ///< next grid of each functional
+  std::vector<StopReason> stop_reasons;  // one element for each functional
+  std::vector<NextGrid> next_grids;      // one element for each functional
 };
 
-// Returns the grid after `last`. The second grid is skipped if the requested half-width probably
-// needs the third, and the time suffices. Of the finest grids each has the narrowest bounds of some
-// functional.
-NextGrid grid_after(const NextGrid& last, double seconds_of_last, const FunctionalBounds& bound,
-                    const Options& options, double seconds_left) {
-  constexpr double kWidthRatio = 3;  // between successive grids; 2 to 5 in the cases of the paper
+// Returns the grid after the grid `last`. The second grid is skipped if the requested half-width
+// probably requires the third grid and the time suffices for the third grid. Finer grids are not
+// skipped, since each of the finest grids gives the narrowest bounds of some functional.
+NextGrid select_next_grid(const NextGrid& last, double last_seconds, const FunctionalBounds& bound,
+                          const BoundsOptions& options, double seconds_left) {
+  // Ratio of the half-widths of successive grids, which is 2 to 5 in the cases of the paper
+  constexpr double kWidthRatio = 3;
   const double requested = requested_half_width(bound, options);
-  const double seconds = kGridCostRatio * seconds_of_last;
+  const double seconds = kMaxGridTimeRatio * last_seconds;
   const bool skips = last.level == 0 && requested > 0 &&
-                     bound.value.half_width() > kWidthRatio * requested &&
-                     kGridCostRatio * seconds <= seconds_left;
-  return skips ? NextGrid{last.level + 2, true, kGridCostRatio * seconds}
+                     bound.enclosure.half_width() > kWidthRatio * requested &&
+                     kMaxGridTimeRatio * seconds <= seconds_left;
+  return skips ? NextGrid{last.level + 2, true, kMaxGridTimeRatio * seconds}
                : NextGrid{last.level + 1, false, seconds};
 }
 
@@ -75,28 +84,29 @@ using FunctionalIndices = std::vector<std::size_t>;
 // A spline grid and the functionals whose bounds are computed next on the grid.
 struct GridGroup {
   SplineGrid grid;
-  FunctionalIndices indices;
+  FunctionalIndices functional_indices;
 };
 
-// Groups the functionals whose bounds are too wide. All functionals of a group have the same next
-// grid. Stores a StopReason for each functional whose grid sequence is exhausted.
-std::vector<GridGroup> next_grid_groups(const Options& options, Refinement& refinement) {
+// Groups the functionals whose bounds are wider than requested. All functionals of a group have the
+// same next grid. Stores a StopReason for each functional whose grid sequence is exhausted.
+std::vector<GridGroup> group_by_next_grid(const BoundsOptions& options,
+                                          GridRefinement& refinement) {
   std::vector<GridGroup> groups;
-  for (std::size_t i = 0; i < refinement.bounds.each.size(); ++i) {
-    const FunctionalBounds& bound = refinement.bounds.each[i];
-    StopReason& end = refinement.ends[i];
-    if (end.cause != StopReason::Cause::none || is_narrow_enough(bound, options)) continue;
+  for (std::size_t i = 0; i < refinement.bounds.functional_bounds.size(); ++i) {
+    const FunctionalBounds& bound = refinement.bounds.functional_bounds[i];
+    StopReason& stop_reason = refinement.stop_reasons[i];
+    if (stop_reason.cause != StopReason::Cause::none || is_narrow_enough(bound, options)) continue;
     const auto grids = spline_grid_sequence(width_limiting_feature(bound.functional));
-    const std::size_t level = refinement.next[i].level;
+    const std::size_t level = refinement.next_grids[i].level;
     if (level >= grids.size()) {
-      end.cause = StopReason::Cause::grids;
+      stop_reason.cause = StopReason::Cause::finest_grid;
       continue;
     }
     const auto same = std::ranges::find(groups, grids[level], &GridGroup::grid);
     if (same == groups.end()) {
       groups.push_back({grids[level], {i}});
     } else {
-      same->indices.push_back(i);
+      same->functional_indices.push_back(i);
     }
   }
   return groups;
@@ -107,9 +117,9 @@ double round_up_to_two_digits(double value) {
   return std::ceil(value / unit) * unit;
 }
 
-// Returns the functional of the mirrored problem whose expectation equals, up to the sign, the
-// expectation of the given functional.
-Functional mirrored(const Functional& functional) {
+// Returns the functional of the mirrored problem whose value equals, up to the sign, the value of
+// the given functional of the original problem.
+StationaryFunctional mirror_functional(const StationaryFunctional& functional) {
   if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
     SmoothBin other = *bin;
     for (std::size_t i = 0; i < bin->knots.size(); ++i) {
@@ -120,14 +130,14 @@ Functional mirrored(const Functional& functional) {
   return functional;
 }
 
-bool is_odd(const Functional& functional) {
+bool is_odd(const StationaryFunctional& functional) {
   const PowerMoment* const mean = std::get_if<PowerMoment>(&functional);
   return mean != nullptr && mean->power % 2 == 1;
 }
 
 // Removes the impact momentum unless the system has exactly one wall.
-std::vector<Functional> supported_functionals(const problem::System& system,
-                                              std::vector<Functional> functionals) {
+std::vector<StationaryFunctional> supported_functionals(
+    const problem::System& system, std::vector<StationaryFunctional> functionals) {
   if (system.left_wall().has_value() == system.right_wall().has_value()) {
     std::erase_if(functionals,
                   [](const auto& f) { return std::holds_alternative<ImpactMomentum>(f); });
@@ -135,88 +145,93 @@ std::vector<Functional> supported_functionals(const problem::System& system,
   return functionals;
 }
 
-Refinement refinement(const problem::Problem& problem, const Options& options) {
-  const ResidualWeight tau = residual_weight(problem, kWeightPower);
-  Refinement result;
-  for (const Functional& f : options.functionals) {
-    result.bounds.each.push_back({f, {-HUGE_VAL, HUGE_VAL}});
+// Computes bounds on finer and finer grids, until every bound has the requested half-width or a
+// stop reason.
+GridRefinement refine_grids(const problem::Problem& problem, const BoundsOptions& options) {
+  const ResidualWeight tau = make_residual_weight(problem, kWeightExponent);
+  GridRefinement result;
+  for (const StationaryFunctional& f : options.functionals) {
+    result.bounds.functional_bounds.push_back({f, {-HUGE_VAL, HUGE_VAL}});
   }
-  result.ends.resize(options.functionals.size());
-  result.next.resize(options.functionals.size());
+  result.stop_reasons.resize(options.functionals.size());
+  result.next_grids.resize(options.functionals.size());
 
   const base::Stopwatch stopwatch;
   for (;;) {
-    const auto groups = next_grid_groups(options, result);
+    const auto groups = group_by_next_grid(options, result);
     if (groups.empty()) return result;
     for (const auto& [grid, indices] : groups) {
       double seconds = 0;
-      for (const std::size_t i : indices) seconds = std::max(seconds, result.next[i].seconds);
+      for (const std::size_t i : indices)
+        seconds = std::max(seconds, result.next_grids[i].expected_seconds);
       const double expected = stopwatch.seconds() + seconds;
-      const auto end_or_return_to_skipped_grid = [&result,
-                                                  &ended = indices](const StopReason& end) {
+      const auto stop_or_return_to_skipped_grid = [&result,
+                                                   &ended = indices](const StopReason& reason) {
         for (const std::size_t i : ended) {
-          NextGrid& next = result.next[i];
+          NextGrid& next = result.next_grids[i];
           if (next.skips_a_grid) {
-            next = {next.level - 1, false, next.seconds / kGridCostRatio};
+            next = {next.level - 1, false, next.expected_seconds / kMaxGridTimeRatio};
           } else {
-            result.ends[i] = end;
+            result.stop_reasons[i] = reason;
           }
         }
       };
-      if (seconds > 0 && expected > options.seconds) {
-        end_or_return_to_skipped_grid({StopReason::Cause::time, expected});
+      if (seconds > 0 && expected > options.time_limit_seconds) {
+        stop_or_return_to_skipped_grid({StopReason::Cause::time_limit, expected});
         continue;
       }
-      std::vector<Functional> functionals;
+      std::vector<StationaryFunctional> functionals;
       for (const std::size_t i : indices) functionals.push_back(options.functionals[i]);
-      const base::Stopwatch of_grid;
-      SplineGridReport report;
-      SplineGridBounds record{grid, 0, 0, indices, {}};
+      const base::Stopwatch grid_stopwatch;
+      SplineGridDiagnostics diagnostics;
+      SplineGridBounds grid_bounds{grid, 0, 0, indices, {}};
       try {
-        record.values =
-            bounds_from_grid(problem, tau, grid, functionals, threads_of(options), &report);
-      } catch (const FitFailure& broken) {
-        // the fit would also fail on finer grids
-        end_or_return_to_skipped_grid({StopReason::Cause::fit, 0, broken.what()});
+        grid_bounds.enclosures = compute_bounds_on_grid(problem, tau, grid, functionals,
+                                                        thread_count(options), &diagnostics);
+      } catch (const FitFailure& failure) {
+        // The fit would also fail on finer grids.
+        stop_or_return_to_skipped_grid({StopReason::Cause::fit_failure, 0, failure.what()});
         continue;
       }
-      record.unknowns = report.unknowns;
-      record.seconds = of_grid.seconds();
+      grid_bounds.unknown_count = diagnostics.unknown_count;
+      grid_bounds.computing_seconds = grid_stopwatch.seconds();
       for (std::size_t n = 0; n < indices.size(); ++n) {
-        FunctionalBounds& bound = result.bounds.each[indices[n]];
-        bound.value = bound.value.intersection(record.values[n]);
+        FunctionalBounds& bound = result.bounds.functional_bounds[indices[n]];
+        bound.enclosure = bound.enclosure.intersection(grid_bounds.enclosures[n]);
         // The enclosures from two grids both contain the exact expectation. An empty intersection
         // of the enclosures shows an error of the program or of the rounding of the processor.
-        if (bound.value.lower > bound.value.upper) {
-          throw std::logic_error("bounds of " + name(functionals[n]) +
+        if (bound.enclosure.lower > bound.enclosure.upper) {
+          throw std::logic_error("bounds of " + functional_name(functionals[n]) +
                                  " from two grids are disjoint");
         }
-        NextGrid& next = result.next[indices[n]];
-        next =
-            grid_after(next, record.seconds, bound, options, options.seconds - stopwatch.seconds());
+        NextGrid& next = result.next_grids[indices[n]];
+        next = select_next_grid(next, grid_bounds.computing_seconds, bound, options,
+                                options.time_limit_seconds - stopwatch.seconds());
       }
-      result.bounds.grids.push_back(std::move(record));
+      result.bounds.grid_bounds.push_back(std::move(grid_bounds));
     }
   }
 }
 
 // Computes the bounds of a problem with only a right wall from the mirrored problem, whose only
 // wall is on the left.
-Refinement mirrored_refinement(const problem::Problem& problem, const Options& options) {
-  Options there = options;
-  for (Functional& f : there.functionals) f = mirrored(f);
-  Refinement result =
-      refinement(problem::to_wall_coordinates({.origin = 0, .mirrored = true}, problem), there);
-  const auto turn = [](const Functional& f, numerics::Enclosure& value) {
+GridRefinement refine_grids_of_mirrored_problem(const problem::Problem& problem,
+                                                const BoundsOptions& options) {
+  BoundsOptions mirrored_options = options;
+  for (StationaryFunctional& f : mirrored_options.functionals) f = mirror_functional(f);
+  GridRefinement result = refine_grids(
+      problem::to_wall_coordinates({.origin = 0, .mirrored = true}, problem), mirrored_options);
+  const auto restore_sign = [](const StationaryFunctional& f, numerics::Enclosure& value) {
     if (is_odd(f)) value = {-value.upper, -value.lower};
   };
-  for (FunctionalBounds& bound : result.bounds.each) {
-    turn(bound.functional, bound.value);
-    bound.functional = mirrored(bound.functional);
+  for (FunctionalBounds& bound : result.bounds.functional_bounds) {
+    restore_sign(bound.functional, bound.enclosure);
+    bound.functional = mirror_functional(bound.functional);
   }
-  for (SplineGridBounds& record : result.bounds.grids) {
-    for (std::size_t n = 0; n < record.each.size(); ++n) {
-      turn(result.bounds.each[record.each[n]].functional, record.values[n]);
+  for (SplineGridBounds& grid_bounds : result.bounds.grid_bounds) {
+    for (std::size_t n = 0; n < grid_bounds.functional_indices.size(); ++n) {
+      restore_sign(result.bounds.functional_bounds[grid_bounds.functional_indices[n]].functional,
+                   grid_bounds.enclosures[n]);
     }
   }
   return result;
@@ -224,34 +239,34 @@ Refinement mirrored_refinement(const problem::Problem& problem, const Options& o
 
 // Returns the names of the functionals whose refinement stopped by the given cause.
 std::vector<std::string> functionals_stopped_by(StopReason::Cause cause,
-                                                const Refinement& refinement) {
+                                                const GridRefinement& refinement) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < refinement.ends.size(); ++i) {
-    if (refinement.ends[i].cause == cause)
-      names.push_back(name(refinement.bounds.each[i].functional));
+  for (std::size_t i = 0; i < refinement.stop_reasons.size(); ++i) {
+    if (refinement.stop_reasons[i].cause == cause)
+      names.push_back(functional_name(refinement.bounds.functional_bounds[i].functional));
   }
   return names;
 }
 
 // Returns a message about bounds that are wider than requested, with the cause and an option that
-// the caller can change.
-std::string width_reason(const Refinement& refinement, const Options& options) {
-  const auto& ends = refinement.ends;
-  if (const auto names = functionals_stopped_by(StopReason::Cause::time, refinement);
+// the user can change.
+std::string unmet_width_reason(const GridRefinement& refinement, const BoundsOptions& options) {
+  const auto& reasons = refinement.stop_reasons;
+  if (const auto names = functionals_stopped_by(StopReason::Cause::time_limit, refinement);
       !names.empty()) {
     double seconds = 0;
-    for (const StopReason& end : ends) seconds = std::max(seconds, end.seconds);
+    for (const StopReason& reason : reasons) seconds = std::max(seconds, reason.expected_seconds);
     return fmt::format(
         "guaranteed, but wider than requested: the next grid for {} would end after {:.2g} s; "
         "increase --seconds above {:g}",
-        fmt::join(names, ", "), seconds, options.seconds);
+        fmt::join(names, ", "), seconds, options.time_limit_seconds);
   }
-  if (const auto names = functionals_stopped_by(StopReason::Cause::grids, refinement);
+  if (const auto names = functionals_stopped_by(StopReason::Cause::finest_grid, refinement);
       !names.empty()) {
     double widest = 0, relative = 0;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      if (ends[i].cause != StopReason::Cause::grids) continue;
-      const numerics::Enclosure& value = refinement.bounds.each[i].value;
+    for (std::size_t i = 0; i < reasons.size(); ++i) {
+      if (reasons[i].cause != StopReason::Cause::finest_grid) continue;
+      const numerics::Enclosure& value = refinement.bounds.functional_bounds[i].enclosure;
       widest = std::max(widest, value.half_width());
       relative = std::max(relative, value.half_width() / std::abs(value.middle()));
     }
@@ -262,42 +277,46 @@ std::string width_reason(const Refinement& refinement, const Options& options) {
             ? fmt::format("--width {:.2g}", round_up_to_two_digits(relative))
             : fmt::format("--absolute-width {:.2g}", round_up_to_two_digits(widest)));
   }
-  const auto broken = std::ranges::find(ends, StopReason::Cause::fit, &StopReason::cause);
+  const auto failure =
+      std::ranges::find(reasons, StopReason::Cause::fit_failure, &StopReason::cause);
   return fmt::format("guaranteed, but wider than requested: {}",
-                     broken == ends.end() ? "" : broken->error_message);
+                     failure == reasons.end() ? "" : failure->error_message);
 }
 
 }  // namespace
 
-GuaranteedBounds compute_bounds(const problem::Problem& problem, const Options& requested) {
-  validate(requested);
+GuaranteedBounds compute_guaranteed_bounds(const problem::Problem& problem,
+                                           const BoundsOptions& requested) {
+  require_valid_bounds_options(requested);
   GuaranteedBounds refusal;
   refusal.reason = bounds_unsupported_reason(problem);
   if (!refusal.reason.empty()) {
     refusal.status = BoundsStatus::not_offered;
     return refusal;
   }
-  Options options = requested;
+  BoundsOptions options = requested;
   options.functionals = supported_functionals(problem.system, requested.functionals);
-  const bool by_mirror = problem.system.right_wall() && !problem.system.left_wall();
-  Refinement found =
-      by_mirror ? mirrored_refinement(problem, options) : refinement(problem, options);
-  GuaranteedBounds& result = found.bounds;
-  for (std::size_t i = 0; i < result.each.size(); ++i) {
-    const FunctionalBounds& b = result.each[i];
-    if (std::isfinite(b.value.half_width())) continue;
+  const bool is_mirrored = problem.system.right_wall() && !problem.system.left_wall();
+  GridRefinement refinement = is_mirrored ? refine_grids_of_mirrored_problem(problem, options)
+                                          : refine_grids(problem, options);
+  GuaranteedBounds& result = refinement.bounds;
+  for (std::size_t i = 0; i < result.functional_bounds.size(); ++i) {
+    const FunctionalBounds& b = result.functional_bounds[i];
+    if (std::isfinite(b.enclosure.half_width())) continue;
     result.status = BoundsStatus::failed;
-    result.reason = found.ends[i].cause == StopReason::Cause::fit
-                        ? found.ends[i].error_message
-                        : "no finite bounds of " + name(b.functional);
+    result.reason = refinement.stop_reasons[i].cause == StopReason::Cause::fit_failure
+                        ? refinement.stop_reasons[i].error_message
+                        : "no finite bounds of " + functional_name(b.functional);
     return result;
   }
-  const bool is_width_requested = options.half_width > 0 || options.relative_half_width > 0;
+  const bool is_width_requested =
+      options.absolute_half_width > 0 || options.relative_half_width > 0;
   const bool is_width_met = std::ranges::all_of(
-      result.each, [&](const FunctionalBounds& bound) { return is_narrow_enough(bound, options); });
+      result.functional_bounds,
+      [&](const FunctionalBounds& bound) { return is_narrow_enough(bound, options); });
   if (is_width_requested && !is_width_met) {
     result.status = BoundsStatus::width_not_met;
-    result.reason = width_reason(found, options);
+    result.reason = unmet_width_reason(refinement, options);
   }
   return result;
 }

@@ -11,11 +11,12 @@
 
 namespace fpkcheck::backward {
 
+/// Outcome of compute_guaranteed_bounds().
 enum class BoundsStatus {
-  ok,
-  width_not_met,
-  failed,      ///< the bounds are infinite; `reason` states the cause
-  not_offered  ///< the problem is not supported; `reason` states the cause
+  ok,             ///< every interval has the requested half-width, if a half-width is requested
+  width_not_met,  ///< guaranteed bounds, but wider than requested; `reason` states the cause
+  failed,         ///< a bound is infinite; `reason` states the cause
+  not_offered     ///< the problem is not supported; `reason` states the cause
 };
 inline constexpr base::EnumEntry<BoundsStatus> kBoundsStatusNames[] = {
     {BoundsStatus::ok, "ok", "guaranteed"},
@@ -25,38 +26,45 @@ inline constexpr base::EnumEntry<BoundsStatus> kBoundsStatusNames[] = {
 constexpr const auto& enumerator_names(BoundsStatus) { return kBoundsStatusNames; }
 constexpr std::string_view name(BoundsStatus status) { return base::name_of(status); }
 
-/// Guaranteed bounds value.lower <= E[functional] <= value.upper.
+/// A functional of the stationary density with its guaranteed bounds: the exact value of the
+/// functional is at least enclosure.lower and at most enclosure.upper.
 struct FunctionalBounds {
-  Functional functional;
-  numerics::Enclosure value;
+  StationaryFunctional functional;
+  numerics::Enclosure enclosure;
 };
 
-/// Computing time of one spline grid, and the bounds computed on the grid.
+/// Bounds that were computed on one spline grid, independently of all other grids.
 struct SplineGridBounds {
   SplineGrid grid;
-  int unknowns;
-  double seconds;                 ///< wall-clock time of the computation
-  std::vector<std::size_t> each;  ///< indices of the functionals bounded on the grid
-  /// Bounds of the functionals in `each`, computed on the grid without other grids
-  std::vector<numerics::Enclosure> values;
+  int unknown_count;         ///< number of unknown spline coefficients of a certificate
+  double computing_seconds;  ///< wall-clock time of the computation on this grid
+  /// Indices in GuaranteedBounds::functional_bounds of the functionals that are bounded on this
+  /// grid
+  std::vector<std::size_t> functional_indices;
+  /// Bounds of each functional of `functional_indices`, in the same order
+  std::vector<numerics::Enclosure> enclosures;
 };
 
+/// Bounds of all functionals of a problem. Each enclosure in `functional_bounds` is the
+/// intersection of the enclosures in `grid_bounds`.
 struct GuaranteedBounds {
   BoundsStatus status = BoundsStatus::ok;
   std::string reason;  ///< cause of a status other than ok, in one line; empty for ok
-  /// Bounds in the order of the options; the functional w1 only if supported
-  std::vector<FunctionalBounds> each;
-  std::vector<SplineGridBounds> grids;
+  /// Bounds of the functionals, in the order of BoundsOptions::functionals. The impact momentum w1
+  /// is omitted unless the oscillator has exactly one wall.
+  std::vector<FunctionalBounds> functional_bounds;
+  std::vector<SplineGridBounds> grid_bounds;  ///< grids in the order of their computation
 };
 
-/// Returns guaranteed bounds of stationary expectations of the oscillator with the exact impact and
-/// impulses (equation `kf`, impact `map`). The bounds follow from the backward equation (theorem
-/// and proof: docs/bounds.md). The bounds hold for the problem whose parameters are exactly the
-/// stored floating-point numbers. The functional w1 is the impact momentum at the only wall; w1 is
-/// omitted without a wall or with two walls.
-/// @param problem in physical coordinates
+/// Computes guaranteed bounds of stationary expectations of the oscillator under impulses
+/// (equation `kf`), with the exact impact condition (impact `map`). The bounds follow from
+/// certificates that approximate solutions of the backward equation (theorem and proof:
+/// docs/bounds.md). The bounds hold for the problem whose parameters are exactly the stored
+/// floating-point numbers.
+/// @param problem problem in physical coordinates
 /// @throws InputError when an option is invalid; std::runtime_error when the rounding mode of the
-/// processor cannot be set; std::logic_error when bounds from two grids are disjoint
-GuaranteedBounds compute_bounds(const problem::Problem& problem, const Options& options = {});
+/// processor cannot be set; std::logic_error when the bounds from two grids are disjoint
+GuaranteedBounds compute_guaranteed_bounds(const problem::Problem& problem,
+                                           const BoundsOptions& options = {});
 
 }  // namespace fpkcheck::backward

@@ -15,91 +15,105 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kPointsPerCell = 4;
-constexpr double kRangeTolerance =
-    0.03;  // relative tolerance of the residual range (docs/bounds.md)
+// Relative tolerance of the residual range (docs/bounds.md)
+constexpr double kRangeTolerance = 0.03;
 
-std::vector<double> integrand_breaks(Axis axis, const std::vector<Functional>& functionals) {
+// Returns the break points of all integrands that depend on the given variable, in increasing
+// order.
+std::vector<double> sorted_break_points(StateVariable variable,
+                                        const std::vector<StationaryFunctional>& functionals) {
   std::vector<double> points;
-  for (const Functional& f : functionals) {
-    if (axis_of(f) != axis) continue;
-    const std::vector<double> own = non_smooth_points(f);
-    points.insert(points.end(), own.begin(), own.end());
+  for (const StationaryFunctional& f : functionals) {
+    if (integrand_variable(f) != variable) continue;
+    const std::vector<double> break_points = integrand_break_points(f);
+    points.insert(points.end(), break_points.begin(), break_points.end());
   }
   std::sort(points.begin(), points.end());
   return points;
 }
 
-// Returns bounds of the mean E[f] of an integrand f from the approximate mean U and the range of
-// the residual: U + least E[tau] <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
-numerics::Enclosure mean_enclosure(double mean, const ResidualRange& range, double outside,
-                                   const ResidualWeight& weight) {
-  const numerics::Interval tau = weight.mean_bound;
+// Returns bounds of the mean E[f] of an integrand f from the approximate mean U, the range of the
+// weighted residual inside the box and the bound of its magnitude outside the box: U + least E[tau]
+// <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
+numerics::Enclosure enclose_integrand_mean(double approximate_mean, const ResidualRange& range,
+                                           double outside, const ResidualWeight& weight) {
+  const numerics::Interval tau = weight.mean_upper_bound;
   // If the range of the residual contains NaN or infinity, no bound exists.
   if (!std::isfinite(range.least) || !std::isfinite(range.largest) || !std::isfinite(outside)) {
     return {-HUGE_VAL, HUGE_VAL};
   }
   const double least = std::min(range.least, -outside), largest = std::max(range.largest, outside);
-  return {(numerics::Interval(mean) + numerics::Interval(least) * tau).lower(),
-          (numerics::Interval(mean) + numerics::Interval(largest) * tau).upper()};
+  return {(numerics::Interval(approximate_mean) + numerics::Interval(least) * tau).lower(),
+          (numerics::Interval(approximate_mean) + numerics::Interval(largest) * tau).upper()};
 }
 
 }  // namespace
 
-std::vector<numerics::Enclosure> bounds_from_grid(const problem::Problem& problem,
-                                                  const ResidualWeight& weight,
-                                                  const SplineGrid& grid,
-                                                  const std::vector<Functional>& functionals,
-                                                  int threads, SplineGridReport* report) {
+std::vector<numerics::Enclosure> compute_bounds_on_grid(
+    const problem::Problem& problem, const ResidualWeight& weight, const SplineGrid& grid,
+    const std::vector<StationaryFunctional>& functionals, int threads,
+    SplineGridDiagnostics* diagnostics) {
   const base::Stopwatch stopwatch;
   const numerics::SplineBasis displacement =
-      displacement_spline_basis(grid, weight, problem.system);
-  const BoxEndTypes ends = box_end_types(displacement, problem.system);
-  const ImpactBasis velocity = velocity_spline_basis(grid, weight, problem.system.restitution());
-  const std::vector<double> y_cuts = integrand_breaks(Axis::displacement, functionals),
-                            v_cuts = integrand_breaks(Axis::velocity, functionals);
-  const VelocityFactorEnclosures v_operators = numerics::call_with_upward_rounding(
+      make_displacement_spline_basis(grid, weight, problem.system);
+  const DisplacementEndTypes displacement_ends =
+      find_displacement_end_types(displacement, problem.system);
+  const ImpactSplineBasis velocity =
+      make_velocity_spline_basis(grid, weight, problem.system.restitution());
+  const std::vector<double> y_cuts = sorted_break_points(StateVariable::y, functionals),
+                            v_cuts = sorted_break_points(StateVariable::ydot, functionals);
+  const VelocityFactorEnclosures velocity_factors = numerics::call_with_upward_rounding(
       [&] { return enclose_velocity_factors(problem, velocity, v_cuts); });
-  const DisplacementFactorEnclosures y_operators = numerics::call_with_upward_rounding(
+  const DisplacementFactorEnclosures displacement_factors = numerics::call_with_upward_rounding(
       [&] { return enclose_displacement_factors(problem, displacement, y_cuts); });
-  const double tabulated = stopwatch.seconds();
+  const double enclosure_seconds = stopwatch.seconds();
 
-  const DisplacementSplineSamples y = sample_displacement_splines(displacement, kPointsPerCell);
-  const VelocityFactorSamples v = sample_velocity_factors(v_operators, velocity, kPointsPerCell);
+  const DisplacementSplineSamples displacement_samples =
+      sample_displacement_splines(displacement, kPointsPerCell);
+  const VelocityFactorSamples velocity_samples =
+      sample_velocity_factors(velocity_factors, velocity, kPointsPerCell);
   std::vector<std::function<double(double, double)>> integrands;
-  for (const Functional& f : functionals) {
+  for (const StationaryFunctional& f : functionals) {
     integrands.emplace_back(
-        [&](double at, double speed) { return integrand(f, problem, at, speed); });
+        [&](double y, double v) { return evaluate_integrand(f, problem, y, v); });
   }
-  const BackwardSolutions solutions = solve_backward_equations(
-      {problem, displacement, velocity, y, v,
-       [&](double at, double speed) {
-         return 1 / (1 + std::pow(weight.energy(at, speed) / weight.scale, weight.power / 2.0));
+  const BackwardSolutions solutions = fit_backward_solutions(
+      {problem, displacement, velocity, displacement_samples, velocity_samples,
+       [&](double y, double v) {
+         return 1 /
+                (1 + std::pow(weight.energy(y, v) / weight.energy_scale, weight.exponent / 2.0));
        },
-       [&](double at, double speed) { return 1 / weight(at, speed); }, ends.left_wall,
-       ends.right_wall},
+       [&](double y, double v) { return 1 / weight(y, v); }, displacement_ends.has_left_wall,
+       displacement_ends.has_right_wall},
       integrands);
-  const double fitted = stopwatch.seconds();
+  const double fit_end_seconds = stopwatch.seconds();
 
-  const CertificateCheckInputs context{problem,     displacement, velocity, y_operators,
-                                       v_operators, weight,       ends};
+  const CertificateCheckInputs inputs{
+      problem,          displacement, velocity,         displacement_factors,
+      velocity_factors, weight,       displacement_ends};
   std::vector<numerics::Enclosure> bounds(functionals.size());
-  std::vector<SplineGridReport::FunctionalResidual> each(functionals.size());
+  std::vector<SplineGridDiagnostics::FunctionalResidual> functional_residuals(functionals.size());
   base::parallel_for(functionals.size(), threads, [&](std::size_t i) {
     numerics::call_with_upward_rounding([&] {
-      const Certificate certificate{solutions.coefficients[i], solutions.means[i]};
-      const ResidualRange range = residual_range(context, functionals[i], certificate,
-                                                 solutions.residual_extremes[i], kRangeTolerance);
-      const double outside = outer_residual_bound(context, functionals[i], certificate);
-      bounds[i] = enclose_functional(functionals[i], problem,
-                                     mean_enclosure(certificate.mean, range, outside, weight));
-      each[i] = {certificate.mean, range.least, range.largest, outside, range.boxes};
+      const BoundCertificate certificate{solutions.spline_coefficients[i],
+                                         solutions.mean_estimates[i]};
+      const ResidualRange range = enclose_residual_range(
+          inputs, functionals[i], certificate, solutions.residual_extremes[i], kRangeTolerance);
+      const double outside = outer_residual_bound(inputs, functionals[i], certificate);
+      bounds[i] = enclose_functional(
+          functionals[i], problem,
+          enclose_integrand_mean(certificate.approximate_mean, range, outside, weight));
+      functional_residuals[i] = {certificate.approximate_mean, range.least, range.largest, outside,
+                                 range.box_count};
       return 0;
     });
   });
-  if (report != nullptr) {
-    *report = {displacement.size() * velocity.size() -
-                   (ends.left_wall + ends.right_wall) * velocity.centre_index(),
-               tabulated, fitted - tabulated, stopwatch.seconds() - fitted, std::move(each)};
+  if (diagnostics != nullptr) {
+    *diagnostics = {displacement.size() * velocity.size() -
+                        (displacement_ends.has_left_wall + displacement_ends.has_right_wall) *
+                            velocity.index_at_zero_velocity(),
+                    enclosure_seconds, fit_end_seconds - enclosure_seconds,
+                    stopwatch.seconds() - fit_end_seconds, std::move(functional_residuals)};
   }
   return bounds;
 }

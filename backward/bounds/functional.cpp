@@ -18,72 +18,78 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-const char* symbol(Axis axis) { return axis == Axis::displacement ? "y" : "y'"; }
+const char* variable_symbol(StateVariable variable) {
+  return variable == StateVariable::y ? "y" : "y'";
+}
 
-double bin_value(const SmoothBin& bin, double x) {
+// Returns the value at x of the B-spline of a smooth bin, without the factor of the integral 1.
+double bin_spline_value(const SmoothBin& bin, double x) {
   if (x <= bin.knots.front() || x >= bin.knots.back()) return 0;
   const numerics::SplineBasis basis({bin.knots.begin(), bin.knots.end()}, 3);
   const int span = basis.span_containing(x);
-  return basis.basis_derivatives(x, span, 0)(
-      0, 3 - span);  // the B-spline on all five knots has the index 3
+  // The B-spline on all five knots has the index 3.
+  return basis.basis_derivatives(x, span, 0)(0, 3 - span);
 }
 
 }  // namespace
 
-SmoothBin SmoothBin::with_equidistant_knots(Axis axis, double centre, double spacing) {
-  SmoothBin bin{axis, {}};
+SmoothBin SmoothBin::with_equidistant_knots(StateVariable variable, double centre, double spacing) {
+  SmoothBin bin{variable, {}};
   for (int i = 0; i < 5; ++i) bin.knots[i] = centre + (i - 2) * spacing;
   return bin;
 }
 
-std::vector<Functional> default_functionals() {
-  return {PowerMoment{Axis::displacement, 1}, PowerMoment{Axis::displacement, 2},
-          PowerMoment{Axis::velocity, 2},     PowerMoment{Axis::displacement, 4},
-          PowerMoment{Axis::velocity, 4},     ImpactMomentum{}};
+std::vector<StationaryFunctional> default_functionals() {
+  return {PowerMoment{StateVariable::y, 1},    PowerMoment{StateVariable::y, 2},
+          PowerMoment{StateVariable::ydot, 2}, PowerMoment{StateVariable::y, 4},
+          PowerMoment{StateVariable::ydot, 4}, ImpactMomentum{}};
 }
 
-std::string name(const Functional& functional) {
+std::string functional_name(const StationaryFunctional& functional) {
   return std::visit(
       Overloaded{[](const PowerMoment& m) {
-                   return m.power == 1 ? fmt::format("E[{}]", symbol(m.axis))
-                                       : fmt::format("E[{}^{}]", symbol(m.axis), m.power);
+                   return m.power == 1
+                              ? fmt::format("E[{}]", variable_symbol(m.variable))
+                              : fmt::format("E[{}^{}]", variable_symbol(m.variable), m.power);
                  },
                  [](const SmoothBin& b) {
-                   return fmt::format("p({}) near {:.4g}", symbol(b.axis), b.knots[2]);
+                   return fmt::format("p({}) near {:.4g}", variable_symbol(b.variable), b.knots[2]);
                  },
                  [](const ImpactMomentum&) { return std::string("w1"); }},
       functional);
 }
 
-double integrand(const Functional& functional, const problem::Problem& problem, double y,
-                 double v) {
+double evaluate_integrand(const StationaryFunctional& functional, const problem::Problem& problem,
+                          double y, double v) {
   return std::visit(
-      Overloaded{
-          [&](const PowerMoment& m) {
-            return std::pow(m.axis == Axis::displacement ? y : v, m.power);
-          },
-          [&](const SmoothBin& b) { return bin_value(b, b.axis == Axis::displacement ? y : v); },
-          [&](const ImpactMomentum&) { return problem.system.restoring_force()(y); }},
+      Overloaded{[&](const PowerMoment& m) {
+                   return std::pow(m.variable == StateVariable::y ? y : v, m.power);
+                 },
+                 [&](const SmoothBin& b) {
+                   return bin_spline_value(b, b.variable == StateVariable::y ? y : v);
+                 },
+                 [&](const ImpactMomentum&) { return problem.system.restoring_force()(y); }},
       functional);
 }
 
-std::vector<double> non_smooth_points(const Functional& functional) {
+std::vector<double> integrand_break_points(const StationaryFunctional& functional) {
   const SmoothBin* const bin = std::get_if<SmoothBin>(&functional);
   return bin == nullptr ? std::vector<double>{}
                         : std::vector<double>(bin->knots.begin(), bin->knots.end());
 }
 
-Axis axis_of(const Functional& functional) {
-  return std::visit(Overloaded{[](const PowerMoment& m) { return m.axis; },
-                               [](const SmoothBin& b) { return b.axis; },
-                               [](const ImpactMomentum&) { return Axis::displacement; }},
+StateVariable integrand_variable(const StationaryFunctional& functional) {
+  return std::visit(Overloaded{[](const PowerMoment& m) { return m.variable; },
+                               [](const SmoothBin& b) { return b.variable; },
+                               [](const ImpactMomentum&) { return StateVariable::y; }},
                     functional);
 }
 
-void validate(const Functional& functional) {
+void require_valid_functional(const StationaryFunctional& functional) {
   if (const PowerMoment* const m = std::get_if<PowerMoment>(&functional)) {
     if (m->power < 1 || m->power > 4) {
-      throw InputError(fmt::format("{} cannot be bounded: use powers 1 to 4", name(functional)));
+      throw InputError(
+          fmt::format("{} cannot be bounded: use powers 1 to 4", functional_name(functional)));
     }
   }
   if (const SmoothBin* const b = std::get_if<SmoothBin>(&functional)) {
@@ -94,7 +100,7 @@ void validate(const Functional& functional) {
           "the knots of a smooth bin do not increase: give a finite centre and a positive "
           "spacing");
     }
-    if (b->axis == Axis::displacement && b->knots[0] < 0) {
+    if (b->variable == StateVariable::y && b->knots[0] < 0) {
       throw InputError(fmt::format("a smooth bin of p(y) begins at {:.4g} < 0", b->knots[0]));
     }
   }
@@ -102,8 +108,9 @@ void validate(const Functional& functional) {
 
 namespace {
 
-numerics::BernsteinCoefficients bin_enclosure(const SmoothBin& bin, const numerics::Interval& from,
-                                              const numerics::Interval& to, int degree) {
+numerics::BernsteinCoefficients enclose_bin_spline(const SmoothBin& bin,
+                                                   const numerics::Interval& from,
+                                                   const numerics::Interval& to, int degree) {
   const double middle = (from.lower() + to.upper()) / 2;
   numerics::BernsteinCoefficients b(degree + 1, numerics::Interval(0));
   const numerics::SplineBasis basis({bin.knots.begin(), bin.knots.end()}, 3);
@@ -124,7 +131,8 @@ numerics::BernsteinCoefficients bin_enclosure(const SmoothBin& bin, const numeri
       slope = std::max(slope, magnitude(d));
     slope = (slope / numerics::Interval((to - from).lower())).upper();
   }
-  // error bound as in basis_functions_on_piece(), with |f'| <= 3 / shortest knot interval
+  // The error bound is the bound of basis_functions_on_piece(), with |f'| <= 3 / shortest knot
+  // interval.
   if (overhang > 0) {
     const double error = (overhang * (slope + 3.1 / numerics::Interval(shortest))).upper();
     for (numerics::Interval& c : b) c += numerics::symmetric_interval(error);
@@ -134,16 +142,16 @@ numerics::BernsteinCoefficients bin_enclosure(const SmoothBin& bin, const numeri
 
 }  // namespace
 
-numerics::BernsteinCoefficients integrand_enclosure(const Functional& functional,
-                                                    const problem::Problem& problem,
-                                                    const numerics::Interval& from,
-                                                    const numerics::Interval& to, int degree) {
+numerics::BernsteinCoefficients enclose_integrand(const StationaryFunctional& functional,
+                                                  const problem::Problem& problem,
+                                                  const numerics::Interval& from,
+                                                  const numerics::Interval& to, int degree) {
   if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
-    return bin_enclosure(*bin, from, to, degree);
+    return enclose_bin_spline(*bin, from, to, degree);
   }
   std::vector<double> powers;
-  if (const PowerMoment* const mean = std::get_if<PowerMoment>(&functional)) {
-    powers.assign(mean->power + 1, 0.0);
+  if (const PowerMoment* const moment = std::get_if<PowerMoment>(&functional)) {
+    powers.assign(moment->power + 1, 0.0);
     powers.back() = 1;
   } else {
     const problem::SystemCoefficients& c = problem.system.coefficients();
@@ -153,26 +161,26 @@ numerics::BernsteinCoefficients integrand_enclosure(const Functional& functional
       bernstein_coefficients_on_segment(powers, numerics::Interval(0), from, to), degree);
 }
 
-numerics::Interval integrand_magnitude_bound(const Functional& functional,
-                                             const numerics::Interval& y,
-                                             const numerics::Interval& v,
-                                             const numerics::Interval& force) {
+numerics::Interval integrand_magnitude_bound(const StationaryFunctional& functional,
+                                             const numerics::Interval& y_bound,
+                                             const numerics::Interval& v_bound,
+                                             const numerics::Interval& force_bound) {
   if (std::holds_alternative<SmoothBin>(functional)) return 1;
-  if (const PowerMoment* const mean = std::get_if<PowerMoment>(&functional)) {
-    return power(mean->axis == Axis::displacement ? y : v, mean->power);
+  if (const PowerMoment* const moment = std::get_if<PowerMoment>(&functional)) {
+    return power(moment->variable == StateVariable::y ? y_bound : v_bound, moment->power);
   }
-  return force;
+  return force_bound;
 }
 
-numerics::Enclosure enclose_functional(const Functional& functional,
+numerics::Enclosure enclose_functional(const StationaryFunctional& functional,
                                        const problem::Problem& problem,
-                                       const numerics::Enclosure& mean) {
-  numerics::Interval value = interval_from_enclosure(mean);
+                                       const numerics::Enclosure& integrand_mean) {
+  numerics::Interval value = interval_from_enclosure(integrand_mean);
   if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
     value *= 4.0 / (numerics::Interval(bin->knots.back()) - bin->knots.front());
   } else if (std::holds_alternative<ImpactMomentum>(functional)) {
     const numerics::Interval rate = problem.impulses.arrival_rate();
-    value = (value - rate * moment_enclosure(problem.impulses.amplitude_law(), 1)) /
+    value = (value - rate * enclose_amplitude_moment(problem.impulses.amplitude_law(), 1)) /
             (1.0 + numerics::Interval(problem.system.restitution()));
   }
   return enclosure_from_interval(value);

@@ -8,24 +8,27 @@
 
 namespace fpkcheck::backward {
 
-struct Options {
-  /// The functionals are not a command-line option
-  std::vector<Functional> functionals = default_functionals();
-  /// Requested half-widths of the bounds. Grids are refined until every half-width is below the
-  /// maximum of `half_width` and `relative_half_width` times the value. If `half_width` and
-  /// `relative_half_width` are 0, only the time limit ends the refinement.
-  double half_width = 0;
+/// Options of compute_guaranteed_bounds().
+struct BoundsOptions {
+  /// Functionals to bound; no option of the command line, which has `--bin` instead
+  std::vector<StationaryFunctional> functionals = default_functionals();
+  /// Requested half-widths of the bounds, absolute and relative to the magnitude of the functional.
+  /// The grid is refined until the half-width of every functional is at most the maximum of
+  /// `absolute_half_width` and `relative_half_width` times the magnitude. If both are 0, only the
+  /// time limit ends the refinement.
+  double absolute_half_width = 0;
   double relative_half_width = 0;
   /// Time limit in seconds (wall clock). A grid, except the first, is omitted if its computation
   /// would probably end after the limit.
-  double seconds = 10;
+  double time_limit_seconds = 10;
   /// Number of threads, which does not change the bounds; default: one per processor
   std::optional<int> threads{};
 };
 
-const base::Description<Options>& description();
+/// Returns names, help texts and ranges of the options of the command `fpkcheck bounds`.
+const base::Description<BoundsOptions>& bounds_option_descriptions();
 
-/// @throws InputError for the first invalid option
-void validate(const Options& options);
+/// @throws InputError for the first invalid option or functional
+void require_valid_bounds_options(const BoundsOptions& options);
 
 }  // namespace fpkcheck::backward

@@ -9,28 +9,32 @@
 namespace fpkcheck::backward {
 namespace {
 
-// A region outside the box of the splines, with the least energy G, bounds of the slopes of the
-// certificate V, and a bound of the oscillation of V in v.
-struct Region {
-  numerics::Interval energy;
-  double y_slope, v_slope, oscillation;
+// Region of the phase plane outside the box of the splines. The oscillation of V in v, max_v V -
+// min_v V, is a bound of |K V - V|.
+struct OuterRegion {
+  numerics::Interval least_energy;  // least energy G in the region
+  double max_y_slope, max_v_slope;  // upper bounds of |V_y| and |V_v|
+  double max_oscillation;           // upper bound of the oscillation of V in v
 };
 
-class OuterResidual {
+// Computation of outer_residual_bound() from bounds in each region outside the box.
+class OuterResidualBound {
  public:
-  OuterResidual(const CertificateCheckInputs& context, const Functional& functional,
-                const Certificate& certificate)
-      : s_(context), functional_(functional), certificate_(certificate) {}
+  OuterResidualBound(const CertificateCheckInputs& inputs, const StationaryFunctional& functional,
+                     const BoundCertificate& certificate)
+      : inputs_(inputs), functional_(functional), certificate_(certificate) {}
 
   double bound() const {
     double largest = 0;
-    for (int span = 0; span < s_.displacement.span_count(); ++span) {
+    for (int span = 0; span < inputs_.displacement_basis.span_count(); ++span) {
       largest =
           std::max({largest, region_bound(region_above(span)), region_bound(region_below(span))});
     }
     for (const bool at_right : {true, false}) {
-      if (!(at_right ? s_.ends.right_open : s_.ends.left_open)) continue;
-      for (int span = 0; span < s_.velocity.speeds().span_count(); ++span) {
+      if (!(at_right ? inputs_.displacement_ends.is_right_end_open
+                     : inputs_.displacement_ends.is_left_end_open))
+        continue;
+      for (int span = 0; span < inputs_.velocity_basis.speed_basis().span_count(); ++span) {
         largest = std::max({largest, region_bound(region_past_end(at_right, span, true)),
                             region_bound(region_past_end(at_right, span, false))});
       }
@@ -40,28 +44,30 @@ class OuterResidual {
   }
 
  private:
-  int last_row() const { return static_cast<int>(certificate_.coefficients.rows()) - 1; }
-  int last_column() const { return static_cast<int>(certificate_.coefficients.cols()) - 1; }
-  numerics::Interval c() const { return s_.weight.damping; }
-  numerics::Interval k() const { return s_.weight.stiffness; }
-  numerics::Interval cubic() const { return s_.weight.cubic; }
-  // positive reduced stiffness k - c^2/4
-  numerics::Interval stiffness() const { return k() - square(c()) / 4.0; }
-  numerics::Interval r() const { return s_.velocity.restitution(); }
-  numerics::Interval u_end() const { return s_.velocity.speeds().end(); }
+  int last_row() const { return static_cast<int>(certificate_.spline_coefficients.rows()) - 1; }
+  int last_column() const { return static_cast<int>(certificate_.spline_coefficients.cols()) - 1; }
+  numerics::Interval damping() const { return inputs_.residual_weight.damping; }
+  numerics::Interval stiffness() const { return inputs_.residual_weight.stiffness; }
+  numerics::Interval cubic_stiffness() const { return inputs_.residual_weight.cubic_stiffness; }
+  // Reduced stiffness k - c^2/4, which is positive
+  numerics::Interval reduced_stiffness() const { return stiffness() - square(damping()) / 4.0; }
+  numerics::Interval restitution() const { return inputs_.velocity_basis.restitution(); }
+  numerics::Interval max_speed() const { return inputs_.velocity_basis.speed_basis().end(); }
 
-  // potential energy (k - c^2/4) y^2/2 + mu y^4/4
+  // Potential part (k - c^2/4) y^2/2 + mu y^4/4 of the energy G
   numerics::Interval potential(const numerics::Interval& y) const {
-    return stiffness() * square(y) / 2.0 + cubic() * power(y, 4) / 4.0;
+    return reduced_stiffness() * square(y) / 2.0 + cubic_stiffness() * power(y, 4) / 4.0;
   }
-  double oscillation(int row) const {
-    const auto coefficients = certificate_.coefficients.row(row);
+  // Returns a bound of the oscillation over v of sum_b c_ab B_b(v), where a = row.
+  double row_oscillation(int row) const {
+    const auto coefficients = certificate_.spline_coefficients.row(row);
     return (numerics::Interval(coefficients.maxCoeff()) - coefficients.minCoeff()).upper();
   }
 
-  // Returns the largest absolute slope of a spline on a span. The slope is a convex combination of
-  // the coefficients of the derivative, p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}), with i = span ..
-  // span + p - 1.
+  // Returns an upper bound of the absolute slope of a spline on a knot span. The slope is a convex
+  // combination of the coefficients of the derivative, p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}),
+  // with i = span .. span + p - 1.
+  // @param coefficient function that returns the coefficient c_i
   template <class Coefficient>
   static double max_slope(const numerics::SplineBasis& basis, int span,
                           const Coefficient& coefficient) {
@@ -82,95 +88,111 @@ class OuterResidual {
   // y^2)/2 + mu y^4/4.
   numerics::Interval least_incoming_energy(const numerics::Interval& u,
                                            const numerics::Interval& y) const {
-    return (1.0 - c() / (2.0 * sqrt(k()))) * (square(u) + k() * square(y)) / 2.0 +
-           cubic() * power(y, 4) / 4.0;
+    return (1.0 - damping() / (2.0 * sqrt(stiffness()))) * (square(u) + stiffness() * square(y)) /
+               2.0 +
+           cubic_stiffness() * power(y, 4) / 4.0;
   }
   // Returns the least energy G for v >= `v` >= 0 and y >= `y` >= 0, or for v <= `v` <= 0 and y <=
   // `y` <= 0. In these regions |w| = |v| + c |y|/2 increases with |v| and with |y|.
   numerics::Interval least_outgoing_energy(const numerics::Interval& v,
                                            const numerics::Interval& y) const {
-    return square(v + c() * y / 2.0) / 2.0 + potential(y);
+    return square(v + damping() * y / 2.0) / 2.0 + potential(y);
   }
 
-  Region region_beside(int span, int column, const numerics::Interval& energy) const {
-    Region region{energy, 0, 0, 0};
-    region.y_slope = max_slope(s_.displacement, span,
-                               [&](int a) { return certificate_.coefficients(a, column); });
-    for (int a = span; a <= span + s_.displacement.degree(); ++a) {
-      region.oscillation = std::max(region.oscillation, oscillation(a));
+  // Returns the region above or below the box, where y is in a knot span and V is constant in v.
+  // @param column index b of the coefficients c_ab of V in the region
+  OuterRegion region_beyond_velocities(int span, int column,
+                                       const numerics::Interval& energy) const {
+    OuterRegion region{energy, 0, 0, 0};
+    region.max_y_slope = max_slope(inputs_.displacement_basis, span, [&](int a) {
+      return certificate_.spline_coefficients(a, column);
+    });
+    for (int a = span; a <= span + inputs_.displacement_basis.degree(); ++a) {
+      region.max_oscillation = std::max(region.max_oscillation, row_oscillation(a));
     }
     return region;
   }
-  // Returns the region outside the box with velocities v > r u_end and with y in a knot span.
-  Region region_above(int span) const {
-    const double y = s_.displacement.breaks()[span];
-    return region_beside(span, last_column(),
-                         y >= 0 ? least_outgoing_energy(r() * u_end(), y)
-                                : least_incoming_energy(r() * u_end(), least_displacement(span)));
+  // Returns the region outside the box with velocities v > r u_max and with y in a knot span.
+  OuterRegion region_above(int span) const {
+    const double y = inputs_.displacement_basis.breaks()[span];
+    return region_beyond_velocities(
+        span, last_column(),
+        y >= 0 ? least_outgoing_energy(restitution() * max_speed(), y)
+               : least_incoming_energy(restitution() * max_speed(), least_displacement(span)));
   }
-  // Returns the region outside the box with velocities v < -u_end and with y in a knot span.
-  Region region_below(int span) const {
-    return region_beside(span, 0, least_incoming_energy(u_end(), least_displacement(span)));
+  // Returns the region outside the box with velocities v < -u_max and with y in a knot span.
+  OuterRegion region_below(int span) const {
+    return region_beyond_velocities(span, 0,
+                                    least_incoming_energy(max_speed(), least_displacement(span)));
   }
+  // Returns the least |y| on a knot span.
   double least_displacement(int span) const {
-    const auto breaks = s_.displacement.breaks();
+    const auto breaks = inputs_.displacement_basis.breaks();
     return std::max({0.0, breaks[span], -breaks[span + 1]});
   }
-  numerics::Interval end(bool at_right) const {
-    return at_right ? s_.displacement.end() : -s_.displacement.breaks().front();
+  // Returns the distance from y = 0 of an end of the box.
+  numerics::Interval end_distance(bool at_right) const {
+    return at_right ? inputs_.displacement_basis.end()
+                    : -inputs_.displacement_basis.breaks().front();
   }
   // Returns the region beyond an open end of the box in y, with v in a knot span.
-  Region region_past_end(bool at_right, int span, bool outgoing) const {
-    const ImpactBasis& velocity = s_.velocity;
-    const numerics::Interval u = velocity.speeds().breaks()[span];
-    const numerics::Interval speed = outgoing ? r() * u : u, y = end(at_right);
+  OuterRegion region_past_end(bool at_right, int span, bool outgoing) const {
+    const ImpactSplineBasis& velocity = inputs_.velocity_basis;
+    const numerics::Interval u = velocity.speed_basis().breaks()[span];
+    const numerics::Interval speed = outgoing ? restitution() * u : u, y = end_distance(at_right);
     // Outgoing velocities point away from y = 0: at the right end v >= 0.
     const numerics::Interval energy =
         outgoing == at_right ? least_outgoing_energy(speed, y) : least_incoming_energy(speed, y);
     const int row = at_right ? last_row() : 0;
-    const double in_speed = max_slope(velocity.speeds(), span, [&](int h) {
-      return certificate_.coefficients(
+    const double in_speed = max_slope(velocity.speed_basis(), span, [&](int h) {
+      return certificate_.spline_coefficients(
           row, outgoing ? velocity.outgoing_index(h) : velocity.incoming_index(h));
     });
-    const double slope = outgoing ? (numerics::Interval(in_speed) / r()).upper() : in_speed;
-    return {energy, 0, slope, oscillation(row)};
+    const double slope =
+        outgoing ? (numerics::Interval(in_speed) / restitution()).upper() : in_speed;
+    return {energy, 0, slope, row_oscillation(row)};
   }
   // Returns the region beyond the ends of the box in y and in v, where the certificate V is
   // constant.
-  Region corner_region(bool at_right) const {
-    return {potential(end(at_right)), 0, 0, oscillation(at_right ? last_row() : 0)};
+  OuterRegion corner_region(bool at_right) const {
+    return {potential(end_distance(at_right)), 0, 0, row_oscillation(at_right ? last_row() : 0)};
   }
 
-  // The residual |f + L V - U| is at most a polynomial in sqrt(G) of degree <= 4 < 2m with
-  // coefficients >= 0, since |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2
-  // sqrt(stiffness))). The ratio of the polynomial to G^m is largest at the least energy G.
-  double region_bound(const Region& region) const {
-    const double least = region.energy.lower();
+  // Returns a bound of the weighted residual in a region. The residual |f + L V - U| is at most a
+  // polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0. With the reduced stiffness s,
+  // |y| <= sqrt(2G/s) and |v| <= sqrt(2G) (1 + c/(2 sqrt(s))). The ratio of the polynomial to G^m
+  // is largest at the least energy G.
+  double region_bound(const OuterRegion& region) const {
+    const double least = region.least_energy.lower();
     if (!(least > 0)) return HUGE_VAL;
     const numerics::Interval root = sqrt(2.0 * numerics::Interval(least)),
-                             omega = sqrt(stiffness());
-    const numerics::Interval y = root / omega, v = root * (1.0 + c() / (2.0 * omega));
-    const numerics::Interval force = k() * y + cubic() * power(y, 3);
+                             omega = sqrt(reduced_stiffness());
+    const numerics::Interval y = root / omega, v = root * (1.0 + damping() / (2.0 * omega));
+    const numerics::Interval force = stiffness() * y + cubic_stiffness() * power(y, 3);
     const numerics::Interval numerator =
-        integrand_magnitude_bound(functional_, y, v, force) + std::abs(certificate_.mean) +
-        v * region.y_slope + (c() * v + force) * region.v_slope +
-        numerics::Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
+        integrand_magnitude_bound(functional_, y, v, force) +
+        std::abs(certificate_.approximate_mean) + v * region.max_y_slope +
+        (damping() * v + force) * region.max_v_slope +
+        numerics::Interval(inputs_.problem.impulses.arrival_rate()) * region.max_oscillation;
     const double bound =
-        (numerator / power(numerics::Interval(least) / s_.weight.scale, s_.weight.power)).upper();
-    return std::isnan(bound) ? HUGE_VAL : bound;  // the maximum of std::max would ignore NaN
+        (numerator / power(numerics::Interval(least) / inputs_.residual_weight.energy_scale,
+                           inputs_.residual_weight.exponent))
+            .upper();
+    return std::isnan(bound) ? HUGE_VAL : bound;  // std::max() would ignore a NaN
   }
 
-  const CertificateCheckInputs& s_;
-  const Functional& functional_;
-  const Certificate& certificate_;
+  const CertificateCheckInputs& inputs_;
+  const StationaryFunctional& functional_;
+  const BoundCertificate& certificate_;
 };
 
 }  // namespace
 
-double outer_residual_bound(const CertificateCheckInputs& context, const Functional& functional,
-                            const Certificate& certificate) {
+double outer_residual_bound(const CertificateCheckInputs& inputs,
+                            const StationaryFunctional& functional,
+                            const BoundCertificate& certificate) {
   assert(std::fegetround() == FE_UPWARD);
-  return OuterResidual(context, functional, certificate).bound();
+  return OuterResidualBound(inputs, functional, certificate).bound();
 }
 
 }  // namespace fpkcheck::backward

@@ -10,48 +10,57 @@
 
 namespace fpkcheck::backward {
 
-/// Certificate V of a bound (docs/bounds.md): an approximate solution of L V = U - f. The
-/// coefficients c_{ab} define V = sum c_{ab} A_a(y) B_b(v); the member `mean` is the constant U.
-struct Certificate {
-  const Eigen::MatrixXd& coefficients;
-  double mean;
+/// Certificate V(y, v) of a bound (docs/bounds.md): an approximate solution of the backward
+/// equation L V = U - f for the integrand f of a functional,
+///
+///     V = sum_ab c_ab A_a(y) B_b(v).
+struct BoundCertificate {
+  /// Coefficients c_ab, shape (functions of y, functions of v)
+  const Eigen::MatrixXd& spline_coefficients;
+  double approximate_mean;  ///< the constant U, an approximation of the mean E[f]
 };
 
-/// Inputs of the checks of a certificate: problem, spline bases, enclosed factors of the generator,
-/// weight tau, and kinds of the ends of the box.
+/// Inputs of the residual bounds of a certificate. The box of the splines is the rectangle of the
+/// phase plane between the end knots of both bases.
 struct CertificateCheckInputs {
   const problem::Problem& problem;
-  const numerics::SplineBasis& displacement;
-  const ImpactBasis& velocity;
-  const DisplacementFactorEnclosures& y;
-  const VelocityFactorEnclosures& v;
-  const ResidualWeight& weight;
-  BoxEndTypes ends = {};
+  const numerics::SplineBasis& displacement_basis;  ///< splines A_a of y
+  const ImpactSplineBasis& velocity_basis;          ///< splines B_b of v
+  /// Enclosures of the factors of the generator L
+  const DisplacementFactorEnclosures& displacement_factors;
+  const VelocityFactorEnclosures& velocity_factors;
+  const ResidualWeight& residual_weight;        ///< weight tau
+  DisplacementEndTypes displacement_ends = {};  ///< types of the two ends of the box in y
 };
 
 /// Returns an upper bound of the weighted residual |f + L V - U| / tau outside the box of the
 /// splines. Beyond the ends of an axis the certificate V is constant along the axis
 /// (docs/bounds.md, "Outside the box").
 /// @pre inside call_with_upward_rounding
-double outer_residual_bound(const CertificateCheckInputs& context, const Functional& functional,
-                            const Certificate& certificate);
+double outer_residual_bound(const CertificateCheckInputs& inputs,
+                            const StationaryFunctional& functional,
+                            const BoundCertificate& certificate);
 
+/// Guaranteed range of the weighted residual inside the box: least <= (f + L V - U) / tau <=
+/// largest.
 struct ResidualRange {
-  double least = 0, largest = 0;  ///< the residual range satisfies least <= 0 <= largest
+  double least = 0, largest = 0;  ///< bounds of the range, with least <= 0 <= largest
   /// Whether the bisection reached the tolerance; otherwise the range is valid but not narrow
   bool is_converged = true;
-  long boxes = 0;
+  long box_count = 0;  ///< number of sub-boxes in the bisection
 };
 
 /// Encloses the range of the weighted residual (f + L V - U) / tau over the box of the splines. On
-/// each product of a y piece and a v piece, the Bernstein coefficients of the residual bound the
-/// residual. Division by the least weight tau gives the range. The bisection stops when the bounds
-/// of the range differ from attained values by less than the relative tolerance.
-/// @param expected_range (least, largest) values that are probably attained. Good values reduce the
-/// number of bisections; the range is valid for any values
+/// the product of a piece of the y axis and a piece of the v axis the residual is a polynomial, and
+/// the residual lies between its smallest and its largest Bernstein coefficient. Division by the
+/// least weight tau on the product gives bounds of the weighted residual. The bisection of a
+/// product stops when the bounds differ from attained values by less than the relative tolerance.
+/// @param expected_range smallest and largest value that the weighted residual probably attains.
+/// Accurate values reduce the number of bisections; the result is valid for any values
 /// @pre inside call_with_upward_rounding
-ResidualRange residual_range(const CertificateCheckInputs& context, const Functional& functional,
-                             const Certificate& certificate,
-                             std::pair<double, double> expected_range, double tolerance);
+ResidualRange enclose_residual_range(const CertificateCheckInputs& inputs,
+                                     const StationaryFunctional& functional,
+                                     const BoundCertificate& certificate,
+                                     std::pair<double, double> expected_range, double tolerance);
 
 }  // namespace fpkcheck::backward

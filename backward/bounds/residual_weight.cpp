@@ -11,25 +11,27 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Returns a bound of the moment E[G^(n/2)] of the energy G from bounds of the moments E[G^j] of
-// integer power, by E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
+// Returns an upper bound of the moment E[G^(n/2)] of the energy G from upper bounds of the moments
+// E[G^j] of integer power j. For odd n = 2j + 1, E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
 numerics::Interval half_power_bound(const std::vector<numerics::Interval>& bounds, int n) {
   if (n % 2 == 0) return bounds[n / 2];
   return sqrt(bounds[n / 2] * bounds[n / 2 + 1]);
 }
 
+// Returns 2^(n/2).
 numerics::Interval power_of_root_two(int n) {
   const numerics::Interval whole = std::ldexp(1.0, n >= 0 ? n / 2 : -((1 - n) / 2));
   return n % 2 == 0 ? whole : whole * sqrt(numerics::Interval(2));
 }
 
-std::vector<numerics::Interval> moment_bounds(const problem::Problem& problem, int power) {
+std::vector<numerics::Interval> enclose_energy_moment_bounds(const problem::Problem& problem,
+                                                             int highest_power) {
   const numerics::Interval rate = problem.impulses.arrival_rate(),
                            damping = problem.system.damping();
-  // upper bounds of the impulse moments |E[Y^n]|
-  std::vector<numerics::Interval> impulse(2 * power + 1);
-  for (int n = 0; n <= 2 * power; ++n) {
-    impulse[n] = magnitude(moment_enclosure(problem.impulses.amplitude_law(), n));
+  // Upper bounds of the amplitude moments |E[Y^n]|
+  std::vector<numerics::Interval> amplitude_moments(2 * highest_power + 1);
+  for (int n = 0; n <= 2 * highest_power; ++n) {
+    amplitude_moments[n] = magnitude(enclose_amplitude_moment(problem.impulses.amplitude_law(), n));
   }
   // An impulse Y changes the energy G to G + w Y + Y^2/2, w = v + c y/2, |w| <= sqrt(2G). Hence the
   // moments of G satisfy
@@ -40,14 +42,14 @@ std::vector<numerics::Interval> moment_bounds(const problem::Problem& problem, i
   // The term of the sum with i = 1 and l = 0 contains E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]), which
   // gives a quadratic inequality for sqrt(E[G^j]).
   std::vector<numerics::Interval> bounds{numerics::Interval(1)};
-  for (int j = 1; j <= power; ++j) {
+  for (int j = 1; j <= highest_power; ++j) {
     numerics::Interval constant = 0, linear = 0;
     for (int i = 0; i <= j; ++i) {
       for (int l = 0; i + l <= j; ++l) {
         if (i + l == 0) continue;
         numerics::Interval term = rate * numerics::binomial_coefficient(j, i) *
-                                  numerics::binomial_coefficient(j - i, l) * impulse[i + 2 * l] *
-                                  power_of_root_two(i - 2 * l);
+                                  numerics::binomial_coefficient(j - i, l) *
+                                  amplitude_moments[i + 2 * l] * power_of_root_two(i - 2 * l);
         if (i == 1 && l == 0) {
           linear += term * sqrt(bounds[j - 1]);
         } else {
@@ -67,11 +69,12 @@ std::vector<numerics::Interval> moment_bounds(const problem::Problem& problem, i
 
 double ResidualWeight::energy(double y, double v) const {
   const double w = v + damping * y / 2;
-  return w * w / 2 + (stiffness - damping * damping / 4) * y * y / 2 + cubic * y * y * y * y / 4;
+  return w * w / 2 + (stiffness - damping * damping / 4) * y * y / 2 +
+         cubic_stiffness * y * y * y * y / 4;
 }
 
 double ResidualWeight::operator()(double y, double v) const {
-  return 1 + std::pow(energy(y, v) / scale, power);
+  return 1 + std::pow(energy(y, v) / energy_scale, exponent);
 }
 
 std::string bounds_unsupported_reason(const problem::Problem& problem) {
@@ -106,24 +109,24 @@ std::string bounds_unsupported_reason(const problem::Problem& problem) {
                      k);
 }
 
-std::vector<double> energy_moment_bounds(const problem::Problem& problem, int power) {
+std::vector<double> energy_moment_bounds(const problem::Problem& problem, int highest_power) {
   assert(bounds_unsupported_reason(problem).empty());
   return numerics::call_with_upward_rounding([&] {
     std::vector<double> upper;
-    for (const numerics::Interval& bound : moment_bounds(problem, power))
+    for (const numerics::Interval& bound : enclose_energy_moment_bounds(problem, highest_power))
       upper.push_back(bound.upper());
     return upper;
   });
 }
 
-ResidualWeight residual_weight(const problem::Problem& problem, int power) {
-  const double moment = energy_moment_bounds(problem, power).back();
+ResidualWeight make_residual_weight(const problem::Problem& problem, int exponent) {
+  const double moment = energy_moment_bounds(problem, exponent).back();
   const problem::SystemCoefficients& c = problem.system.coefficients();
-  ResidualWeight weight{c.damping, c.stiffness, c.cubic, power, std::pow(4 * moment, 1.0 / power),
-                        0};
-  weight.mean_bound = numerics::call_with_upward_rounding([&] {
-    return (1.0 +
-            numerics::Interval(moment) / numerics::power(numerics::Interval(weight.scale), power))
+  ResidualWeight weight{
+      c.damping, c.stiffness, c.cubic, exponent, std::pow(4 * moment, 1.0 / exponent), 0};
+  weight.mean_upper_bound = numerics::call_with_upward_rounding([&] {
+    return (1.0 + numerics::Interval(moment) /
+                      numerics::power(numerics::Interval(weight.energy_scale), exponent))
         .upper();
   });
   return weight;

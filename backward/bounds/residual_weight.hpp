@@ -7,34 +7,35 @@
 
 namespace fpkcheck::backward {
 
-/// Weight tau = 1 + (G / h0)^m of the residuals (docs/bounds.md) with the energy
+/// Weight tau = 1 + (G / h0)^m of the residuals (docs/bounds.md), with the Lyapunov function
 ///
-///     G = (v + c y/2)^2/2 + (k - c^2/4) y^2/2 + mu y^4/4.
+///     G = (v + c y/2)^2/2 + (k - c^2/4) y^2/2 + mu y^4/4,
 ///
-/// The energy G decreases along the flow (G' <= -c G), at impacts on a left wall at y <= 0 and at
-/// impacts on a right wall at y >= 0. The bounds E[G^j] <= M_j and the scale h0 = (4 M_m)^(1/m)
-/// give E[tau] <= 1.25.
+/// which is called the energy. The energy G decreases along the motion between impulses (G' <= -c
+/// G), at impacts on a left wall at y <= 0 and at impacts on a right wall at y >= 0. The bounds
+/// E[G^j] <= M_j of the moments and the scale h0 = (4 M_m)^(1/m) give E[tau] <= 1.25.
 struct ResidualWeight {
-  double damping, stiffness, cubic;  ///< parameters c, k and mu of the oscillator
-  int power;                         ///< exponent m of the weight tau
-  double scale;                      ///< energy scale h0 of the weight tau
-  double mean_bound;                 ///< upper bound of the mean E[tau] of the weight
+  double damping, stiffness, cubic_stiffness;  ///< parameters c, k and mu of the oscillator
+  int exponent;                                ///< exponent m
+  double energy_scale;                         ///< energy scale h0
+  double mean_upper_bound;                     ///< upper bound of the mean E[tau]
 
-  /// Values of the energy G and of the weight tau at (y, v), rounded to nearest
+  /// Returns the energy G at the state (y, v), rounded to nearest.
   double energy(double y, double v) const;
+  /// Returns the weight tau at the state (y, v), rounded to nearest.
   double operator()(double y, double v) const;
 };
 
-/// Returns the reason why no bounds can be computed for a problem, in one line; empty if the
-/// problem is supported.
+/// Returns the reason why the bounds do not support a problem, in one line; empty if the problem is
+/// supported.
 std::string bounds_unsupported_reason(const problem::Problem& problem);
 
-/// Returns upper bounds M_j of the moments E[G^j] of the energy G, j = 0 .. `power`.
+/// Returns upper bounds M_j of the moments E[G^j] of the energy G, for j = 0 .. `highest_power`.
 /// @pre bounds_unsupported_reason(problem) is empty
-std::vector<double> energy_moment_bounds(const problem::Problem& problem, int power);
+std::vector<double> energy_moment_bounds(const problem::Problem& problem, int highest_power);
 
-/// Returns the weight tau with the exponent m = `power`.
+/// Computes the weight tau with the exponent m = `exponent`.
 /// @pre bounds_unsupported_reason(problem) is empty
-ResidualWeight residual_weight(const problem::Problem& problem, int power);
+ResidualWeight make_residual_weight(const problem::Problem& problem, int exponent);
 
 }  // namespace fpkcheck::backward

@@ -9,31 +9,33 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr double kLeastCellFraction = 3e-2;
+// Argument `finest` of numerics::graded_breaks as a fraction of the extent of y, for a basis that
+// does not begin at y = 0 or ends at a wall
+constexpr double kFinestFractionWithOtherWalls = 3e-2;
 
 }  // namespace
 
-numerics::SplineBasis displacement_spline_basis(const SplineGrid& grid,
-                                                const ResidualWeight& weight,
-                                                const problem::System& system) {
-  // the equation of y is (k - c^2/4) y^2/2 + mu y^4/4 = edge h0
-  const double a = weight.cubic / 4,
+numerics::SplineBasis make_displacement_spline_basis(const SplineGrid& grid,
+                                                     const ResidualWeight& weight,
+                                                     const problem::System& system) {
+  // The end y of the box satisfies (k - c^2/4) y^2/2 + mu y^4/4 = edge_energy h0.
+  const double a = weight.cubic_stiffness / 4,
                b = (weight.stiffness - weight.damping * weight.damping / 4) / 2;
-  const double energy = grid.edge * weight.scale;
+  const double energy = grid.edge_energy * weight.energy_scale;
   const double y = std::sqrt(2 * energy / (b + std::sqrt(b * b + 4 * a * energy)));
   const double begin = system.left_wall() ? std::max(-y, system.left_wall()->position) : -y;
   const double end = system.right_wall() ? std::min(y, system.right_wall()->position) : y;
   if (begin == 0 && end == y) {
-    return numerics::SplineBasis(
-        numerics::graded_breaks(y, grid.y_cells, grid.finest * y, grid.even * y));
+    return numerics::SplineBasis(numerics::graded_breaks(
+        y, grid.y_cell_count, grid.finest_fraction * y, grid.uniform_from_fraction * y));
   }
   // The certificate V is not smooth across the orbits that graze a wall. The widths of the cells
   // vary little, since the grazing orbits cross the whole phase plane.
   const double width = end - begin;
-  const int cells = static_cast<int>(std::ceil(grid.y_cells * std::max(0.5, width / y)));
-  std::vector<double> breaks =
-      numerics::graded_breaks(width, cells, kLeastCellFraction * width, grid.even * width);
-  if (begin == -y) {  // without a left wall the cells are uniform
+  const int cells = static_cast<int>(std::ceil(grid.y_cell_count * std::max(0.5, width / y)));
+  std::vector<double> breaks = numerics::graded_breaks(
+      width, cells, kFinestFractionWithOtherWalls * width, grid.uniform_from_fraction * width);
+  if (begin == -y) {  // without a left wall all cells have the same width
     for (std::size_t n = 0; n < breaks.size(); ++n) {
       breaks[n] = width * static_cast<double>(n) / cells;
     }
@@ -44,64 +46,65 @@ numerics::SplineBasis displacement_spline_basis(const SplineGrid& grid,
   return numerics::SplineBasis(std::move(breaks));
 }
 
-BoxEndTypes box_end_types(const numerics::SplineBasis& displacement,
-                          const problem::System& system) {
-  const double begin = displacement.breaks().front(), end = displacement.end();
-  return {.left_wall = system.left_wall().has_value(),
-          .right_wall = system.right_wall().has_value(),
-          .left_open = !system.left_wall() || system.left_wall()->position < begin,
-          .right_open = !system.right_wall() || system.right_wall()->position > end};
+DisplacementEndTypes find_displacement_end_types(const numerics::SplineBasis& displacement_basis,
+                                                 const problem::System& system) {
+  const double begin = displacement_basis.breaks().front(), end = displacement_basis.end();
+  return {.has_left_wall = system.left_wall().has_value(),
+          .has_right_wall = system.right_wall().has_value(),
+          .is_left_end_open = !system.left_wall() || system.left_wall()->position < begin,
+          .is_right_end_open = !system.right_wall() || system.right_wall()->position > end};
 }
 
-ImpactBasis velocity_spline_basis(const SplineGrid& grid, const ResidualWeight& weight,
-                                  double restitution) {
-  // Without impact losses the edge of the box is at v = -u, where v^2/2 = edge h0. Impact losses
-  // require a larger u, so that the energy G is also large at the outgoing edge v = r u of the box.
-  const double u = std::sqrt(2 * grid.edge * weight.scale) / std::pow(restitution, 0.85);
-  return ImpactBasis(numerics::SplineBasis(numerics::graded_breaks(u, grid.speed_cells,
-                                                                   grid.finest * u, grid.even * u)),
-                     restitution);
+ImpactSplineBasis make_velocity_spline_basis(const SplineGrid& grid, const ResidualWeight& weight,
+                                             double restitution) {
+  // Without impact losses the edge of the box is at v = -u, where v^2/2 = edge_energy h0. Impact
+  // losses require a larger u, since the energy G must also be large at the outgoing edge v = r u
+  // of the box.
+  const double u =
+      std::sqrt(2 * grid.edge_energy * weight.energy_scale) / std::pow(restitution, 0.85);
+  return ImpactSplineBasis(
+      numerics::SplineBasis(numerics::graded_breaks(
+          u, grid.speed_cell_count, grid.finest_fraction * u, grid.uniform_from_fraction * u)),
+      restitution);
 }
 
-WidthLimitingFeature width_limiting_feature(const Functional& functional) {
-  if (!non_smooth_points(functional).empty()) return WidthLimitingFeature::knots;
+WidthLimitingFeature width_limiting_feature(const StationaryFunctional& functional) {
+  if (!integrand_break_points(functional).empty()) return WidthLimitingFeature::bin_knots;
   const PowerMoment* const mean = std::get_if<PowerMoment>(&functional);
   return mean != nullptr && mean->power > 2 ? WidthLimitingFeature::tails
-                                            : WidthLimitingFeature::origin;
+                                            : WidthLimitingFeature::conical_point;
 }
 
-std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature limit) {
+std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature feature) {
   // The certificate V has a conical point at the origin. Smaller cells at the origin reduce the
   // error as long as the error from the cells at the origin dominates. On finer grids than the last
-  // grid of kOrigin, rounding in the normal equations loses more accuracy than smaller cells gain.
-  static constexpr SplineGrid kOrigin[] = {{16, 16, 3e-3, 0.3, 7},      {22, 22, 1e-3, 0.2, 7.5},
-                                           {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
-                                           {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
-                                           {72, 72, 2.5e-6, 0.15, 8}};
+  // grid of this list, rounding in the normal equations loses more accuracy than smaller cells
+  // gain.
+  static constexpr SplineGrid kConicalPointGrids[] = {
+      {16, 16, 3e-3, 0.3, 7},   {22, 22, 1e-3, 0.2, 7.5},    {28, 28, 3e-4, 0.2, 8},
+      {40, 40, 6e-5, 0.2, 8},   {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
+      {72, 72, 2.5e-6, 0.15, 8}};
   // For moments of powers above 2 the normal equations lose digits already on coarser grids than
-  // for kOrigin. Compared with kOrigin, the last grids of kTails therefore have wider cells at the
-  // origin and a larger box.
-  static constexpr SplineGrid kTails[] = {kOrigin[0],
-                                          kOrigin[1],
-                                          kOrigin[2],
-                                          kOrigin[3],
-                                          kOrigin[4],
-                                          {56, 56, 6e-5, 0.1, 9.5},
-                                          {64, 64, 3e-5, 0.12, 9.5}};
+  // for lower powers. The last grids of this list therefore have wider cells at the origin and a
+  // larger box than the last grids of kConicalPointGrids.
+  static constexpr SplineGrid kTailGrids[] = {kConicalPointGrids[0],    kConicalPointGrids[1],
+                                              kConicalPointGrids[2],    kConicalPointGrids[3],
+                                              kConicalPointGrids[4],    {56, 56, 6e-5, 0.1, 9.5},
+                                              {64, 64, 3e-5, 0.12, 9.5}};
   // The flow transports the knots of a smooth bin through the whole phase plane, therefore the
   // widths of the cells vary little.
-  static constexpr SplineGrid kKnots[] = {{20, 28, 3e-2, 0.1, 6},
-                                          {28, 40, 3e-2, 0.1, 6},
-                                          {36, 50, 3e-2, 0.1, 6},
-                                          {50, 70, 2e-2, 0.1, 6},
-                                          {64, 90, 1e-2, 0.1, 6}};
-  switch (limit) {
-    case WidthLimitingFeature::origin:
-      return kOrigin;
+  static constexpr SplineGrid kBinKnotGrids[] = {{20, 28, 3e-2, 0.1, 6},
+                                                 {28, 40, 3e-2, 0.1, 6},
+                                                 {36, 50, 3e-2, 0.1, 6},
+                                                 {50, 70, 2e-2, 0.1, 6},
+                                                 {64, 90, 1e-2, 0.1, 6}};
+  switch (feature) {
+    case WidthLimitingFeature::conical_point:
+      return kConicalPointGrids;
     case WidthLimitingFeature::tails:
-      return kTails;
+      return kTailGrids;
     default:
-      return kKnots;
+      return kBinKnotGrids;
   }
 }
 

@@ -8,43 +8,55 @@
 
 namespace fpkcheck::backward {
 
-/// Numbers and grading of the spline cells in the fit of the backward equation.
+/// Numbers of cells, widths of cells and extent of the spline bases on which a certificate V is
+/// fitted.
 struct SplineGrid {
-  int y_cells, speed_cells;
-  double finest, even;  ///< arguments of numerics::graded_breaks, relative to the extents
-  double edge;          ///< energy G (ResidualWeight) at the edges of the box, in units of h0
+  int y_cell_count;      ///< number of cells of y, if the only wall is at y = 0
+  int speed_cell_count;  ///< number of cells of the impact speed, the same before and after impacts
+  /// Arguments `finest` and `uniform_from` of numerics::graded_breaks, as fractions of the extent
+  /// of the axis
+  double finest_fraction, uniform_from_fraction;
+  double edge_energy;  ///< energy G (ResidualWeight) at the edges of the box, in units of h0
 
   bool operator==(const SplineGrid&) const = default;
 };
 
-/// Kinds of the two ends of the box in y. The motion can leave the box at an open end. Beyond an
-/// open end the certificate V is constant in y, up to a wall if present.
-struct BoxEndTypes {
-  bool left_wall = true, right_wall = false;
-  bool left_open = false, right_open = true;
+/// Types of the two ends of the box in y. The motion can leave the box through an open end. Beyond
+/// an open end the certificate V is constant in y, up to the wall on that side, if any.
+struct DisplacementEndTypes {
+  bool has_left_wall = true, has_right_wall = false;
+  bool is_left_end_open = false, is_right_end_open = true;
 };
 
-/// Returns the splines of y from wall to wall. On a side without a wall the splines end where the
-/// energy G of ResidualWeight, at y' = -c y/2, equals SplineGrid::edge times the energy scale h0.
-numerics::SplineBasis displacement_spline_basis(const SplineGrid& grid,
-                                                const ResidualWeight& weight,
-                                                const problem::System& system);
-BoxEndTypes box_end_types(const numerics::SplineBasis& displacement, const problem::System& system);
-ImpactBasis velocity_spline_basis(const SplineGrid& grid, const ResidualWeight& weight,
-                                  double restitution);
+/// Makes the spline basis of y, which extends from wall to wall. On a side without a wall, or with
+/// a distant wall, the basis ends where the least energy G over all velocities (at y' = -c y/2)
+/// equals SplineGrid::edge_energy times the energy scale h0.
+numerics::SplineBasis make_displacement_spline_basis(const SplineGrid& grid,
+                                                     const ResidualWeight& weight,
+                                                     const problem::System& system);
+
+/// Returns the types of the two ends of a spline basis of y.
+DisplacementEndTypes find_displacement_end_types(const numerics::SplineBasis& displacement_basis,
+                                                 const problem::System& system);
+
+/// Makes the spline basis of v. Without impact losses (r = 1) the speeds of the basis end at v^2/2
+/// = edge_energy h0. With losses the range of speeds is larger.
+ImpactSplineBasis make_velocity_spline_basis(const SplineGrid& grid, const ResidualWeight& weight,
+                                             double restitution);
 
 /// Feature of the certificate V that limits how narrow the bounds on a grid can be.
 enum class WidthLimitingFeature {
-  origin,  ///< for powers up to 2 and w1: the conical point of V at the origin
-  tails,   ///< for higher powers: the edges of the box, and rounding where V is large
-  knots    ///< for smooth bins: the knots of the bin
+  conical_point,  ///< for powers up to 2 and w1: the conical point of V at the origin
+  tails,          ///< for higher powers: the edges of the box, and rounding where V is large
+  bin_knots       ///< for smooth bins: the knots of the bin
 };
-WidthLimitingFeature width_limiting_feature(const Functional& functional);
+WidthLimitingFeature width_limiting_feature(const StationaryFunctional& functional);
 
-/// Returns the sequence of grids, from coarse to fine, for functionals whose bounds are limited by
-/// the feature `limit`.
-std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature limit);
-/// Upper limit of the ratio of the computing times of consecutive grids of a sequence
-inline constexpr double kGridCostRatio = 2.5;
+/// Returns the grids, from coarse to fine, for the functionals whose bounds the given feature
+/// limits.
+std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature feature);
+
+/// Upper limit of the ratio of the computing times of consecutive grids of a sequence.
+inline constexpr double kMaxGridTimeRatio = 2.5;
 
 }  // namespace fpkcheck::backward

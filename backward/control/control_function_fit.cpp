@@ -16,41 +16,44 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr double kBoxFactorY = 9.0 / 7,
-                 kBoxFactorV = 1.5;  // size of the box in units of the extents of MotionScales
+// Extents of the splines in y and v, in units of the extents of MotionScales
+constexpr double kBoxFactorY = 9.0 / 7, kBoxFactorV = 1.5;
 constexpr double kUniformFraction = 0.55;  // fraction of the extent that has uniform cells
 constexpr double kMinCellRatio = 0.05;     // width of the narrowest cell relative to a uniform cell
-// Width ratio of the narrowest cell of y if white noise and impact losses cause a spike at the
-// wall, with a width of v^3 / D
+// Width of the narrowest cell of y relative to a uniform cell, if white noise and impact losses
+// cause a spike of the density at the wall, with a width of v^3 / D
 constexpr double kMinSpikeCellRatio = 0.002;
-constexpr double kCellGrowth =
-    0.25;                        // increase of the cell width per distance from the narrowest cell
-constexpr int kCornerKnots = 3;  // multiplicity of the knot at v = 0 with a wall
-constexpr double kWeightTemperature = 2;  // temperature T of the weight, in variances of y'
-// Temperature T of the weight with several wells. The slowest solution of the backward equation is
-// nearly constant in each well and varies at the barrier between wells. The magnitude of the
-// slowest solution is the exchange time between the wells, exp(barrier / T). With a weight wider
-// than the density, the residual on the barrier adds more to the weighted sum than wrong means in
-// the wells. The fit then omits the slowest solution. Of 30 random problems the fit contains the
-// slowest solution in 14 at temperature 2 and in 18 at temperature 0.7 (RandomWells in
-// tests/backward/residual). In ten of the 30 problems the unresolved residual is nearly constant
-// for temperatures 0.5 to 0.7, and larger at temperatures 1 and 2.
+constexpr double kCellGrowth = 0.25;  // increase of the cell width per distance from a narrow cell
+constexpr int kCornerKnots = 3;       // multiplicity of the knot at v = 0 with a wall
+constexpr double kWeightTemperature = 2;  // temperature T of the weight, in variances of v
+// Temperature T of the weight with several wells, in variances of v. The slowest mode of the
+// backward equation is nearly constant in each well and varies at the barrier between wells. The
+// magnitude of this mode in a solution is the exchange time between the wells, exp(barrier / T).
+// With a weight that decreases more slowly than the density, the residual on the barrier adds more
+// to the weighted sum of squares than wrong means in the wells. The fit then omits the slowest
+// mode. Of 30 random problems the fit contains the slowest mode in 14 at temperature 2 and in 18 at
+// temperature 0.7 (RandomWells in tests/backward/residual). In ten of the 30 problems the
+// unresolved residual is nearly constant for temperatures 0.5 to 0.7, and larger at temperatures 1
+// and 2.
 constexpr double kWellWeightTemperature = 0.7;
-constexpr double kNegligibleRatio = 1e-9;
+constexpr double kNegligibleRatio = 1e-9;  // value relative to a maximum that is negligible
 
-// Cells for a nearly Gaussian density, as fractions of the extents of MotionScales, which are seven
-// deviations. Cells have equal width up to these fractions, and geometrically increasing widths
-// outside. With cells from cell_widths() the standard errors of E[y^2], E[y'] and p(y) were larger
-// than with geometric cells (`ctest -R baselines.case2`).
-constexpr double kGaussianCoreY = 5.0 / 7, kGaussianCoreV = 6.0 / 7;
-// The same for CellWidths::even. Where only few samples fall, h may be inaccurate: with 64 x 100
-// cells the L1 error of p(y) in case 1 is half of that with the cores above.
-constexpr double kEvenCore = 4.0 / 7;
-// number of cells of decreasing width towards the wall and towards v = 0
+// Ends of the cells of equal width for a nearly Gaussian density, as fractions of the extents of
+// MotionScales, which are seven standard deviations. Outside these ends the widths increase
+// geometrically. With cells from cell_width_function() the standard errors of E[y^2], E[y'] and
+// p(y) were larger than with these cells (`ctest -R baselines.case2`).
+constexpr double kGaussianUniformFractionY = 5.0 / 7, kGaussianUniformFractionV = 6.0 / 7;
+// Ends of the cells of equal width for ControlCellWidths::equal, as fractions of the extents. The
+// control function h may be inaccurate where only few samples fall. With 64 x 100 cells the L1
+// error of p(y) in case 1 is half of the L1 error with the fractions above.
+constexpr double kSimulationUniformFraction = 4.0 / 7;
+// Number of cells of decreasing width towards the wall and towards v = 0
 constexpr int kGradedCells = 12;
-constexpr double kOffWallDeflection = 4;  // static deflection off the wall, in deviations of y
+// Static deflection above which the motion is off the wall, in standard deviations of y
+constexpr double kOffWallDeflection = 4;
 
-/// Returns break points from `begin` to `end` such that the cell width is proportional to `width`.
+/// Returns break points from `begin` to `end`. The width of a cell is proportional to the value of
+/// `width` in the cell.
 std::vector<double> breaks_by_width(double begin, double end, int cells,
                                     const std::function<double(double)>& width) {
   constexpr int kSteps = 4000;
@@ -72,23 +75,25 @@ std::vector<double> breaks_by_width(double begin, double end, int cells,
   return breaks;
 }
 
-/// Returns the cell width as a function of position. The width is `even` between `low` and `high`,
-/// increases outside the interval [low, high], and decreases towards the points `narrow_at`.
-std::function<double(double)> cell_widths(std::vector<double> narrow_at, double even, double low,
-                                          double high, double least_cell = kMinCellRatio) {
+/// Returns the cell width as a function of position. The width is `uniform_width` between `low` and
+/// `high`, increases outside the interval [low, high], and decreases towards the points
+/// `narrow_positions`, where the width is min_ratio * uniform_width.
+std::function<double(double)> cell_width_function(std::vector<double> narrow_positions,
+                                                  double uniform_width, double low, double high,
+                                                  double min_ratio = kMinCellRatio) {
   return [=](double x) {
     const double outside = std::max({0.0, low - x, x - high});
-    double width = even + kCellGrowth * outside;
-    for (const double place : narrow_at) {
-      width = std::min(width, even * least_cell + kCellGrowth * std::abs(x - place));
+    double width = uniform_width + kCellGrowth * outside;
+    for (const double place : narrow_positions) {
+      width = std::min(width, uniform_width * min_ratio + kCellGrowth * std::abs(x - place));
     }
     return width;
   };
 }
 
-/// Returns the largest impulse amplitude at which the density times the deviation of the law
-/// exceeds 1e-9.
-double largest_amplitude(const problem::ImpulseTrain& impulses) {
+/// Returns the largest magnitude of an amplitude that is not negligible: an atom, or an amplitude
+/// at which the density times the standard deviation of the law exceeds 1e-9.
+double largest_relevant_amplitude(const problem::ImpulseTrain& impulses) {
   if (!impulses.is_present()) return 0;
   double largest = 0;
   for (const auto& atom : impulses.amplitude_law().atoms()) {
@@ -109,95 +114,101 @@ double largest_amplitude(const problem::ImpulseTrain& impulses) {
   return largest;
 }
 
-/// Returns a factor >= 1 by which the box is widened to contain the velocity after the largest
-/// impulse.
-double box_widening(const problem::Problem& problem, const problem::MotionScales& scales) {
-  constexpr double kInitialVelocity =
-      2;  // velocity before the largest impulse, in deviations of y'
+/// Returns a factor >= 1 by which the ranges of y and v are widened to contain the velocity after
+/// the largest impulse.
+double range_widening(const problem::Problem& problem, const problem::MotionScales& scales) {
+  // Velocity before the largest impulse, in standard deviations of v
+  constexpr double kInitialVelocity = 2;
   const double after =
-      kInitialVelocity * scales.velocity_deviation + largest_amplitude(problem.impulses);
+      kInitialVelocity * scales.velocity_deviation + largest_relevant_amplitude(problem.impulses);
   return std::max(1.0, after / (kBoxFactorV * scales.v_high));
 }
 
 }  // namespace
 
-ControlSplines control_splines(const problem::Problem& problem, const ControlCells& cells,
-                               CellWidths widths) {
+ControlSplines make_control_splines(const problem::Problem& problem, const ControlCellCounts& cells,
+                                    ControlCellWidths widths) {
   const problem::MotionScales scales = problem::motion_scales(problem);
   const problem::System& system = problem.system;
-  const double wider = box_widening(problem, scales);
+  const double widening = range_widening(problem, scales);
   const double low = scales.centre - scales.y_low, high = scales.y_high - scales.centre;
-  double begin = scales.centre - wider * kBoxFactorY * low;
-  double end = scales.centre + wider * kBoxFactorY * high;
-  std::vector<double> narrow_at;
-  int y_cells = 2 * cells.y;
+  double begin = scales.centre - widening * kBoxFactorY * low;
+  double end = scales.centre + widening * kBoxFactorY * high;
+  std::vector<double> narrow_positions;
+  int y_cells = 2 * cells.y_cells;
   if (system.left_wall() && system.left_wall()->position > begin) {
     begin = system.left_wall()->position;
-    narrow_at.push_back(begin);
-    y_cells = cells.y;
+    narrow_positions.push_back(begin);
+    y_cells = cells.y_cells;
   }
   if (system.right_wall() && system.right_wall()->position < end) {
     end = system.right_wall()->position;
-    narrow_at.push_back(end);
+    narrow_positions.push_back(end);
   }
-  const double v_end = wider * kBoxFactorV * scales.v_high;
+  const double v_end = widening * kBoxFactorV * scales.v_high;
   if (problem::has_equivalent_linearisation(problem)) {
     const bool off_wall = scales.centre > kOffWallDeflection * scales.displacement_deviation;
-    const bool even = widths == CellWidths::even;
-    const int graded = even || off_wall ? 0 : kGradedCells;
-    const double core_y = even ? kEvenCore : kGaussianCoreY;
-    const double core_v = even ? kEvenCore : kGaussianCoreV;
-    return {.y = numerics::QuinticBSplines(numerics::graded_knots(
-                begin, end, scales.centre + core_y * high, cells.y, 1, graded)),
-            .v = numerics::QuinticBSplines(numerics::graded_knots(
-                -v_end, v_end, core_v * scales.v_high, cells.v, kCornerKnots, graded))};
+    const bool is_equal = widths == ControlCellWidths::equal;
+    const int graded = is_equal || off_wall ? 0 : kGradedCells;
+    const double uniform_fraction_y =
+        is_equal ? kSimulationUniformFraction : kGaussianUniformFractionY;
+    const double uniform_fraction_v =
+        is_equal ? kSimulationUniformFraction : kGaussianUniformFractionV;
+    return {.y_splines = numerics::QuinticBSplines(numerics::graded_knots(
+                begin, end, scales.centre + uniform_fraction_y * high, cells.y_cells, 1, graded)),
+            .v_splines = numerics::QuinticBSplines(
+                numerics::graded_knots(-v_end, v_end, uniform_fraction_v * scales.v_high,
+                                       cells.v_cells, kCornerKnots, graded))};
   }
-  assert(widths == CellWidths::narrower_at_walls);
-  const double even_y = (high + low) / cells.y, even_v = 2 * scales.v_high / cells.v;
+  assert(widths == ControlCellWidths::narrower_at_walls);
+  const double uniform_y_width = (high + low) / cells.y_cells,
+               uniform_v_width = 2 * scales.v_high / cells.v_cells;
   const bool spike = problem.noise.is_present() &&
                      std::ranges::any_of(impact_walls(system),
                                          [](const auto& wall) { return wall.restitution < 1; });
-  const auto y_width = cell_widths(
-      narrow_at, even_y, scales.centre - wider * kUniformFraction * low,
-      scales.centre + wider * kUniformFraction * high, spike ? kMinSpikeCellRatio : kMinCellRatio);
-  const double even_to = wider * kUniformFraction * scales.v_high;
-  const bool walls = !narrow_at.empty();
-  const auto v_width = cell_widths(walls ? std::vector<double>{0} : std::vector<double>{}, even_v,
-                                   -even_to, even_to);
-  std::vector<double> side = breaks_by_width(0, v_end, cells.v / 2, v_width), v_breaks;
+  const auto y_width = cell_width_function(narrow_positions, uniform_y_width,
+                                           scales.centre - widening * kUniformFraction * low,
+                                           scales.centre + widening * kUniformFraction * high,
+                                           spike ? kMinSpikeCellRatio : kMinCellRatio);
+  const double uniform_v_end = widening * kUniformFraction * scales.v_high;
+  const bool walls = !narrow_positions.empty();
+  const auto v_width = cell_width_function(walls ? std::vector<double>{0} : std::vector<double>{},
+                                           uniform_v_width, -uniform_v_end, uniform_v_end);
+  std::vector<double> side = breaks_by_width(0, v_end, cells.v_cells / 2, v_width), v_breaks;
   for (auto at = side.rbegin(); at != side.rend(); ++at) v_breaks.push_back(-*at);
   v_breaks.back() = 0;
   v_breaks.insert(v_breaks.end(), side.begin() + 1, side.end());
-  return {.y = numerics::QuinticBSplines(
+  return {.y_splines = numerics::QuinticBSplines(
               numerics::knots_from_breaks(breaks_by_width(begin, end, y_cells, y_width))),
-          .v = numerics::QuinticBSplines(
+          .v_splines = numerics::QuinticBSplines(
               numerics::knots_from_breaks(v_breaks, walls ? kCornerKnots : 1))};
 }
 
-ControlFitProblem control_function_fit(const problem::Problem& problem,
-                                       const numerics::QuinticBSplines& y,
-                                       const numerics::QuinticBSplines& v, double wall_weight) {
+ControlFitProblem make_control_fit_problem(const problem::Problem& problem,
+                                           const numerics::QuinticBSplines& y_splines,
+                                           const numerics::QuinticBSplines& v_splines,
+                                           double wall_jump_weight) {
   const problem::MotionScales scales = problem::motion_scales(problem);
   const double temperature_factor =
       problem::problem_features(problem).wells > 1 ? kWellWeightTemperature : kWeightTemperature;
   const double temperature =
-      temperature_factor * std::pow(box_widening(problem, scales) * scales.velocity_deviation, 2);
+      temperature_factor * std::pow(range_widening(problem, scales) * scales.velocity_deviation, 2);
   const numerics::Polynomial potential = problem::effective_potential_polynomial(problem);
   double least = std::numeric_limits<double>::infinity();
-  for (const double at : y.breaks()) least = std::min(least, potential(at));
+  for (const double at : y_splines.breaks()) least = std::min(least, potential(at));
   return {.problem = problem,
-          .y = y,
-          .v = v,
-          .weight_y =
+          .y_splines = y_splines,
+          .v_splines = v_splines,
+          .y_weight =
               [=](double at) {
                 return std::clamp(std::exp(-(potential(at) - least) / temperature),
                                   kNegligibleRatio, 1.0);
               },
-          .weight_v =
+          .v_weight =
               [=](double at) {
                 return std::max(std::exp(-at * at / (2 * temperature)), kNegligibleRatio);
               },
-          .wall_weight = wall_weight};
+          .wall_jump_weight = wall_jump_weight};
 }
 
 }  // namespace fpkcheck::backward

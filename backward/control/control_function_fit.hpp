@@ -6,47 +6,53 @@
 
 namespace fpkcheck::backward {
 
-struct ControlCells {
-  int y, v;
+/// Numbers of spline cells of the control functions along y and along v.
+struct ControlCellCounts {
+  int y_cells, v_cells;
 };
 
+/// Spline bases A_i(y) and B_j(v) of the control functions h = sum_ij h_ij A_i(y) B_j(v).
 struct ControlSplines {
-  numerics::QuinticBSplines y, v;
+  numerics::QuinticBSplines y_splines, v_splines;
 };
 
-enum class CellWidths {
-  /// Cells of equal width, for the control functions of the simulation
+/// Distribution of the cell widths along y and along v.
+enum class ControlCellWidths {
+  /// Cells of equal width where the density is large, for the control functions of the simulation
   /// @pre problem::has_equivalent_linearisation()
-  even,
+  equal,
   /// Cells whose widths decrease towards walls and, with walls, towards v = 0, for the residuals of
   /// densities. Errors of densities concentrate at slow impacts and where the motion has decayed.
   narrower_at_walls
 };
 
-/// Returns the splines of the control functions, determined by the scales of the problem alone
+/// Makes the splines of the control functions from the scales of the problem alone
 /// (problem/motion_scales.hpp).
 /// - The range of y extends from wall to wall, but not beyond the points where the energy-averaged
 ///   density is exp(-9^2/2) of its peak.
-/// - The range of y' extends to 1.5 times the velocity where the energy-averaged density is
+/// - The range of v extends to 1.5 times the velocity where the energy-averaged density is
 ///   exp(-7^2/2) of its peak.
-/// - The ranges of y and y' are widened if a single impulse moves the oscillator out of the ranges.
+/// - The ranges of y and v are widened if a single impulse moves the oscillator out of the ranges.
 /// - The cells have about equal widths where the density is large and are wider towards an open
 ///   end.
 /// - With walls the knot at v = 0 is triple, since grazing impacts cause a corner of the control
 ///   function h at v = 0.
 /// @param cells numbers of cells; without a left wall y has twice the given number of cells
-ControlSplines control_splines(const problem::Problem& problem, const ControlCells& cells,
-                               CellWidths widths);
+ControlSplines make_control_splines(const problem::Problem& problem, const ControlCellCounts& cells,
+                                    ControlCellWidths widths);
 
-/// Returns the fit of the control functions on splines of y and v, with the weight
+/// Makes the least-squares problem of the control functions on given splines, with the weight
 ///
-///     w(y, v) = exp(-(U(y) - lambda E[Y] y) / T) exp(-v^2 / 2T),   T = 2 variances of y'
+///     w(y, v) = exp(-(V(y) - lambda E[Y] y) / T) exp(-v^2 / 2T),   T = 2 variances of v
 ///     (0.7 variances with several wells),
 ///
-/// normalised to 1 at the maximum of the weight. Each factor of the weight is at least 1e-9.
-/// @param problem, y, v must outlive the returned fit, which refers to them
-ControlFitProblem control_function_fit(const problem::Problem& problem,
-                                       const numerics::QuinticBSplines& y,
-                                       const numerics::QuinticBSplines& v, double wall_weight);
+/// where V is the potential of the force. The weight is normalised to 1 at its maximum, and each
+/// factor of the weight is at least 1e-9.
+/// @param problem, y_splines, v_splines must outlive the result, which refers to them
+/// @param wall_jump_weight weight of the jumps at the walls (ControlFitProblem::wall_jump_weight)
+ControlFitProblem make_control_fit_problem(const problem::Problem& problem,
+                                           const numerics::QuinticBSplines& y_splines,
+                                           const numerics::QuinticBSplines& v_splines,
+                                           double wall_jump_weight);
 
 }  // namespace fpkcheck::backward

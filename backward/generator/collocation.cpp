@@ -10,9 +10,10 @@ DisplacementSplineSamples sample_displacement_splines(const numerics::SplineBasi
   for (int s = 0; s < basis.span_count(); ++s) {
     const double begin = basis.breaks()[s], width = basis.breaks()[s + 1] - begin;
     for (const double t : numerics::chebyshev_points(points_per_cell)) {
-      samples.y.push_back(begin + t * width);
-      samples.span.push_back(s);
-      samples.values.push_back(basis.basis_derivatives(samples.y.back(), s, 1));
+      samples.displacements.push_back(begin + t * width);
+      samples.knot_spans.push_back(s);
+      samples.values_and_slopes.push_back(
+          basis.basis_derivatives(samples.displacements.back(), s, 1));
     }
   }
   return samples;
@@ -20,9 +21,10 @@ DisplacementSplineSamples sample_displacement_splines(const numerics::SplineBasi
 
 namespace {
 
-double middle(const numerics::Interval& x) { return enclosure_from_interval(x).middle(); }
+double midpoint(const numerics::Interval& x) { return enclosure_from_interval(x).middle(); }
 
-std::vector<double> bernstein_basis(int n, double t) {
+// Returns the values at t of the Bernstein polynomials of degree n.
+std::vector<double> bernstein_values(int n, double t) {
   std::vector<double> b(n + 1, 0.0);
   b[0] = 1;
   for (int m = 1; m <= n; ++m) {
@@ -32,51 +34,60 @@ std::vector<double> bernstein_basis(int n, double t) {
   return b;
 }
 
-double sum(std::span<const numerics::Interval> coefficients, const std::vector<double>& basis) {
+// Returns the value of the polynomial with the midpoints of the given coefficients.
+double evaluate_polynomial(std::span<const numerics::Interval> coefficients,
+                           const std::vector<double>& bernstein) {
   double value = 0;
-  for (std::size_t j = 0; j < basis.size(); ++j) value += middle(coefficients[j]) * basis[j];
+  for (std::size_t j = 0; j < bernstein.size(); ++j) {
+    value += midpoint(coefficients[j]) * bernstein[j];
+  }
   return value;
 }
 
 }  // namespace
 
-VelocityFactorSamples sample_velocity_factors(const VelocityFactorEnclosures& operators,
-                                              const ImpactBasis& basis, int points_per_cell) {
+VelocityFactorSamples sample_velocity_factors(const VelocityFactorEnclosures& enclosures,
+                                              const ImpactSplineBasis& basis, int points_per_cell) {
   VelocityFactorSamples samples;
-  std::vector<Eigen::Triplet<double>> drift, force;
+  std::vector<Eigen::Triplet<double>> transport, restoring_force;
   const std::vector<double> breaks = velocity_breaks(basis);
-  std::vector<std::pair<std::size_t, double>> places;  // piece and coordinate t of each point
+  std::vector<std::pair<std::size_t, double>> positions;  // piece and coordinate t of each point
   std::size_t piece = 0;
   for (std::size_t cell = 0; cell + 1 < breaks.size(); ++cell) {
     for (const double t : numerics::chebyshev_points(points_per_cell)) {
       const double v = breaks[cell] + t * (breaks[cell + 1] - breaks[cell]);
-      while (piece + 1 < operators.pieces.size() && middle(operators.pieces[piece].to) < v) ++piece;
-      const double from = middle(operators.pieces[piece].from);
-      places.emplace_back(piece, (v - from) / (middle(operators.pieces[piece].to) - from));
-      samples.v.push_back(v);
+      while (piece + 1 < enclosures.pieces.size() && midpoint(enclosures.pieces[piece].end) < v)
+        ++piece;
+      const double from = midpoint(enclosures.pieces[piece].begin);
+      positions.emplace_back(piece, (v - from) / (midpoint(enclosures.pieces[piece].end) - from));
+      samples.velocities.push_back(v);
     }
   }
-  const int points = static_cast<int>(samples.v.size());
-  samples.jump.resize(points, basis.size());
+  const int points = static_cast<int>(samples.velocities.size());
+  samples.impulse_and_damping.resize(points, basis.size());
   for (int i = 0; i < points; ++i) {
-    const auto [at, t] = places[i];
-    const std::vector<double> bernstein = bernstein_basis(operators.order() - 1, t);
+    const auto [at, t] = positions[i];
+    const std::vector<double> bernstein = bernstein_values(enclosures.coefficient_count() - 1, t);
     for (int b = 0; b < basis.size(); ++b) {
-      samples.jump(i, b) = sum(operators.jump.coefficients_of(static_cast<int>(at), b), bernstein);
+      samples.impulse_and_damping(i, b) = evaluate_polynomial(
+          enclosures.impulse_and_damping.polynomial_coefficients(static_cast<int>(at), b),
+          bernstein);
     }
-    for (std::size_t l = 0; l < operators.index[at].size(); ++l) {
-      drift.emplace_back(i, operators.index[at][l], sum(operators.drift[at][l], bernstein));
-      // adds the term (c_l - c_{l-1}) S_l' of the spline derivative, see VelocityFactorEnclosures
+    for (std::size_t l = 0; l < enclosures.function_indices[at].size(); ++l) {
+      transport.emplace_back(i, enclosures.function_indices[at][l],
+                             evaluate_polynomial(enclosures.transport[at][l], bernstein));
+      // The following entries represent the term (c_l - c_{l-1}) S_l' of the slope of a spline
+      // (VelocityFactorEnclosures).
       if (l == 0) continue;
-      const double slope = sum(operators.force[at][l - 1], bernstein);
-      force.emplace_back(i, operators.index[at][l], slope);
-      force.emplace_back(i, operators.index[at][l - 1], -slope);
+      const double slope = evaluate_polynomial(enclosures.restoring_force[at][l - 1], bernstein);
+      restoring_force.emplace_back(i, enclosures.function_indices[at][l], slope);
+      restoring_force.emplace_back(i, enclosures.function_indices[at][l - 1], -slope);
     }
   }
-  samples.drift.resize(points, basis.size());
-  samples.drift.setFromTriplets(drift.begin(), drift.end());
-  samples.force.resize(points, basis.size());
-  samples.force.setFromTriplets(force.begin(), force.end());
+  samples.transport.resize(points, basis.size());
+  samples.transport.setFromTriplets(transport.begin(), transport.end());
+  samples.restoring_force.resize(points, basis.size());
+  samples.restoring_force.setFromTriplets(restoring_force.begin(), restoring_force.end());
   return samples;
 }
 

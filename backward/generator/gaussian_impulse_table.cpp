@@ -18,11 +18,11 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kOrder = 16;          // order N of the Taylor series in the target piece
+constexpr int kTaylorTerms = 16;    // number N of terms of the Taylor series in the target piece
 constexpr int kSourceMoments = 20;  // number K of moments of a source piece
-constexpr double kSourceRange = 9;
+constexpr double kSourceRange = 9;  // largest |z - v - m| of the integral, in standard deviations
 
-numerics::Interval centre_of(const VelocityPiece& piece) { return (piece.from + piece.to) / 2.0; }
+numerics::Interval centre_of(const VelocityPiece& piece) { return (piece.begin + piece.end) / 2.0; }
 
 numerics::Interval factorial(int n) {
   numerics::Interval f = 1;
@@ -30,20 +30,21 @@ numerics::Interval factorial(int n) {
   return f;
 }
 
-// Returns the Bernstein coefficients of degree n of x^q, x = 2t - 1.
-numerics::BernsteinCoefficients centred_power(int q, int n) {
+// Returns the Bernstein coefficients of degree n in t of the power x^q, x = 2t - 1.
+numerics::BernsteinCoefficients bernstein_coefficients_of_power(int q, int n) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
   numerics::BernsteinCoefficients b{numerics::Interval(1)};
   for (int i = 0; i < q; ++i) b = bernstein_product(b, x);
   return elevate_bernstein_degree(b, n);
 }
 
-// Returns int_0^1 B_j^p(t) (2t - 1)^k dt, shape (p + 1, kSourceMoments), as the mean of the
-// Bernstein coefficients of the integrand.
-std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
+// Returns the integrals int_0^1 B_j^p(t) (2t - 1)^k dt of the Bernstein polynomials B_j^p of degree
+// p, shape (p + 1, kSourceMoments). Each integral is the mean of the Bernstein coefficients of the
+// integrand.
+std::vector<std::vector<numerics::Interval>> bernstein_moment_integrals(int p) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
-  std::vector<numerics::BernsteinCoefficients> integrals(
-      p + 1, numerics::BernsteinCoefficients(kSourceMoments));
+  std::vector<std::vector<numerics::Interval>> integrals(
+      p + 1, std::vector<numerics::Interval>(kSourceMoments));
   for (int j = 0; j <= p; ++j) {
     numerics::BernsteinCoefficients b(p + 1, numerics::Interval(0));
     b[j] = 1;
@@ -57,21 +58,22 @@ std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
   return integrals;
 }
 
-// Moments (-1)^k (g/s)^k/k! int B y^k dz/s of the functions of a source piece.
-struct Source {
-  numerics::Interval centre;
-  double half;
-  std::vector<int> index;
-  std::vector<numerics::BernsteinCoefficients> moments;
+// Piece of the velocity z after an impulse, with its contributions to K B.
+struct SourcePiece {
+  numerics::Interval centre;          // z0
+  double half_length;                 // g
+  std::vector<int> function_indices;  // indices of the functions B that are nonzero on the piece
+  // (-1)^k (g/s)^k/k! int B y^k dz/s, shape (functions of the piece, kSourceMoments)
+  std::vector<std::vector<numerics::Interval>> moments;
 };
 
-Source make_source(const ImpactBasis& basis, const VelocityPiece& piece, double s,
-                   const std::vector<numerics::BernsteinCoefficients>& integrals) {
+SourcePiece make_source_piece(const ImpactSplineBasis& basis, const VelocityPiece& piece, double s,
+                              const std::vector<std::vector<numerics::Interval>>& integrals) {
   const numerics::Interval half = piece.length() / 2.0;
   const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
-  Source source{centre_of(piece), half.upper(), functions.index, {}};
-  for (const numerics::BernsteinCoefficients& b : functions.value) {
-    numerics::BernsteinCoefficients moments(kSourceMoments);
+  SourcePiece source{centre_of(piece), half.upper(), functions.indices, {}};
+  for (const numerics::BernsteinCoefficients& b : functions.polynomials) {
+    std::vector<numerics::Interval> moments(kSourceMoments);
     numerics::Interval factor = 2.0 * half / s;
     for (int k = 0; k < kSourceMoments; ++k) {
       if (k > 0) factor *= -half / s / static_cast<double>(k);
@@ -93,12 +95,12 @@ numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
 
 }  // namespace
 
-ImpulseMeanTable impulse_mean_table_of_law(const problem::GaussianLaw& law,
-                                           const ImpactBasis& basis,
-                                           const std::vector<VelocityPiece>& pieces) {
+ImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
+                                        const ImpactSplineBasis& basis,
+                                        const std::vector<VelocityPiece>& pieces) {
   const double s = law.deviation;
-  ImpulseMeanTable table = zero_impulse_mean_table(basis, pieces, kOrder);
-  const auto integrals = power_integrals(basis.speeds().degree());
+  ImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, kTaylorTerms);
+  const auto integrals = bernstein_moment_integrals(basis.speed_basis().degree());
 
   // The integral over the velocity after an impulse extends beyond the ends of the basis, where the
   // first or the last basis function is 1.
@@ -106,52 +108,55 @@ ImpulseMeanTable impulse_mean_table_of_law(const problem::GaussianLaw& law,
   const double source_range = kSourceRange * s + std::abs(law.mean) + s, step = 0.6 * s;
   double widest = 0;
   for (const VelocityPiece& piece : pieces) widest = std::max(widest, piece.length().upper());
-  for (numerics::Interval to = pieces.front().from;
-       to.upper() > basis.begin() - source_range - widest;) {
+  for (numerics::Interval to = pieces.front().begin;
+       to.upper() > basis.lowest_velocity() - source_range - widest;) {
     const numerics::Interval from = to.lower() - step;
     source_pieces.push_back({VelocitySide::below, 0, numerics::Interval(from.lower()), to, 0});
     to = from.lower();
   }
-  for (numerics::Interval from = pieces.back().to;
-       from.lower() < basis.end() + source_range + widest;) {
+  for (numerics::Interval from = pieces.back().end;
+       from.lower() < basis.highest_velocity() + source_range + widest;) {
     const numerics::Interval to = from.upper() + step;
     source_pieces.push_back({VelocitySide::above, 0, from, numerics::Interval(to.upper()), 0});
     from = to.upper();
   }
-  std::vector<Source> sources;
+  std::vector<SourcePiece> sources;
   double overhang = 0;
   for (const VelocityPiece& piece : source_pieces) {
-    sources.push_back(make_source(basis, piece, s, integrals));
+    sources.push_back(make_source_piece(basis, piece, s, integrals));
     overhang = std::max(overhang, basis_functions_on_piece(basis, piece).overhang_error);
   }
 
   std::vector<numerics::BernsteinCoefficients> bernstein;
-  for (int q = 0; q < kOrder; ++q) bernstein.push_back(centred_power(q, kOrder - 1));
+  for (int q = 0; q < kTaylorTerms; ++q)
+    bernstein.push_back(bernstein_coefficients_of_power(q, kTaylorTerms - 1));
   // 1/sqrt(2 pi) = 0.398942280401432677939946... in phi(D) = exp(-D^2/2) / sqrt(2 pi)
   const numerics::Interval root(0.3989422804014326, 0.3989422804014328);
-  std::vector<numerics::Interval> hermite(kOrder + kSourceMoments);
+  std::vector<numerics::Interval> hermite(kTaylorTerms + kSourceMoments);
   numerics::Interval largest_h = 0, largest_g = 0;
-  for (const Source& source : sources) largest_g = std::max(largest_g.upper(), source.half);
+  for (const SourcePiece& source : sources)
+    largest_g = std::max(largest_g.upper(), source.half_length);
 
-  std::vector<numerics::Interval> powers(static_cast<std::size_t>(basis.size() * kOrder));
+  std::vector<numerics::Interval> powers(static_cast<std::size_t>(basis.size() * kTaylorTerms));
   for (std::size_t target = 0; target < pieces.size(); ++target) {
     const numerics::Interval half = pieces[target].length() / 2.0, v0 = centre_of(pieces[target]);
     largest_h = std::max(largest_h.upper(), half.upper());
     std::fill(powers.begin(), powers.end(), numerics::Interval(0));
-    for (const Source& source : sources) {
+    for (const SourcePiece& source : sources) {
       const numerics::Interval distance = (source.centre - v0 - law.mean) / s;
       if (std::max(distance.lower(), -distance.upper()) >
-          kSourceRange + 1.001 * (half.upper() + source.half) / s) {
+          kSourceRange + 1.001 * (half.upper() + source.half_length) / s) {
         continue;
       }
       hermite[0] = root * exponential(-square(distance) / 2.0);
       hermite[1] = distance * hermite[0];
-      for (int n = 1; n + 1 < kOrder + kSourceMoments; ++n) {
+      for (int n = 1; n + 1 < kTaylorTerms + kSourceMoments; ++n) {
         hermite[n + 1] = distance * hermite[n] - static_cast<double>(n) * hermite[n - 1];
       }
-      for (std::size_t l = 0; l < source.index.size(); ++l) {
-        numerics::Interval* const out = &powers[static_cast<std::size_t>(source.index[l] * kOrder)];
-        for (int q = 0; q < kOrder; ++q) {
+      for (std::size_t l = 0; l < source.function_indices.size(); ++l) {
+        numerics::Interval* const out =
+            &powers[static_cast<std::size_t>(source.function_indices[l] * kTaylorTerms)];
+        for (int q = 0; q < kTaylorTerms; ++q) {
           numerics::Interval sum = 0;
           for (int k = 0; k < kSourceMoments; ++k) sum += hermite[q + k] * source.moments[l][k];
           out[q] += sum;
@@ -159,13 +164,15 @@ ImpulseMeanTable impulse_mean_table_of_law(const problem::GaussianLaw& law,
       }
     }
     for (int b = 0; b < basis.size(); ++b) {
-      const std::span<numerics::Interval> out = table.coefficients_of(static_cast<int>(target), b);
+      const std::span<numerics::Interval> out =
+          table.polynomial_coefficients(static_cast<int>(target), b);
       numerics::Interval factor = 1;
-      for (int q = 0; q < kOrder; ++q) {
+      for (int q = 0; q < kTaylorTerms; ++q) {
         if (q > 0) factor *= half / s / static_cast<double>(q);
-        const numerics::Interval a = factor * powers[static_cast<std::size_t>(b * kOrder + q)];
+        const numerics::Interval a =
+            factor * powers[static_cast<std::size_t>(b * kTaylorTerms + q)];
         if (a.lower() == 0 && a.upper() == 0) continue;
-        for (int j = 0; j < kOrder; ++j) out[j] += a * bernstein[q][j];
+        for (int j = 0; j < kTaylorTerms; ++j) out[j] += a * bernstein[q][j];
       }
     }
   }
@@ -175,13 +182,15 @@ ImpulseMeanTable impulse_mean_table_of_law(const problem::GaussianLaw& law,
   // Total length of the source pieces of a target piece, in standard deviations of the law
   const numerics::Interval source_length =
       2.0 * (kSourceRange + 2.0 * (largest_h + 2.0 * largest_g) / s);
-  const numerics::Interval sources_cut =
+  const numerics::Interval moment_truncation =
       0.44 * source_length * root_factorial_tail(b, 0) * root_factorial_tail(a, kSourceMoments);
-  const numerics::Interval series_cut = power(largest_h / s, kOrder) / sqrt(factorial(kOrder));
-  const numerics::Interval reach_cut =
+  const numerics::Interval taylor_truncation =
+      power(largest_h / s, kTaylorTerms) / sqrt(factorial(kTaylorTerms));
+  const numerics::Interval range_truncation =
       2.0 * exponential(numerics::Interval(-kSourceRange * kSourceRange / 2));
-  const numerics::Interval overhangs = 4.0 * (basis.speeds().degree() + 1.0) * overhang;
-  table.remainder = (sources_cut + series_cut + reach_cut + overhangs).upper();
+  const numerics::Interval overhang_error = 4.0 * (basis.speed_basis().degree() + 1.0) * overhang;
+  table.remainder_bound =
+      (moment_truncation + taylor_truncation + range_truncation + overhang_error).upper();
   return table;
 }
 

@@ -10,50 +10,52 @@
 namespace fpkcheck::backward {
 
 VelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& problem,
-                                                  const ImpactBasis& basis,
+                                                  const ImpactSplineBasis& basis,
                                                   std::span<const double> cuts) {
   assert(std::fegetround() == FE_UPWARD);
   const problem::ImpulseLaw& law = problem.impulses.amplitude_law();
-  VelocityPieceConstraints kinks = velocity_piece_constraints(basis, law);
-  kinks.cuts.insert(kinks.cuts.end(), cuts.begin(), cuts.end());
-  std::sort(kinks.cuts.begin(), kinks.cuts.end());
+  VelocityPieceConstraints constraints = velocity_piece_constraints(basis, law);
+  constraints.break_velocities.insert(constraints.break_velocities.end(), cuts.begin(), cuts.end());
+  std::sort(constraints.break_velocities.begin(), constraints.break_velocities.end());
 
-  VelocityFactorEnclosures operators;
-  operators.pieces = velocity_pieces(basis, kinks.cuts, kinks.longest);
-  operators.jump = impulse_mean_table(basis, operators.pieces, law);
+  VelocityFactorEnclosures enclosures;
+  enclosures.pieces =
+      divide_velocity_axis(basis, constraints.break_velocities, constraints.max_length);
+  enclosures.impulse_and_damping = compute_impulse_mean_table(basis, enclosures.pieces, law);
   const numerics::Interval rate = problem.impulses.arrival_rate(),
                            damping = problem.system.damping();
-  ImpulseMeanTable& jump = operators.jump;
-  const int degree = jump.order - 1;
+  ImpulseMeanTable& jump = enclosures.impulse_and_damping;
+  const int degree = jump.coefficient_count - 1;
   for (numerics::Interval& c : jump.coefficients) c *= rate;
-  jump.remainder = (rate * jump.remainder).upper();
-  for (std::size_t i = 0; i < operators.pieces.size(); ++i) {
-    const VelocityPiece& piece = operators.pieces[i];
+  jump.remainder_bound = (rate * jump.remainder_bound).upper();
+  for (std::size_t i = 0; i < enclosures.pieces.size(); ++i) {
+    const VelocityPiece& piece = enclosures.pieces[i];
     const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
-    const numerics::BernsteinCoefficients v{piece.from, piece.to};
+    const numerics::BernsteinCoefficients v{piece.begin, piece.end};
     const numerics::Interval length = piece.length();
-    operators.index.push_back(functions.index);
-    operators.drift.emplace_back();
-    operators.force.emplace_back();
-    for (std::size_t l = 0; l < functions.index.size(); ++l) {
-      const numerics::BernsteinCoefficients& b = functions.value[l];
+    enclosures.function_indices.push_back(functions.indices);
+    enclosures.transport.emplace_back();
+    enclosures.restoring_force.emplace_back();
+    for (std::size_t l = 0; l < functions.indices.size(); ++l) {
+      const numerics::BernsteinCoefficients& b = functions.polynomials[l];
       numerics::BernsteinCoefficients slope = bernstein_derivative(b);
       for (numerics::Interval& s : slope) s /= length;
       const numerics::BernsteinCoefficients value = elevate_bernstein_degree(b, degree);
       const numerics::BernsteinCoefficients damped =
           elevate_bernstein_degree(bernstein_product(v, slope), degree);
       const std::span<numerics::Interval> out =
-          jump.coefficients_of(static_cast<int>(i), functions.index[l]);
+          jump.polynomial_coefficients(static_cast<int>(i), functions.indices[l]);
       for (int j = 0; j <= degree; ++j) out[j] -= rate * value[j] + damping * damped[j];
-      operators.drift.back().push_back(elevate_bernstein_degree(bernstein_product(v, b), degree));
+      enclosures.transport.back().push_back(
+          elevate_bernstein_degree(bernstein_product(v, b), degree));
     }
-    for (const numerics::BernsteinCoefficients& slope : partial_sum_slopes(basis, piece)) {
+    for (const numerics::BernsteinCoefficients& slope : enclose_partial_sum_slopes(basis, piece)) {
       numerics::BernsteinCoefficients force = elevate_bernstein_degree(slope, degree);
       for (numerics::Interval& s : force) s = -s;
-      operators.force.back().push_back(std::move(force));
+      enclosures.restoring_force.back().push_back(std::move(force));
     }
   }
-  return operators;
+  return enclosures;
 }
 
 DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem& problem,
@@ -61,7 +63,7 @@ DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem
                                                           std::span<const double> cuts) {
   const problem::SystemCoefficients& c = problem.system.coefficients();
   const int degree = basis.degree() + 3;
-  DisplacementFactorEnclosures operators;
+  DisplacementFactorEnclosures enclosures;
   for (int span = 0; span < basis.span_count(); ++span) {
     std::vector<double> points{basis.breaks()[span]};
     for (const double cut : cuts) {
@@ -70,8 +72,8 @@ DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem
     points.push_back(basis.breaks()[span + 1]);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const numerics::Interval from = points[i], to = points[i + 1];
-      operators.pieces.push_back({span, points[i], points[i + 1]});
-      auto& factors = operators.factors.emplace_back();
+      enclosures.pieces.push_back({span, points[i], points[i + 1]});
+      auto& factors = enclosures.factors.emplace_back();
       const auto rows = numerics::bezier_extraction<numerics::Interval>(basis, span, from, to);
       const numerics::BernsteinCoefficients force = bernstein_coefficients_on_segment(
           std::array{0.0, c.stiffness, 0.0, c.cubic}, numerics::Interval(0), from, to);
@@ -81,12 +83,12 @@ DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem
         factors[2].push_back(bernstein_product(force, value));
       }
       for (const numerics::BernsteinCoefficients& slope :
-           partial_sum_slopes(basis, span, from, to)) {
+           enclose_partial_sum_slopes(basis, span, from, to)) {
         factors[1].push_back(elevate_bernstein_degree(slope, degree));
       }
     }
   }
-  return operators;
+  return enclosures;
 }
 
 }  // namespace fpkcheck::backward

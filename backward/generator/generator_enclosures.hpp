@@ -11,49 +11,61 @@
 
 namespace fpkcheck::backward {
 
-/// Three factors in v of the generator on a product of splines A(y) B(v),
+/// Enclosures of the three factors in v of the generator L, applied to a product of splines
+/// A(y) B(v),
 ///
-///     L (A B) = A(y) (lambda (K B - B) - c v B') + A'(y) v B + (k y + mu y^3) A(y) (-B'),
+///     L (A B) = A(y) (lambda (K B - B) - c v B') + A'(y) v B + (k y + mu y^3) A(y) (-B').
 ///
-/// as enclosed Bernstein coefficients on every piece. Differences of coefficients c_l express the
-/// derivative of a spline: sum_l c_l B_l' = sum_{l>0} (c_l - c_{l-1}) S_l'. The partial sum S_l =
-/// B_l + B_{l+1} + .. contains the functions of a piece, and S_0 = 1. On small cells neighbouring
-/// coefficients are nearly equal, and the sum over S_l' keeps the rounding error small relative to
-/// the differences of coefficients.
+/// On every piece of the velocity axis each factor is a polynomial with enclosed Bernstein
+/// coefficients. The slope of a spline sum_l c_l B_l is written with partial sums S_l = B_l +
+/// B_{l+1} + .. over the functions of a piece, where S_0 = 1:
+///
+///     sum_l c_l B_l' = sum_{l>0} (c_l - c_{l-1}) S_l'.
+///
+/// On small cells neighbouring coefficients are nearly equal, and the sum over S_l' keeps the
+/// rounding error small relative to the differences of coefficients.
 struct VelocityFactorEnclosures {
   std::vector<VelocityPiece> pieces;
-  std::vector<std::vector<int>> index;  ///< indices of the nonzero basis functions on each piece
-  /// Factor lambda (K B - B) - c v B' of the spline A(y); the remainder of the table includes the
-  /// factor lambda
-  ImpulseMeanTable jump;
+  /// Indices of the basis functions B_b that are nonzero on each piece
+  std::vector<std::vector<int>> function_indices;
+  /// Factor lambda (K B - B) - c v B' of A(y). The remainder bound of the table applies to lambda K
+  /// B.
+  ImpulseMeanTable impulse_and_damping;
   /// Factor v B of A', shape (pieces, functions of the piece)
-  std::vector<std::vector<numerics::BernsteinCoefficients>> drift;
+  std::vector<std::vector<numerics::BernsteinCoefficients>> transport;
   /// Factor -S_l' of (k y + mu y^3) A for l > 0, shape (pieces, degree)
-  std::vector<std::vector<numerics::BernsteinCoefficients>> force;
+  std::vector<std::vector<numerics::BernsteinCoefficients>> restoring_force;
 
-  int order() const { return jump.order; }
+  /// Returns the number of Bernstein coefficients of each polynomial, degree + 1.
+  int coefficient_count() const { return impulse_and_damping.coefficient_count; }
 };
 
+/// Computes enclosures of the factors in v on the pieces that the impulse law requires
+/// (velocity_piece_constraints()).
 /// @param cuts additional ends of pieces, increasing
 /// @pre inside call_with_upward_rounding
 VelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& problem,
-                                                  const ImpactBasis& basis,
+                                                  const ImpactSplineBasis& basis,
                                                   std::span<const double> cuts);
 
-/// Enclosures of the three factors in y of the generator, defined at VelocityFactorEnclosures, as
-/// Bernstein coefficients of degree p + 3 on every piece of the displacement axis.
+/// Enclosures of the three factors in y of the generator L (formula at VelocityFactorEnclosures).
+/// On every piece of the displacement axis each factor is a polynomial of degree p + 3 with
+/// enclosed Bernstein coefficients, where p is the degree of the splines.
 struct DisplacementFactorEnclosures {
+  /// Segment [begin, end] of the displacement axis within one knot span.
   struct Piece {
-    int span;
-    double from, to;
+    int knot_span;
+    double begin, end;
   };
   std::vector<Piece> pieces;
-  /// The three factors A, S' (partial_sum_slopes()) and (k y + mu y^3) A for the functions of each
-  /// piece, shape (pieces, 3, degree + 1); S' has only `degree` functions
+  /// The three factors A, S' (enclose_partial_sum_slopes()) and (k y + mu y^3) A for the functions
+  /// of each piece, shape (pieces, 3, degree + 1); S' has only `degree` functions
   std::vector<std::array<std::vector<numerics::BernsteinCoefficients>, 3>> factors;
 };
 
+/// Computes enclosures of the factors in y on the knot spans of the basis.
 /// @param cuts additional ends of pieces, increasing
+/// @pre inside call_with_upward_rounding
 DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem& problem,
                                                           const numerics::SplineBasis& basis,
                                                           std::span<const double> cuts);

@@ -7,63 +7,68 @@
 namespace fpkcheck::backward {
 namespace {
 
-std::array<numerics::Interval, 2> span_ends(const ImpactBasis& basis, VelocitySide side, int span) {
-  const double u0 = basis.speeds().breaks()[span], u1 = basis.speeds().breaks()[span + 1];
+// Returns the increasing ends in v of a knot span of the impact speed, before or after impacts.
+std::array<numerics::Interval, 2> velocity_span_ends(const ImpactSplineBasis& basis,
+                                                     VelocitySide side, int span) {
+  const double u0 = basis.speed_basis().breaks()[span], u1 = basis.speed_basis().breaks()[span + 1];
   if (side == VelocitySide::incoming) return {numerics::Interval(-u1), numerics::Interval(-u0)};
   const numerics::Interval r = basis.restitution();
   return {r * u0, r * u1};
 }
 
-double middle(const numerics::Interval& from, const numerics::Interval& to) {
-  return (from.lower() + to.upper()) / 2;
+double segment_midpoint(const numerics::Interval& begin, const numerics::Interval& end) {
+  return (begin.lower() + end.upper()) / 2;
 }
 
-// Returns an upper bound of |dB/dv|: p / (the shortest knot interval in v).
-double max_slope(const ImpactBasis& basis) {
-  const std::span<const double> u = basis.speeds().breaks();
+// Returns an upper bound of |dB_b/dv| over all b and v: p / (shortest knot interval in v).
+double slope_bound(const ImpactSplineBasis& basis) {
+  const std::span<const double> u = basis.speed_basis().breaks();
   double shortest = u[1] - u[0];
   for (std::size_t i = 1; i + 1 < u.size(); ++i) shortest = std::min(shortest, u[i + 1] - u[i]);
-  return 1.01 * basis.speeds().degree() / (shortest * std::min(1.0, basis.restitution()));
+  return 1.01 * basis.speed_basis().degree() / (shortest * std::min(1.0, basis.restitution()));
 }
 
 }  // namespace
 
-VelocityPiece velocity_piece_of_segment(const ImpactBasis& basis, const numerics::Interval& from,
-                                        const numerics::Interval& to) {
-  const double v = middle(from, to), r = basis.restitution();
-  VelocityPiece piece{VelocitySide::below, 0, from, to, 0};
-  if (v < basis.begin()) {
-    piece.overhang = std::max(0.0, (to - basis.begin()).upper());
-  } else if (v > basis.end()) {
+VelocityPiece make_velocity_piece(const ImpactSplineBasis& basis, const numerics::Interval& begin,
+                                  const numerics::Interval& end) {
+  const double v = segment_midpoint(begin, end), r = basis.restitution();
+  VelocityPiece piece{VelocitySide::below, 0, begin, end, 0};
+  if (v < basis.lowest_velocity()) {
+    piece.rounding_overhang = std::max(0.0, (end - basis.lowest_velocity()).upper());
+  } else if (v > basis.highest_velocity()) {
     piece.side = VelocitySide::above;
-    piece.overhang = std::max(0.0, (numerics::Interval(r) * basis.speeds().end() - from).upper());
+    piece.rounding_overhang =
+        std::max(0.0, (numerics::Interval(r) * basis.speed_basis().end() - begin).upper());
   } else {
     piece.side = v < 0 ? VelocitySide::incoming : VelocitySide::outgoing;
-    piece.span = basis.speeds().span_containing(v < 0 ? -v : v / r);
-    const auto [begin, end] = span_ends(basis, piece.side, piece.span);
-    piece.overhang = std::max({0.0, (begin - from).upper(), (to - end).upper()});
+    piece.knot_span = basis.speed_basis().span_containing(v < 0 ? -v : v / r);
+    const auto [span_begin, span_end] = velocity_span_ends(basis, piece.side, piece.knot_span);
+    piece.rounding_overhang =
+        std::max({0.0, (span_begin - begin).upper(), (end - span_end).upper()});
   }
   return piece;
 }
 
-BasisFunctionsOnPiece basis_functions_on_piece(const ImpactBasis& basis,
+BasisFunctionsOnPiece basis_functions_on_piece(const ImpactSplineBasis& basis,
                                                const VelocityPiece& piece) {
-  const int p = basis.speeds().degree();
+  const int p = basis.speed_basis().degree();
   BasisFunctionsOnPiece functions;
   double slope = 0;
   if (piece.side == VelocitySide::below || piece.side == VelocitySide::above) {
-    functions.index = {piece.side == VelocitySide::below ? 0 : basis.size() - 1};
-    functions.value = {numerics::BernsteinCoefficients(p + 1, numerics::Interval(1))};
+    functions.indices = {piece.side == VelocitySide::below ? 0 : basis.size() - 1};
+    functions.polynomials = {numerics::BernsteinCoefficients(p + 1, numerics::Interval(1))};
   } else {
     const bool in = piece.side == VelocitySide::incoming;
     const numerics::Interval r = basis.restitution();
     const auto rows = numerics::bezier_extraction<numerics::Interval>(
-        basis.speeds(), piece.span, in ? numerics::Interval(-piece.from) : piece.from / r,
-        in ? numerics::Interval(-piece.to) : piece.to / r);
+        basis.speed_basis(), piece.knot_span,
+        in ? numerics::Interval(-piece.begin) : piece.begin / r,
+        in ? numerics::Interval(-piece.end) : piece.end / r);
     for (int l = 0; l <= p; ++l) {
-      functions.index.push_back(in ? basis.incoming_index(piece.span + l)
-                                   : basis.outgoing_index(piece.span + l));
-      functions.value.emplace_back(rows.row(l).begin(), rows.row(l).end());
+      functions.indices.push_back(in ? basis.incoming_index(piece.knot_span + l)
+                                     : basis.outgoing_index(piece.knot_span + l));
+      functions.polynomials.emplace_back(rows.row(l).begin(), rows.row(l).end());
       for (int j = 0; j < p; ++j) {
         slope = std::max(slope, magnitude(rows(l, j + 1) - rows(l, j)));
       }
@@ -73,45 +78,46 @@ BasisFunctionsOnPiece basis_functions_on_piece(const ImpactBasis& basis,
   // At the end of the span the polynomial equals the basis function. On the overhang the polynomial
   // and the basis function differ by at most the length of the overhang times the sum of the bounds
   // of the two slopes.
-  functions.overhang_error =
-      (numerics::Interval(piece.overhang) * (numerics::Interval(slope) + max_slope(basis))).upper();
+  functions.overhang_error = (numerics::Interval(piece.rounding_overhang) *
+                              (numerics::Interval(slope) + slope_bound(basis)))
+                                 .upper();
   // If the lower bound of the length of a piece is not positive, the slope has no bound.
   if (!(piece.length().lower() > 0)) {
-    functions.overhang_error = piece.overhang > 0 ? HUGE_VAL : 0;
+    functions.overhang_error = piece.rounding_overhang > 0 ? HUGE_VAL : 0;
   }
   return functions;
 }
 
-std::vector<numerics::BernsteinCoefficients> partial_sum_slopes(const ImpactBasis& basis,
-                                                                const VelocityPiece& piece) {
+std::vector<numerics::BernsteinCoefficients> enclose_partial_sum_slopes(
+    const ImpactSplineBasis& basis, const VelocityPiece& piece) {
   const bool in = piece.side == VelocitySide::incoming;
   const numerics::Interval r = basis.restitution(),
                            sign_and_scale = in ? numerics::Interval(-1) : 1.0 / r;
-  std::vector<numerics::BernsteinCoefficients> slopes = partial_sum_slopes(
-      basis.speeds(), piece.span, in ? numerics::Interval(-piece.from) : piece.from / r,
-      in ? numerics::Interval(-piece.to) : piece.to / r);
+  std::vector<numerics::BernsteinCoefficients> slopes = enclose_partial_sum_slopes(
+      basis.speed_basis(), piece.knot_span, in ? numerics::Interval(-piece.begin) : piece.begin / r,
+      in ? numerics::Interval(-piece.end) : piece.end / r);
   for (numerics::BernsteinCoefficients& slope : slopes) {
     for (numerics::Interval& s : slope) s *= sign_and_scale;  // chain rule d/dv = (du/dv) d/du
   }
   return slopes;
 }
 
-std::vector<double> velocity_breaks(const ImpactBasis& basis) {
-  const std::span<const double> u = basis.speeds().breaks();
+std::vector<double> velocity_breaks(const ImpactSplineBasis& basis) {
+  const std::span<const double> u = basis.speed_basis().breaks();
   std::vector<double> breaks;
   for (std::size_t i = u.size(); i-- > 0;) breaks.push_back(-u[i]);
   for (std::size_t i = 1; i < u.size(); ++i) breaks.push_back(basis.restitution() * u[i]);
   return breaks;
 }
 
-std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
-                                           double largest_length) {
+std::vector<VelocityPiece> divide_velocity_axis(const ImpactSplineBasis& basis,
+                                                std::span<const double> cuts, double max_length) {
   // A cut closer than `negligible` to a knot is omitted: VelocityPiece::overhang covers the
   // distance between the cut and the knot.
-  const double negligible = 4e-16 * basis.speeds().end();
+  const double negligible = 4e-16 * basis.speed_basis().end();
   std::vector<VelocityPiece> pieces;
   const auto add_span = [&](VelocitySide side, int span) {
-    const auto [begin, end] = span_ends(basis, side, span);
+    const auto [begin, end] = velocity_span_ends(basis, side, span);
     std::vector<numerics::Interval> points{begin};
     for (const double cut : cuts) {
       if (cut > points.back().upper() + negligible && cut < end.lower() - negligible) {
@@ -121,7 +127,7 @@ std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<c
     points.push_back(end);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const double length = points[i + 1].upper() - points[i].lower();
-      const int parts = std::max(1, static_cast<int>(std::ceil(length / largest_length)));
+      const int parts = std::max(1, static_cast<int>(std::ceil(length / max_length)));
       numerics::Interval from = points[i];
       for (int part = 1; part <= parts; ++part) {
         const numerics::Interval to =
@@ -132,22 +138,21 @@ std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<c
       }
     }
   };
-  for (int s = basis.speeds().span_count(); s-- > 0;) add_span(VelocitySide::incoming, s);
-  for (int s = 0; s < basis.speeds().span_count(); ++s) add_span(VelocitySide::outgoing, s);
+  for (int s = basis.speed_basis().span_count(); s-- > 0;) add_span(VelocitySide::incoming, s);
+  for (int s = 0; s < basis.speed_basis().span_count(); ++s) add_span(VelocitySide::outgoing, s);
   return pieces;
 }
 
-std::vector<numerics::BernsteinCoefficients> partial_sum_slopes(const numerics::SplineBasis& basis,
-                                                                int span,
-                                                                const numerics::Interval& from,
-                                                                const numerics::Interval& to) {
+std::vector<numerics::BernsteinCoefficients> enclose_partial_sum_slopes(
+    const numerics::SplineBasis& basis, int knot_span, const numerics::Interval& from,
+    const numerics::Interval& to) {
   const int p = basis.degree();
   const numerics::SplineBasis lower({basis.breaks().begin(), basis.breaks().end()}, p - 1);
-  const auto rows = numerics::bezier_extraction<numerics::Interval>(lower, span, from, to);
+  const auto rows = numerics::bezier_extraction<numerics::Interval>(lower, knot_span, from, to);
   std::vector<numerics::BernsteinCoefficients> slopes;
   for (int l = 1; l <= p; ++l) {
     const numerics::Interval distance =
-        numerics::Interval(basis.knot(span + l + p)) - basis.knot(span + l);
+        numerics::Interval(basis.knot(knot_span + l + p)) - basis.knot(knot_span + l);
     numerics::BernsteinCoefficients slope(rows.row(l - 1).begin(), rows.row(l - 1).end());
     for (numerics::Interval& s : slope) s *= static_cast<double>(p) / distance;
     slopes.push_back(std::move(slope));

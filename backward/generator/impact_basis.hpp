@@ -8,34 +8,43 @@
 
 namespace fpkcheck::backward {
 
-/// Splines of the velocity v on [-u_max, r u_max], constant outside this interval. The incoming
-/// side, v = -u, and the outgoing side, v = r u, are functions of the impact speed u with equal
-/// splines. The two sides are joined continuously at v = 0 (an inner knot of full multiplicity). If
-/// at y = 0 the functions `b` and `mirrored_index(b)` have equal coefficients, the impact condition
-/// V(0, r u) = V(0, -u) holds exactly for all u, even with rounding of r u.
-class ImpactBasis {
+/// Splines B_b of the velocity v on [-u_max, r u_max], constant outside this interval. The incoming
+/// side, v = -u, and the outgoing side, v = r u, have the same splines as functions of the impact
+/// speed u. The two sides are joined continuously at v = 0 (an inner knot of full multiplicity).
+///
+/// Let V(0, v) = sum_b c_b B_b(v) at a wall y = 0. If c_b equals c_{opposite_side_index(b)} for all
+/// b, then the impact condition V(0, r u) = V(0, -u) holds exactly for all u, even with rounding of
+/// r u.
+class ImpactSplineBasis {
  public:
-  ImpactBasis(numerics::SplineBasis speeds, double restitution)
-      : speeds_(std::move(speeds)), restitution_(restitution) {}
+  /// @param speed_basis splines of the impact speed u on [0, u_max]
+  /// @param restitution restitution coefficient r
+  ImpactSplineBasis(numerics::SplineBasis speed_basis, double restitution)
+      : speed_basis_(std::move(speed_basis)), restitution_(restitution) {}
 
-  const numerics::SplineBasis& speeds() const { return speeds_; }
+  const numerics::SplineBasis& speed_basis() const { return speed_basis_; }
   double restitution() const { return restitution_; }
-  int size() const { return 2 * speeds_.size() - 1; }
-  /// Returns the index of the only function that is nonzero at v = 0.
-  int centre_index() const { return speeds_.size() - 1; }
-  int mirrored_index(int b) const { return size() - 1 - b; }
-  /// Returns the index of the spline `speed_index` of the impact speed, on the incoming or the
-  /// outgoing side.
-  int incoming_index(int speed_index) const { return centre_index() - speed_index; }
-  int outgoing_index(int speed_index) const { return centre_index() + speed_index; }
-  double begin() const { return -speeds_.end(); }
-  double end() const { return restitution_ * speeds_.end(); }
+  /// Returns the number of splines B_b.
+  int size() const { return 2 * speed_basis_.size() - 1; }
+  /// Returns the index of the only spline that is nonzero at v = 0.
+  int index_at_zero_velocity() const { return speed_basis_.size() - 1; }
+  /// Returns the index of the spline on the other side of v = 0 with the same spline of the impact
+  /// speed as B_b.
+  int opposite_side_index(int b) const { return size() - 1 - b; }
+  /// Returns the index b of the spline B_b that is the spline `speed_index` of the impact speed on
+  /// the incoming side, v = -u, or on the outgoing side, v = r u.
+  int incoming_index(int speed_index) const { return index_at_zero_velocity() - speed_index; }
+  int outgoing_index(int speed_index) const { return index_at_zero_velocity() + speed_index; }
+  /// Returns the ends -u_max and r u_max of the interval of the splines.
+  double lowest_velocity() const { return -speed_basis_.end(); }
+  double highest_velocity() const { return restitution_ * speed_basis_.end(); }
 
  private:
-  numerics::SplineBasis speeds_;
+  numerics::SplineBasis speed_basis_;
   double restitution_;
 };
 
+/// Part of the velocity axis of an ImpactSplineBasis.
 enum class VelocitySide {
   below,     ///< velocities v < -u_max, where the first function is 1
   incoming,  ///< velocities v = -u before impacts
@@ -43,59 +52,63 @@ enum class VelocitySide {
   above      ///< velocities v > r u_max, where the last function is 1
 };
 
-/// Segment of the velocity axis within one span of an ImpactBasis, or beyond all spans.
+/// Segment [begin, end] of the velocity axis, within one knot span of an ImpactSplineBasis or
+/// beyond all knot spans.
 struct VelocityPiece {
   VelocitySide side;
-  int span;                     ///< knot span of the speeds; 0 beyond all spans
-  numerics::Interval from, to;  ///< increasing ends of the segment in v
+  int knot_span;                  ///< knot span of the impact speed; 0 beyond all knot spans
+  numerics::Interval begin, end;  ///< increasing ends of the segment in v
   /// Upper bound of the length by which the segment extends past the knot span, due to rounding of
   /// the ends
-  double overhang;
+  double rounding_overhang;
 
-  numerics::Interval length() const { return to - from; }
+  numerics::Interval length() const { return end - begin; }
 };
 
-/// Functions of a basis on a segment, as polynomials of t = (v - from)/(to - from).
+/// Basis functions that are nonzero on a piece, as polynomials of t = (v - begin)/(end - begin).
 struct BasisFunctionsOnPiece {
-  /// Indices of the basis functions that are nonzero on the segment
-  std::vector<int> index;
-  std::vector<numerics::BernsteinCoefficients> value;
-  /// Upper bound of |function - polynomial| on the segment, valid for every function; 0 without
-  /// overhang
+  std::vector<int> indices;  ///< indices b of the basis functions
+  /// Enclosed Bernstein coefficients of each basis function
+  std::vector<numerics::BernsteinCoefficients> polynomials;
+  /// Upper bound of |basis function - polynomial| on the segment, valid for every basis function; 0
+  /// without overhang
   double overhang_error;
 };
 
-/// Returns the velocity piece of a segment, assigned to the span that contains the midpoint of the
-/// segment.
-VelocityPiece velocity_piece_of_segment(const ImpactBasis& basis, const numerics::Interval& from,
-                                        const numerics::Interval& to);
-BasisFunctionsOnPiece basis_functions_on_piece(const ImpactBasis& basis,
+/// Makes the piece of a segment of the velocity axis. The piece belongs to the knot span that
+/// contains the midpoint of the segment.
+VelocityPiece make_velocity_piece(const ImpactSplineBasis& basis, const numerics::Interval& begin,
+                                  const numerics::Interval& end);
+
+/// Returns the basis functions that are nonzero on a piece.
+BasisFunctionsOnPiece basis_functions_on_piece(const ImpactSplineBasis& basis,
                                                const VelocityPiece& piece);
 
 /// Returns enclosures on a piece of the derivatives dS_l/dv, l = 1 .. degree, of the partial sums
 /// S_l = B_l + B_{l+1} + .. over the functions of the piece, in the order of
-/// basis_functions_on_piece(). Each derivative is p B_{p-1} / (a knot distance), a single B-spline
-/// of degree p - 1.
-std::vector<numerics::BernsteinCoefficients> partial_sum_slopes(const ImpactBasis& basis,
-                                                                const VelocityPiece& piece);
+/// basis_functions_on_piece(). Each derivative is a multiple of a single B-spline of degree p - 1.
+std::vector<numerics::BernsteinCoefficients> enclose_partial_sum_slopes(
+    const ImpactSplineBasis& basis, const VelocityPiece& piece);
 
-/// Returns pieces of the range of the basis, divided at the ends of all spans and at `cuts`, and
-/// not longer than `largest_length`.
-std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
-                                           double largest_length);
-/// Returns the increasing ends of all spans on the velocity axis, where the basis is not smooth.
-std::vector<double> velocity_breaks(const ImpactBasis& basis);
+/// Divides the interval [-u_max, r u_max] of the basis into pieces. The pieces end at the ends of
+/// all knot spans and at `cuts`, and are not longer than `max_length`.
+std::vector<VelocityPiece> divide_velocity_axis(const ImpactSplineBasis& basis,
+                                                std::span<const double> cuts, double max_length);
 
-/// Returns enclosures of the derivatives S_l' of partial sums of B-splines on the segment from
-/// `from` to `to` of a knot span, where S_l = B_{span+l} + B_{span+l+1} + .. and S_0 = 1. The
-/// derivative of a spline with coefficients c is sum_{l=1}^p (c_{span+l} - c_{span+l-1}) S_l' with
+/// Returns the velocities at which the basis is not smooth, the ends of all knot spans, in
+/// increasing order.
+std::vector<double> velocity_breaks(const ImpactSplineBasis& basis);
+
+/// Returns enclosures of the derivatives S_l', l = 1 .. p, of partial sums of B-splines on the
+/// segment from `from` to `to` of a knot span, where S_l = B_{span+l} + B_{span+l+1} + .. and S_0 =
+/// 1. The derivative of a spline with coefficients c is sum_{l=1}^p (c_{span+l} - c_{span+l-1})
+/// S_l' with
 ///
-///     S_l' = p N_{span+l} / (t_{span+l+p} - t_{span+l}),   N of degree p - 1 on the same knots
+///     S_l' = p N_{span+l} / (t_{span+l+p} - t_{span+l}),   N of degree p - 1 on the same knots t
 ///
 /// (de Boor, A Practical Guide to Splines, ch. X).
-std::vector<numerics::BernsteinCoefficients> partial_sum_slopes(const numerics::SplineBasis& basis,
-                                                                int span,
-                                                                const numerics::Interval& from,
-                                                                const numerics::Interval& to);
+std::vector<numerics::BernsteinCoefficients> enclose_partial_sum_slopes(
+    const numerics::SplineBasis& basis, int knot_span, const numerics::Interval& from,
+    const numerics::Interval& to);
 
 }  // namespace fpkcheck::backward

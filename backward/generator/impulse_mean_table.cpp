@@ -17,29 +17,30 @@ using problem::TwoPointLaw;
 using problem::UniformLaw;
 
 // Returns the atoms of the law, and the amplitudes at which the density of the law, or the
-// derivative of the density, is discontinuous.
-std::vector<double> kink_offsets(const GaussianLaw&) { return {}; }
-std::vector<double> kink_offsets(const LaplaceLaw& law) {
+// derivative of the density, is discontinuous. A break u of a spline B causes a break of K B at the
+// velocities u minus these amplitudes.
+std::vector<double> break_amplitudes(const GaussianLaw&) { return {}; }
+std::vector<double> break_amplitudes(const LaplaceLaw& law) {
   return law.mean == 0 ? std::vector<double>{} : std::vector{law.mean};
 }
-std::vector<double> kink_offsets(const TwoPointLaw& law) {
+std::vector<double> break_amplitudes(const TwoPointLaw& law) {
   return {law.mean - law.deviation, law.mean + law.deviation};
 }
-std::vector<double> kink_offsets(const UniformLaw& law) {
+std::vector<double> break_amplitudes(const UniformLaw& law) {
   return {law.mean - law.half_width, law.mean + law.half_width};
 }
 
-std::vector<double> kink_offsets(const ExponentialLaw& law) { return {law.mean - law.scale}; }
+std::vector<double> break_amplitudes(const ExponentialLaw& law) { return {law.mean - law.scale}; }
 
-// Returns the largest length of a piece, short compared with the length scale of the density of the
-// law.
-double longest_piece(const GaussianLaw& law) { return 0.8 * law.deviation; }
-double longest_piece(const LaplaceLaw& law) { return 0.6 * law.scale; }
-double longest_piece(const ExponentialLaw& law) { return 0.6 * std::abs(law.scale); }
-double longest_piece(const TwoPointLaw& law) { return 2 * law.deviation; }
-double longest_piece(const UniformLaw& law) { return law.half_width; }
+// Returns the largest length of a piece on which the polynomials of the table are accurate. The
+// length is short compared with the scale of the amplitude density.
+double max_piece_length(const GaussianLaw& law) { return 0.8 * law.deviation; }
+double max_piece_length(const LaplaceLaw& law) { return 0.6 * law.scale; }
+double max_piece_length(const ExponentialLaw& law) { return 0.6 * std::abs(law.scale); }
+double max_piece_length(const TwoPointLaw& law) { return 2 * law.deviation; }
+double max_piece_length(const UniformLaw& law) { return law.half_width; }
 
-// Returns the central moment E[(Y - mean)^n]. For symmetric laws the formulas hold only for even n.
+// Returns the central moment E[(Y - E[Y])^n]. For symmetric laws the formulas hold only for even n.
 numerics::Interval central_moment(const GaussianLaw& law, int n) {
   numerics::Interval m = power(numerics::Interval(law.deviation), n);
   for (int i = n - 1; i > 1; i -= 2) m *= static_cast<double>(i);
@@ -64,10 +65,11 @@ numerics::Interval central_moment(const UniformLaw& law, int n) {
   return power(numerics::Interval(law.half_width), n) / static_cast<double>(n + 1);
 }
 
+// An amplitude law whose means K B and moments have enclosures.
 template <class Law>
-concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
+concept LawWithEnclosures = requires(const Law& law, const ImpactSplineBasis& basis) {
   central_moment(law, 0);
-  impulse_mean_table_of_law(law, basis, {});
+  tabulate_impulse_means(law, basis, {});
 };
 
 [[noreturn]] void throw_unsupported(std::string_view law) {
@@ -78,36 +80,38 @@ concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
 }  // namespace
 
 bool has_interval_enclosures(const problem::ImpulseLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return Enclosed<Law>; }, law.law_variant());
+  return std::visit([]<class Law>(const Law&) { return LawWithEnclosures<Law>; },
+                    law.law_variant());
 }
 
-VelocityPieceConstraints velocity_piece_constraints(const ImpactBasis& basis,
+VelocityPieceConstraints velocity_piece_constraints(const ImpactSplineBasis& basis,
                                                     const problem::ImpulseLaw& law) {
-  VelocityPieceConstraints kinks;
-  const auto offsets = std::visit(
+  VelocityPieceConstraints constraints;
+  const auto amplitudes = std::visit(
       [&]<class Law>(const Law& kind) -> std::vector<double> {
-        if constexpr (Enclosed<Law>) {
-          kinks.longest = longest_piece(kind);
-          return kink_offsets(kind);
+        if constexpr (LawWithEnclosures<Law>) {
+          constraints.max_length = max_piece_length(kind);
+          return break_amplitudes(kind);
         } else {
           throw_unsupported(Law::kName);
         }
       },
       law.law_variant());
-  for (const double offset : offsets) {
-    for (const double v : velocity_breaks(basis)) kinks.cuts.push_back(v - offset);
+  for (const double amplitude : amplitudes) {
+    for (const double v : velocity_breaks(basis))
+      constraints.break_velocities.push_back(v - amplitude);
   }
-  std::sort(kinks.cuts.begin(), kinks.cuts.end());
-  return kinks;
+  std::sort(constraints.break_velocities.begin(), constraints.break_velocities.end());
+  return constraints;
 }
 
-ImpulseMeanTable impulse_mean_table(const ImpactBasis& basis,
-                                    const std::vector<VelocityPiece>& pieces,
-                                    const problem::ImpulseLaw& law) {
+ImpulseMeanTable compute_impulse_mean_table(const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityPiece>& pieces,
+                                            const problem::ImpulseLaw& law) {
   return std::visit(
       [&]<class Law>(const Law& kind) -> ImpulseMeanTable {
-        if constexpr (Enclosed<Law>) {
-          return impulse_mean_table_of_law(kind, basis, pieces);
+        if constexpr (LawWithEnclosures<Law>) {
+          return tabulate_impulse_means(kind, basis, pieces);
         } else {
           throw_unsupported(Law::kName);
         }
@@ -115,10 +119,10 @@ ImpulseMeanTable impulse_mean_table(const ImpactBasis& basis,
       law.law_variant());
 }
 
-numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n) {
+numerics::Interval enclose_amplitude_moment(const problem::ImpulseLaw& law, int n) {
   return std::visit(
       [n, symmetric = law.is_symmetric()]<class Law>(const Law& kind) -> numerics::Interval {
-        if constexpr (Enclosed<Law>) {
+        if constexpr (LawWithEnclosures<Law>) {
           numerics::Interval sum = 0;
           for (int i = 0; i <= n; i += symmetric ? 2 : 1) {
             sum += numerics::binomial_coefficient(n, i) *
@@ -132,11 +136,13 @@ numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n) {
       law.law_variant());
 }
 
-ImpulseMeanTable zero_impulse_mean_table(const ImpactBasis& basis,
-                                         const std::vector<VelocityPiece>& pieces, int order) {
-  ImpulseMeanTable table{basis.size(), order, {}, 0};
-  table.coefficients.assign(pieces.size() * static_cast<std::size_t>(basis.size() * order),
-                            numerics::Interval(0));
+ImpulseMeanTable make_zero_impulse_mean_table(const ImpactSplineBasis& basis,
+                                              const std::vector<VelocityPiece>& pieces,
+                                              int coefficient_count) {
+  ImpulseMeanTable table{basis.size(), coefficient_count, {}, 0};
+  table.coefficients.assign(
+      pieces.size() * static_cast<std::size_t>(basis.size() * coefficient_count),
+      numerics::Interval(0));
   return table;
 }
 

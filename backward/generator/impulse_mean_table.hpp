@@ -7,61 +7,77 @@
 
 namespace fpkcheck::backward {
 
-/// Table of the means K B_b of the basis functions B_b after an impulse, (K V)(v) = E[V(v + Y)],
-/// for every function of an ImpactBasis on every piece of the velocity axis. Each element is a
-/// polynomial of t = (v - from)/(to - from) with enclosed Bernstein coefficients.
+/// Table of the means K B_b of the basis functions after an impulse, (K V)(v) = E[V(v + Y)], for
+/// every function B_b of an ImpactSplineBasis on every piece of the velocity axis. Each element of
+/// the table is a polynomial of t = (v - begin)/(end - begin) with enclosed Bernstein coefficients.
 struct ImpulseMeanTable {
-  /// `order` is the number of coefficients of a polynomial, degree + 1
-  int functions = 0, order = 0;
-  std::vector<numerics::Interval> coefficients;  ///< shape (pieces, functions, order)
-  /// Relative error bound: |K V - sum_b c_b (polynomial of b)| <= remainder max_b |c_b| for all v
-  double remainder = 0;
+  int function_count = 0;     ///< number of basis functions B_b
+  int coefficient_count = 0;  ///< number of Bernstein coefficients of a polynomial, degree + 1
+  /// Bernstein coefficients, shape (pieces, function_count, coefficient_count)
+  std::vector<numerics::Interval> coefficients;
+  /// Error bound of the polynomials: for any V = sum_b c_b B_b and all v,
+  /// |K V - sum_b c_b (polynomial of b)| <= remainder_bound max_b |c_b|
+  double remainder_bound = 0;
 
-  std::span<numerics::Interval> coefficients_of(int piece, int function) {
-    return {&coefficients[(static_cast<std::size_t>(piece) * functions + function) * order],
-            static_cast<std::size_t>(order)};
+  /// Returns the Bernstein coefficients of one basis function on one piece.
+  std::span<numerics::Interval> polynomial_coefficients(int piece, int function) {
+    return {&coefficients[(static_cast<std::size_t>(piece) * function_count + function) *
+                          coefficient_count],
+            static_cast<std::size_t>(coefficient_count)};
   }
-  std::span<const numerics::Interval> coefficients_of(int piece, int function) const {
-    return {&coefficients[(static_cast<std::size_t>(piece) * functions + function) * order],
-            static_cast<std::size_t>(order)};
+  std::span<const numerics::Interval> polynomial_coefficients(int piece, int function) const {
+    return {&coefficients[(static_cast<std::size_t>(piece) * function_count + function) *
+                          coefficient_count],
+            static_cast<std::size_t>(coefficient_count)};
   }
 };
 
-/// Returns whether the impulse table and the moments of a law have interval enclosures. All other
-/// functions of impulse_mean_table.hpp require a law with interval enclosures.
+/// Returns whether the program can enclose the means K B_b and the moments of an amplitude law. All
+/// other functions of impulse_mean_table.hpp require such a law.
 bool has_interval_enclosures(const problem::ImpulseLaw& law);
 
+/// Conditions on the pieces of the velocity axis under which the polynomials of an ImpulseMeanTable
+/// are accurate.
 struct VelocityPieceConstraints {
-  double longest;            ///< largest permitted length of a piece
-  std::vector<double> cuts;  ///< velocities, besides breaks of the basis, where K B is not smooth
+  double max_length;  ///< largest permitted length of a piece
+  /// Velocities, besides the breaks of the basis, at which K B_b is not smooth and a piece must
+  /// end, in increasing order
+  std::vector<double> break_velocities;
 };
-VelocityPieceConstraints velocity_piece_constraints(const ImpactBasis& basis,
+VelocityPieceConstraints velocity_piece_constraints(const ImpactSplineBasis& basis,
                                                     const problem::ImpulseLaw& law);
 
-/// Returns the impulse table of a law on pieces that satisfy velocity_piece_constraints().
-ImpulseMeanTable impulse_mean_table(const ImpactBasis& basis,
-                                    const std::vector<VelocityPiece>& pieces,
-                                    const problem::ImpulseLaw& law);
+/// Computes the table of the means K B_b for the amplitude law.
+/// @param pieces pieces that satisfy velocity_piece_constraints()
+ImpulseMeanTable compute_impulse_mean_table(const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityPiece>& pieces,
+                                            const problem::ImpulseLaw& law);
 
-/// Returns an enclosure of E[Y^n], computed from the stored parameters of the law.
-numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n);
+/// Returns an enclosure of the moment E[Y^n] of the amplitude, computed from the stored parameters
+/// of the law.
+numerics::Interval enclose_amplitude_moment(const problem::ImpulseLaw& law, int n);
 
-// A law without an impulse table has no guaranteed bounds.
-ImpulseMeanTable impulse_mean_table_of_law(const problem::ExponentialLaw& law,
-                                           const ImpactBasis& basis,
-                                           const std::vector<VelocityPiece>& pieces);
-ImpulseMeanTable impulse_mean_table_of_law(const problem::GaussianLaw& law,
-                                           const ImpactBasis& basis,
-                                           const std::vector<VelocityPiece>& pieces);
-ImpulseMeanTable impulse_mean_table_of_law(const problem::LaplaceLaw& law, const ImpactBasis& basis,
-                                           const std::vector<VelocityPiece>& pieces);
-ImpulseMeanTable impulse_mean_table_of_law(const problem::TwoPointLaw& law,
-                                           const ImpactBasis& basis,
-                                           const std::vector<VelocityPiece>& pieces);
-ImpulseMeanTable impulse_mean_table_of_law(const problem::UniformLaw& law, const ImpactBasis& basis,
-                                           const std::vector<VelocityPiece>& pieces);
+// Implementations of compute_impulse_mean_table() for each amplitude law. A law without an
+// implementation has no guaranteed bounds.
+ImpulseMeanTable tabulate_impulse_means(const problem::ExponentialLaw& law,
+                                        const ImpactSplineBasis& basis,
+                                        const std::vector<VelocityPiece>& pieces);
+ImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
+                                        const ImpactSplineBasis& basis,
+                                        const std::vector<VelocityPiece>& pieces);
+ImpulseMeanTable tabulate_impulse_means(const problem::LaplaceLaw& law,
+                                        const ImpactSplineBasis& basis,
+                                        const std::vector<VelocityPiece>& pieces);
+ImpulseMeanTable tabulate_impulse_means(const problem::TwoPointLaw& law,
+                                        const ImpactSplineBasis& basis,
+                                        const std::vector<VelocityPiece>& pieces);
+ImpulseMeanTable tabulate_impulse_means(const problem::UniformLaw& law,
+                                        const ImpactSplineBasis& basis,
+                                        const std::vector<VelocityPiece>& pieces);
 
-ImpulseMeanTable zero_impulse_mean_table(const ImpactBasis& basis,
-                                         const std::vector<VelocityPiece>& pieces, int order);
+/// Returns a table whose coefficients and remainder bound are 0.
+ImpulseMeanTable make_zero_impulse_mean_table(const ImpactSplineBasis& basis,
+                                              const std::vector<VelocityPiece>& pieces,
+                                              int coefficient_count);
 
 }  // namespace fpkcheck::backward

@@ -8,27 +8,31 @@
 
 namespace fpkcheck::backward {
 
-/// Exception for normal equations without a Cholesky factor.
+/// Exception of a least-squares fit whose normal equations are not positive definite.
 struct FitFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Normal equations of a least-squares fit, scaled to a unit diagonal, regularised by a ridge of
-/// 1e-13 and stored as a block-banded Cholesky factor.
+/// Normal equations N x = b of a least-squares fit. The matrix N is scaled to a unit diagonal,
+/// regularised by adding 1e-13 to the diagonal (ridge), and stored as a block-banded Cholesky
+/// factor.
 class NormalEquations {
  public:
+  /// Scales and factorises the matrix N.
   /// @param fit_name name of the fit in the error message, such as "the fit"
   /// @throws FitFailure "the normal equations of `fit_name` are not positive definite"
   NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& fit_name);
 
-  /// @param right shape (unknowns, right-hand sides)
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+  /// Returns the solutions x for the right-hand sides b, both of shape (unknowns, right-hand
+  /// sides).
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;
 
-  Eigen::Index size() const { return scale_.size(); }
+  /// Returns the number of unknowns.
+  Eigen::Index size() const { return diagonal_scaling_.size(); }
 
  private:
-  numerics::BlockBandedMatrix matrix_;
-  Eigen::VectorXd scale_;
+  numerics::BlockBandedMatrix factorised_matrix_;
+  Eigen::VectorXd diagonal_scaling_;  // inverse square roots of the diagonal of N
 };
 
 }  // namespace fpkcheck::backward

@@ -1,6 +1,6 @@
-// Impulse tables of the laws with a piecewise constant density or with two atoms. The mean K B of a
-// spline B after an impulse is a polynomial on each piece. Pieces end at velocities from which an
-// edge or an atom of the law leads to a break of B.
+// Tables of the means K B after an impulse for the uniform law and the two-point law. The mean K B
+// of a spline B is a polynomial on each piece: a piece ends at every velocity from which an impulse
+// with an atom of the law, or with an end of the uniform law, leads to a break of B.
 //
 // Uniform law, Y on (m - h, m + h): K B(v) = (I(v + m + h) - I(v + m - h)) / (2h) with I' = B.
 // Two-point law, Y = m -+ s with probability 1/2 each: K B(v) = (B(v + m - s) + B(v + m + s)) / 2.
@@ -9,132 +9,140 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Integrals I(v) = int_{begin}^v B of all functions, at the beginning of each span and at the end
-// of the last span.
-class Antiderivative {
+// Integrals I(v) = int_{-u_max}^v B_b(z) dz of all basis functions. The class stores the values at
+// the beginning of each knot span and at the end of the last knot span.
+class BasisIntegrals {
  public:
-  explicit Antiderivative(const ImpactBasis& basis) : basis_(basis) {
+  explicit BasisIntegrals(const ImpactSplineBasis& basis) : basis_(basis) {
     std::vector<numerics::Interval> sum(basis.size(), numerics::Interval(0));
-    spans_ = velocity_pieces(basis, {}, 4 * (basis.end() - basis.begin()));
+    spans_ =
+        divide_velocity_axis(basis, {}, 4 * (basis.highest_velocity() - basis.lowest_velocity()));
     for (const VelocityPiece& span : spans_) {
-      at_begin_.push_back(sum);
+      values_at_span_begin_.push_back(sum);
       const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, span);
-      for (std::size_t l = 0; l < functions.index.size(); ++l) {
-        sum[functions.index[l]] += span.length() * mean(functions.value[l]);
+      for (std::size_t l = 0; l < functions.indices.size(); ++l) {
+        sum[functions.indices[l]] += span.length() * mean(functions.polynomials[l]);
       }
     }
-    at_begin_.push_back(sum);
+    values_at_span_begin_.push_back(sum);
   }
 
-  /// Adds factor * I on the piece to `coefficients` of each function, shape (size, order).
+  /// Adds factor * I on the piece to the Bernstein coefficients of each basis function.
+  /// @param coefficients shape (number of basis functions, order)
   /// @return an upper bound of |I - polynomial|
-  double add(const VelocityPiece& piece, const numerics::Interval& factor,
-             std::span<numerics::Interval> coefficients, int order) const {
+  double add_multiple(const VelocityPiece& piece, const numerics::Interval& factor,
+                      std::span<numerics::Interval> coefficients, int order) const {
     const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis_, piece);
-    const int span_index = span_number(piece);
+    const int span_index = span_position(piece);
     const bool below = piece.side == VelocitySide::below;
     for (int b = 0; b < basis_.size(); ++b) {
       for (int j = 0; j < order; ++j)
-        coefficients[b * order + j] += factor * at_begin_[span_index][b];
+        coefficients[b * order + j] += factor * values_at_span_begin_[span_index][b];
     }
-    // The gap extends from the beginning of the span to the piece. For a piece below the range of
-    // the basis, the gap extends from the piece to the beginning of the range.
+    // The gap extends from the beginning of the knot span to the piece. For a piece below the range
+    // of the basis, the gap extends from the piece to the beginning of the range.
     const numerics::Interval begin =
-        span_index < static_cast<int>(spans_.size()) ? spans_[span_index].from : spans_.back().to;
-    const VelocityPiece gap{piece.side, piece.span, begin, piece.from, 0};
-    const BasisFunctionsOnPiece across = basis_functions_on_piece(basis_, gap);
-    for (std::size_t l = 0; l < functions.index.size(); ++l) {
-      numerics::BernsteinCoefficients integral(functions.value[l].size() + 1);
-      integral[0] = below ? piece.from - begin : gap.length() * mean(across.value[l]);
+        span_index < static_cast<int>(spans_.size()) ? spans_[span_index].begin : spans_.back().end;
+    const VelocityPiece gap{piece.side, piece.knot_span, begin, piece.begin, 0};
+    const BasisFunctionsOnPiece functions_on_gap = basis_functions_on_piece(basis_, gap);
+    for (std::size_t l = 0; l < functions.indices.size(); ++l) {
+      numerics::BernsteinCoefficients integral(functions.polynomials[l].size() + 1);
+      integral[0] =
+          below ? piece.begin - begin : gap.length() * mean(functions_on_gap.polynomials[l]);
       const numerics::Interval step =
-          piece.length() / static_cast<double>(functions.value[l].size());
+          piece.length() / static_cast<double>(functions.polynomials[l].size());
       for (std::size_t j = 0; j + 1 < integral.size(); ++j) {
-        integral[j + 1] = integral[j] + step * functions.value[l][j];
+        integral[j + 1] = integral[j] + step * functions.polynomials[l][j];
       }
       integral = elevate_bernstein_degree(integral, order - 1);
       for (int j = 0; j < order; ++j) {
-        coefficients[functions.index[l] * order + j] += factor * integral[j];
+        coefficients[functions.indices[l] * order + j] += factor * integral[j];
       }
     }
-    return (numerics::Interval(piece.overhang) * functions.overhang_error).upper();
+    return (numerics::Interval(piece.rounding_overhang) * functions.overhang_error).upper();
   }
 
  private:
+  // Returns the mean of a polynomial over its segment.
   static numerics::Interval mean(const numerics::BernsteinCoefficients& b) {
     numerics::Interval sum = 0;
     for (const numerics::Interval& c : b) sum += c;
     return sum / static_cast<double>(b.size());
   }
-  int span_number(const VelocityPiece& piece) const {
-    const int count = basis_.speeds().span_count();
+  // Returns the position of the knot span of a piece in increasing order of v.
+  int span_position(const VelocityPiece& piece) const {
+    const int count = basis_.speed_basis().span_count();
     switch (piece.side) {
       case VelocitySide::below:
         return 0;
       case VelocitySide::incoming:
-        return count - 1 - piece.span;
+        return count - 1 - piece.knot_span;
       case VelocitySide::outgoing:
-        return count + piece.span;
+        return count + piece.knot_span;
       case VelocitySide::above:
         return 2 * count;
     }
     return 0;
   }
 
-  const ImpactBasis& basis_;
+  const ImpactSplineBasis& basis_;
   std::vector<VelocityPiece> spans_;
-  std::vector<std::vector<numerics::Interval>> at_begin_;
+  std::vector<std::vector<numerics::Interval>> values_at_span_begin_;
 };
 
 }  // namespace
 
-ImpulseMeanTable impulse_mean_table_of_law(const problem::UniformLaw& law, const ImpactBasis& basis,
-                                           const std::vector<VelocityPiece>& pieces) {
-  const int order = basis.speeds().degree() + 2;
-  ImpulseMeanTable table = zero_impulse_mean_table(basis, pieces, order);
-  const Antiderivative antiderivative(basis);
+ImpulseMeanTable tabulate_impulse_means(const problem::UniformLaw& law,
+                                        const ImpactSplineBasis& basis,
+                                        const std::vector<VelocityPiece>& pieces) {
+  const int order = basis.speed_basis().degree() + 2;
+  ImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, order);
+  const BasisIntegrals integrals(basis);
   numerics::Interval error = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::span<numerics::Interval> out(table.coefficients_of(static_cast<int>(i), 0).data(),
-                                            static_cast<std::size_t>(basis.size() * order));
+    const std::span<numerics::Interval> out(
+        table.polynomial_coefficients(static_cast<int>(i), 0).data(),
+        static_cast<std::size_t>(basis.size() * order));
     for (const double sign : {-1.0, 1.0}) {
       const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.half_width;
-      const VelocityPiece there =
-          velocity_piece_of_segment(basis, pieces[i].from + shift, pieces[i].to + shift);
+      const VelocityPiece shifted_piece =
+          make_velocity_piece(basis, pieces[i].begin + shift, pieces[i].end + shift);
       const numerics::Interval factor = sign / (2.0 * numerics::Interval(law.half_width));
-      const double piece_error = antiderivative.add(there, factor, out, order);
+      const double piece_error = integrals.add_multiple(shifted_piece, factor, out, order);
       error =
           std::max(error.upper(), (magnitude(factor) * numerics::Interval(piece_error)).upper());
     }
   }
   // Each of the two shifted integrals depends on the functions of at most two spans.
-  table.remainder = (4.0 * (basis.speeds().degree() + 1.0) * error).upper();
+  table.remainder_bound = (4.0 * (basis.speed_basis().degree() + 1.0) * error).upper();
   return table;
 }
 
-ImpulseMeanTable impulse_mean_table_of_law(const problem::TwoPointLaw& law,
-                                           const ImpactBasis& basis,
-                                           const std::vector<VelocityPiece>& pieces) {
-  const int order = basis.speeds().degree() + 2;  // order of the term v V_y of the generator
-  ImpulseMeanTable table = zero_impulse_mean_table(basis, pieces, order);
+ImpulseMeanTable tabulate_impulse_means(const problem::TwoPointLaw& law,
+                                        const ImpactSplineBasis& basis,
+                                        const std::vector<VelocityPiece>& pieces) {
+  const int order = basis.speed_basis().degree() + 2;  // order of the term v V_y of the generator
+  ImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, order);
   double overhang = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (const double sign : {-1.0, 1.0}) {
       const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.deviation;
-      const BasisFunctionsOnPiece there = basis_functions_on_piece(
-          basis, velocity_piece_of_segment(basis, pieces[i].from + shift, pieces[i].to + shift));
-      overhang = std::max(overhang, there.overhang_error);
-      for (std::size_t l = 0; l < there.index.size(); ++l) {
+      const BasisFunctionsOnPiece shifted_functions = basis_functions_on_piece(
+          basis, make_velocity_piece(basis, pieces[i].begin + shift, pieces[i].end + shift));
+      overhang = std::max(overhang, shifted_functions.overhang_error);
+      for (std::size_t l = 0; l < shifted_functions.indices.size(); ++l) {
         const numerics::BernsteinCoefficients b =
-            elevate_bernstein_degree(there.value[l], order - 1);
+            elevate_bernstein_degree(shifted_functions.polynomials[l], order - 1);
         const std::span<numerics::Interval> out =
-            table.coefficients_of(static_cast<int>(i), there.index[l]);
+            table.polynomial_coefficients(static_cast<int>(i), shifted_functions.indices[l]);
         for (int j = 0; j < order; ++j) out[j] += b[j] / 2.0;
       }
     }
   }
   // At each velocity the error affects at most 2 (p + 1) functions, the basis functions of two
   // spans.
-  table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
+  table.remainder_bound =
+      (2.0 * (basis.speed_basis().degree() + 1.0) * numerics::Interval(overhang)).upper();
   return table;
 }
 

@@ -26,16 +26,17 @@ using transform::Status;
 // The problem below the barrier, in wall coordinates.
 struct PassageProblem {
   const problem::Problem& problem;
-  double frequency;  // of the motion
-  ChebyshevPlane::Domain domain;
+  double frequency;  // of the motion (problem::MotionScales)
+  ChebyshevGrid::Domain domain;
   std::optional<transform::StartState> start;
 };
 
-// Values on a plane; the mean time from the point is 0 without a point.
+// Hazard and mean passage time from the initial state, computed on one grid. Without an initial
+// state the mean time is 0.
 using PassageValues = Eigen::Vector2d;
-enum PassageValue { kHazard, kMeanFromPoint };
+enum PassageValueIndex { kHazard, kMeanFromPoint };
 
-std::string unsupported_reason(const problem::Problem& problem, double barrier) {
+std::string passage_unsupported_reason(const problem::Problem& problem, double barrier) {
   if (problem.noise.is_present()) {
     return "noise acts between impulses, and the motion is not deterministic; use fd or mcs";
   }
@@ -54,8 +55,8 @@ std::string unsupported_reason(const problem::Problem& problem, double barrier) 
   return problem::barrier_unsupported_reason(problem, barrier);
 }
 
-// Returns the problem on a domain that contains the motions to the barrier and from the start. The
-// largest impulse widens the domain.
+// Returns the problem with a domain that contains the motion before the barrier and from the
+// initial state. The largest impulse widens the range of velocities.
 PassageProblem make_passage_problem(const problem::Problem& problem, double barrier,
                                     const std::optional<transform::StartState>& start) {
   const problem::MotionScales scales = problem::motion_scales(problem);
@@ -79,17 +80,20 @@ PassageProblem make_passage_problem(const problem::Problem& problem, double barr
   constexpr double kStep = 0.1;
   while (!wall && potential(y_low) < highest) y_low -= kStep * scales.displacement_deviation;
   double speed = std::sqrt(2 * (highest - lowest));
-  const auto [most_negative, most_positive] = amplitude_range(problem.impulses.amplitude_law());
-  const UnforcedMotion motion(problem.system, barrier, problem.impulses.amplitude_law().deviation(),
-                              1);
+  const auto [most_negative, most_positive] =
+      effective_amplitude_range(problem.impulses.amplitude_law());
+  const UnforcedMotionSolver motion(problem.system, barrier,
+                                    problem.impulses.amplitude_law().deviation(), 1);
   if (motion.acceleration({barrier, 0}) < 0) {
-    // Traced back, the grazing motion reaches the barrier within about one period.
-    constexpr double kPeriods = 3, kFastest = 10;
-    const double fastest = kFastest * std::max(scales.v_high, speed);
+    // Traced backward in time, the trajectory that grazes the barrier reaches the barrier within
+    // about one period.
+    constexpr double kPeriods = 3, kMaxSpeedRatio = 10;
+    const double max_speed = kMaxSpeedRatio * std::max(scales.v_high, speed);
     speed = std::max(
-        speed, std::min(fastest, motion.largest_speed_before(
-                                     {barrier, 0},
-                                     kPeriods * 2 * std::numbers::pi / scales.frequency, fastest)));
+        speed,
+        std::min(max_speed,
+                 motion.find_largest_backward_speed(
+                     {barrier, 0}, kPeriods * 2 * std::numbers::pi / scales.frequency, max_speed)));
   }
   return {.problem = problem,
           .frequency = scales.frequency,
@@ -97,61 +101,65 @@ PassageProblem make_passage_problem(const problem::Problem& problem, double barr
           .start = start};
 }
 
-// Returns the numbers of nodes in y and in v for a number of nodes in v per deviation of the
-// impulses. In sqrt(barrier - y) there are kLeast nodes, for the cusp of h at rest on the wall, and
-// as many as in v for the speed of a motion through the domain. The mean time from rest of case 1
-// (barrier 1.5, 114.27394) differs by 6e-6 with kLeast = 2, and by 1e-6 with 4, from that with
-// kLeast = 10.
-std::array<double, 2> node_counts(const PassageProblem& passage, double nodes_per_deviation) {
-  constexpr double kLeast = 4;
+// Returns the numbers of nodes in y and in v for a number of nodes in v per standard deviation of
+// the amplitude. The number of nodes in sqrt(barrier - y) is the number in v for the speed of a
+// motion through the domain, plus kMinDeviations standard deviations for the cusp of h at rest on
+// the wall. The mean time from rest of case 1 (barrier 1.5, 114.27394) differs from the mean time
+// with kMinDeviations = 10 by 6e-6 with kMinDeviations = 2, and by 1e-6 with 4.
+std::array<double, 2> choose_node_counts(const PassageProblem& passage,
+                                         double nodes_per_deviation) {
+  constexpr double kMinDeviations = 4;
   const auto& [y_low, barrier, v_max] = passage.domain;
   const double deviation = passage.problem.impulses.amplitude_law().deviation();
   const double speed = passage.frequency * (barrier - y_low);
-  return {std::ceil(nodes_per_deviation * (kLeast + speed / deviation)),
+  return {std::ceil(nodes_per_deviation * (kMinDeviations + speed / deviation)),
           std::ceil(nodes_per_deviation * 2 * v_max / deviation)};
 }
 
-// Computes the values on a plane; empty if the deadline passes.
+// Solves the renewal equation on a grid. The result is empty if the deadline passes.
 // @param hazard approximate hazard; 0 if unknown
-// @param refinement divides the panels of the quadrature rules
-std::optional<PassageValues> solve_on_plane(const PassageProblem& passage,
-                                            const ChebyshevPlane& plane, double refinement,
-                                            double hazard, const base::Deadline& deadline) {
+// @param panel_refinement factor by which the panels of the quadrature rules are shorter
+std::optional<PassageValues> solve_on_grid(const PassageProblem& passage, const ChebyshevGrid& grid,
+                                           double panel_refinement, double hazard,
+                                           const base::Deadline& deadline) {
   const double rate = passage.problem.impulses.arrival_rate();
-  const double shifted = rate - hazard;
-  const RenewalEquation equation(passage.problem, plane, shifted, refinement);
-  auto operators = equation.operators({{rate}, {shifted}, {shifted, 1}}, deadline);
+  const double shifted_rate = rate - hazard;
+  const RenewalEquation equation(passage.problem, grid, shifted_rate, panel_refinement);
+  auto operators =
+      equation.compute_operators({{rate}, {shifted_rate}, {shifted_rate, 1}}, deadline);
   if (operators.empty()) return std::nullopt;
   const auto factorise = [&](Eigen::MatrixXd& matrix) {
     matrix *= -rate;
     matrix.diagonal().array() += 1;
     return Eigen::PartialPivLU<Eigen::MatrixXd>(matrix);
   };
-  const Eigen::VectorXd h = factorise(operators[0].of_function).solve(operators[0].of_one);
-  // Inverse iteration for the eigenvalue of rate A that is nearest to 1, and its eigenvectors
-  const auto lu = factorise(operators[1].of_function);
+  const Eigen::VectorXd h = factorise(operators[0].matrix).solve(operators[0].values_of_one);
+  // Inverse iteration for the eigenvalue of lambda A that is nearest to 1, and for its right and
+  // left eigenvectors
+  const auto lu = factorise(operators[1].matrix);
   constexpr int kIterations = 8;
-  Eigen::VectorXd right = h, left = Eigen::VectorXd::Ones(plane.size());
-  double distance = 0;  // of the eigenvalue from 1
+  Eigen::VectorXd right = h, left = Eigen::VectorXd::Ones(grid.node_count());
+  double distance = 0;  // distance of the eigenvalue from 1
   for (int n = 0; n < kIterations; ++n) {
     const Eigen::VectorXd next = lu.solve(right);
     distance = left.dot(right) / left.dot(next);
     right = next.normalized();
     left = lu.transpose().solve(left).normalized();
   }
-  const double slope = rate * left.dot(operators[2].of_function * right) / left.dot(right);
+  const double slope = rate * left.dot(operators[2].matrix * right) / left.dot(right);
   PassageValues values = PassageValues::Zero();
   values(kHazard) = hazard + distance / slope;
   if (passage.start) {
-    const auto mean = equation.from_state({passage.start->y, passage.start->ydot}, {rate});
-    values(kMeanFromPoint) = mean.of_one + rate * mean.of_function.dot(h);
+    const auto mean =
+        equation.integrate_from_state({passage.start->y, passage.start->ydot}, {rate});
+    values(kMeanFromPoint) = mean.integral_of_one + rate * mean.node_weights.dot(h);
   }
   return values;
 }
 
 }  // namespace
 
-Passage solve_passage(const problem::Problem& problem, const PassageOptions& options,
+Passage solve_passage(const problem::Problem& problem, const PassageCollocationOptions& options,
                       double barrier, std::optional<transform::StartState> start) {
   const base::Stopwatch stopwatch;
   const base::Deadline deadline(options.max_seconds);
@@ -159,7 +167,7 @@ Passage solve_passage(const problem::Problem& problem, const PassageOptions& opt
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
   const double wall_barrier = transformed.frame.wall_x(barrier);
-  passage.reason = unsupported_reason(transformed, wall_barrier);
+  passage.reason = passage_unsupported_reason(transformed, wall_barrier);
   if (!passage.reason.empty()) {
     passage.status = Status::not_offered;
     return passage;
@@ -167,40 +175,42 @@ Passage solve_passage(const problem::Problem& problem, const PassageOptions& opt
   start = transform::passage_start(transformed, wall_barrier, start);
   const PassageProblem below = make_passage_problem(transformed, wall_barrier, start);
 
-  // The dense matrices of this number of unknowns take about 1 GB.
-  constexpr double kMostUnknowns = 5000;
-  constexpr double kLeastNodes = 0.96, kRatio = 1.25;  // nodes per deviation
-  // Refinement of the panels for one node per deviation; twice as many panels change the mean time
-  // of case 1 by a relative 1e-8.
+  // The dense matrices for this number of nodes take about 1 GB.
+  constexpr double kMaxNodes = 5000;
+  // Nodes per standard deviation of the amplitude on the first grid, and ratio of consecutive grids
+  constexpr double kFirstNodes = 0.96, kRatio = 1.25;
+  // Refinement of the panels for one node per standard deviation. Twice as many panels change the
+  // mean time of case 1 by a relative 1e-8.
   constexpr double kRefinement = 0.3;
-  // Nodes are added beyond the accuracy, since the errors decrease quickly. The error is 1 /
-  // (kRatio - 1) differences for convergence of first order, as under laws whose density jumps.
+  // The grids are refined until the error is a fraction of the required accuracy, since the errors
+  // decrease quickly. For convergence of first order, as under laws whose density jumps, the error
+  // is 1 / (kRatio - 1) times the difference from the previous grid.
   constexpr double kTargetFraction = 1e-3, kErrorFactor = 1 / (kRatio - 1);
   std::optional<PassageValues> last;
   PassageValues errors = PassageValues::Constant(HUGE_VAL);
   std::string limit;
-  double seconds_of_last_plane = 0;
+  double seconds_of_last_grid = 0;
   const double rate = transformed.impulses.arrival_rate();
   double hazard = 0;
   const auto error = [&] {
     return (errors.array() / last->array().abs().max(std::numeric_limits<double>::min()))
         .maxCoeff();
   };
-  for (double nodes = kLeastNodes; !last || error() > kTargetFraction * options.accuracy;
+  for (double nodes = kFirstNodes; !last || error() > kTargetFraction * options.accuracy;
        nodes *= kRatio) {
-    const auto [n_y, n_v] = node_counts(below, nodes);
-    if (n_y * n_v > kMostUnknowns) {
-      limit = fmt::format("more than {} nodes are needed", kMostUnknowns);
+    const auto [n_y, n_v] = choose_node_counts(below, nodes);
+    if (n_y * n_v > kMaxNodes) {
+      limit = fmt::format("more than {} nodes are needed", kMaxNodes);
       break;
     }
-    const ChebyshevPlane plane(below.domain, static_cast<int>(n_y), static_cast<int>(n_v));
-    // The number of unknowns grows by kRatio^2, and the time of all integrals along motions by
-    // kRatio^5.
+    const ChebyshevGrid grid(below.domain, static_cast<int>(n_y), static_cast<int>(n_v));
+    // The number of nodes grows by the factor kRatio^2, and the computing time of the integrals
+    // along all trajectories by kRatio^5.
     const double growth = std::pow(kRatio, 5);
-    const base::Stopwatch of_plane;
+    const base::Stopwatch grid_stopwatch;
     std::optional<PassageValues> values;
-    if (deadline.has_time_for(growth * seconds_of_last_plane)) {
-      values = solve_on_plane(below, plane, kRefinement * nodes, hazard, deadline);
+    if (deadline.has_time_for(growth * seconds_of_last_grid)) {
+      values = solve_on_grid(below, grid, kRefinement * nodes, hazard, deadline);
     }
     if (!values) {
       limit = fmt::format("the time limit of {:g} s is reached; raise --max-seconds",
@@ -211,13 +221,13 @@ Passage solve_passage(const problem::Problem& problem, const PassageOptions& opt
       limit = "the renewal equation has no finite solution; use mcs";
       break;
     }
-    seconds_of_last_plane = of_plane.seconds();
+    seconds_of_last_grid = grid_stopwatch.seconds();
     if (last) errors = kErrorFactor * (*values - *last).cwiseAbs();
     last = values;
-    // The next plane continues Newton's method for the hazard. The limit (hazard + rate) / 2
-    // shortens a step that would exceed the rate.
+    // The next grid continues Newton's method for the hazard. The limit (hazard + rate) / 2
+    // shortens a step that would exceed the rate of the impulses.
     hazard = std::clamp((*values)(kHazard), 0.0, (hazard + rate) / 2);
-    passage.details = fmt::format("{} x {} nodes", plane.n_y(), plane.n_v());
+    passage.details = fmt::format("{} x {} nodes", grid.y_node_count(), grid.v_node_count());
   }
   passage.seconds = stopwatch.seconds();
   if (!errors.allFinite()) {

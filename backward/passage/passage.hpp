@@ -7,23 +7,28 @@
 
 namespace fpkcheck::backward {
 
-struct PassageOptions {
-  double accuracy = 1e-2;   ///< largest relative error for status ok
-  double max_seconds = 10;  ///< time limit
+/// Options of the collocation method for first passages, the method `characteristics`.
+struct PassageCollocationOptions {
+  double accuracy = 1e-2;   ///< largest estimated relative error for the status `ok`
+  double max_seconds = 10;  ///< time limit in seconds (wall clock)
 };
 
-/// Computes the hazard and the mean time from a point of the first passage of y above a barrier, by
-/// collocation of the renewal equation along the motion between impulses (RenewalEquation). The
-/// mean time T to the passage satisfies
+/// Computes the hazard and the mean time of the first passage of y above a barrier, by collocation
+/// of the renewal equation along the motion between impulses (RenewalEquation). The mean time T(y,
+/// v) to the passage from the state (y, v) satisfies
 ///
 ///     T(y, v) = int_0^te exp(-lambda t) (1 + lambda h(X_t)) dt,   h(y, v) = E T(y, v + Y),
 ///
-/// where te is the time of the passage without a further impulse. T jumps across the motion that
-/// grazes the barrier, but h is smooth except at rest on the wall. The hazard is the least number g
-/// for which 1 is an eigenvalue of lambda A with the weight exp(-(lambda - g) t). The errors are
-/// four times the differences from fewer nodes.
-/// @param start start of Passage::mean_from_point; empty for a start at rest
-transform::Passage solve_passage(const problem::Problem& problem, const PassageOptions& options,
-                                 double barrier, std::optional<transform::StartState> start = {});
+/// where X_t is the motion without impulses from X_0 = (y, v), and te is the time at which this
+/// motion passes the barrier, or infinity. T is discontinuous across the trajectory that grazes the
+/// barrier. The mean h after an impulse is smooth except at rest on the wall.
+///
+/// The hazard is the least number g for which 1 is an eigenvalue of lambda A, where A is the
+/// operator of RenewalEquation with the weight w(t) = exp(-(lambda - g) t). The error estimate of a
+/// value is four times its difference from the value on the previous, coarser grid.
+/// @param start initial state of Passage::mean_from_point; if empty, the initial state is at rest
+transform::Passage solve_passage(const problem::Problem& problem,
+                                 const PassageCollocationOptions& options, double barrier,
+                                 std::optional<transform::StartState> start = {});
 
 }  // namespace fpkcheck::backward

@@ -13,24 +13,25 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Motions end at the weight exp(-kLongestExponent) = 1.5e-8.
-constexpr double kLongestExponent = 18;
+// A trajectory ends when the weight has decayed to exp(-kMaxExponent) = 1.5e-8.
+constexpr double kMaxExponent = 18;
 
 }  // namespace
 
 // The barycentric weights of Chebyshev points are those of Berrut and Trefethen, SIAM Review 46
 // (2004) 501, equation 5.3.
-ChebyshevPlane::Interpolation::Interpolation(double low, double high, int count)
-    : nodes(count), weights(count) {
+ChebyshevGrid::BarycentricInterpolation::BarycentricInterpolation(double low, double high,
+                                                                  int count)
+    : nodes(count), barycentric_weights(count) {
   const std::vector<double> points = numerics::chebyshev_points(count);
   for (int k = 0; k < count; ++k) {
     nodes(k) = low + (high - low) * points[static_cast<std::size_t>(k)];
-    weights(k) = (k % 2 == 0 ? 1 : -1) * std::sin(std::numbers::pi * (k + 0.5) / count);
+    barycentric_weights(k) = (k % 2 == 0 ? 1 : -1) * std::sin(std::numbers::pi * (k + 0.5) / count);
   }
 }
 
-void ChebyshevPlane::Interpolation::lagrange_values(double x,
-                                                    Eigen::Ref<Eigen::VectorXd> values) const {
+void ChebyshevGrid::BarycentricInterpolation::evaluate_lagrange_polynomials(
+    double x, Eigen::Ref<Eigen::VectorXd> values) const {
   for (Eigen::Index k = 0; k < nodes.size(); ++k) {
     if (x == nodes(k)) {
       values.setZero();
@@ -38,28 +39,29 @@ void ChebyshevPlane::Interpolation::lagrange_values(double x,
       return;
     }
   }
-  values = weights.array() / (x - nodes.array());
+  values = barycentric_weights.array() / (x - nodes.array());
   values /= values.sum();
 }
 
-ChebyshevPlane::ChebyshevPlane(const Domain& domain, int n_y, int n_v)
+ChebyshevGrid::ChebyshevGrid(const Domain& domain, int y_node_count, int v_node_count)
     : domain_(domain),
-      y_(0, std::sqrt(domain.barrier - domain.y_low), n_y),
-      v_(-domain.v_max, domain.v_max, n_v) {
-  assert(domain.y_low < domain.barrier && domain.v_max > 0 && n_y > 0 && n_v > 0);
+      y_interpolation_(0, std::sqrt(domain.barrier - domain.y_low), y_node_count),
+      v_interpolation_(-domain.v_max, domain.v_max, v_node_count) {
+  assert(domain.y_low < domain.barrier && domain.v_max > 0 && y_node_count > 0 && v_node_count > 0);
 }
 
-void ChebyshevPlane::in_y(double y, Eigen::Ref<Eigen::VectorXd> values) const {
+void ChebyshevGrid::evaluate_y_polynomials(double y, Eigen::Ref<Eigen::VectorXd> values) const {
   const double inside = std::clamp(y, domain_.y_low, domain_.barrier);
-  y_.lagrange_values(std::sqrt(domain_.barrier - inside), values);
+  y_interpolation_.evaluate_lagrange_polynomials(std::sqrt(domain_.barrier - inside), values);
 }
 
-void ChebyshevPlane::in_v(double v, Eigen::Ref<Eigen::VectorXd> values) const {
-  v_.lagrange_values(std::clamp(v, -domain_.v_max, domain_.v_max), values);
+void ChebyshevGrid::evaluate_v_polynomials(double v, Eigen::Ref<Eigen::VectorXd> values) const {
+  v_interpolation_.evaluate_lagrange_polynomials(std::clamp(v, -domain_.v_max, domain_.v_max),
+                                                 values);
 }
 
-std::array<double, 2> amplitude_range(const problem::ImpulseLaw& law) {
-  constexpr double kOutside = 5e-10;
+std::array<double, 2> effective_amplitude_range(const problem::ImpulseLaw& law) {
+  constexpr double kTailProbability = 5e-10;
   const std::vector<double> breakpoints = law.density_breakpoints();
   const double low = breakpoints.front(), high = breakpoints.back();
   const auto quantile = [&](double probability) {
@@ -68,43 +70,46 @@ std::array<double, 2> amplitude_range(const problem::ImpulseLaw& law) {
     if (excess(high) <= 0) return high;
     return numerics::bracketed_root(excess, low, high, 20);
   };
-  return {quantile(kOutside), quantile(1 - kOutside)};
+  return {quantile(kTailProbability), quantile(1 - kTailProbability)};
 }
 
-RenewalEquation::RenewalEquation(const problem::Problem& problem, const ChebyshevPlane& plane,
-                                 double slowest_rate, double refinement)
+RenewalEquation::RenewalEquation(const problem::Problem& problem, const ChebyshevGrid& grid,
+                                 double min_decay_rate, double panel_refinement)
     : problem_(problem),
-      plane_(plane),
-      refinement_(refinement),
-      motion_(problem.system, plane.domain().barrier, problem.impulses.amplitude_law().deviation(),
-              refinement),
-      longest_(kLongestExponent / slowest_rate) {
+      grid_(grid),
+      panel_refinement_(panel_refinement),
+      motion_solver_(problem.system, grid.domain().barrier,
+                     problem.impulses.amplitude_law().deviation(), panel_refinement),
+      max_duration_(kMaxExponent / min_decay_rate) {
   assert(problem.impulses.amplitude_law().atoms().empty() && !problem.impulse_factor);
-  const auto [low, high] = amplitude_range(problem.impulses.amplitude_law());
-  lowest_change_ = low;
-  highest_change_ = high;
+  const auto [low, high] = effective_amplitude_range(problem.impulses.amplitude_law());
+  min_amplitude_ = low;
+  max_amplitude_ = high;
 }
 
-// Returns the velocities at which a functional of the motion from (y, v) is not smooth in v: the
-// motions that graze the barrier or the wall.
-std::vector<double> RenewalEquation::singular_velocities(double y) const {
-  const double fastest = plane_.domain().v_max + std::max(-lowest_change_, highest_change_);
+// Returns the velocities v at which integrals along the trajectory from (y, v) are not smooth in v.
+// The trajectories from these states graze the barrier or the wall.
+std::vector<double> RenewalEquation::find_non_smooth_velocities(double y) const {
+  const double max_speed = grid_.domain().v_max + std::max(-min_amplitude_, max_amplitude_);
   std::vector<double> velocities{0};  // T(0, -u) = T(0, r u) at a wall has a kink at u = 0
-  const auto add_grazing = [&](double at) {
-    for (const double v : motion_.velocities_before({at, 0}, y, longest_, fastest)) {
+  const auto add_velocities_of_grazing_trajectory = [&](double displacement) {
+    for (const double v : motion_solver_.find_backward_crossing_velocities(
+             {displacement, 0}, y, max_duration_, max_speed)) {
       velocities.push_back(v);
     }
   };
-  if (motion_.acceleration({plane_.domain().barrier, 0}) < 0) add_grazing(plane_.domain().barrier);
+  if (motion_solver_.acceleration({grid_.domain().barrier, 0}) < 0)
+    add_velocities_of_grazing_trajectory(grid_.domain().barrier);
   const auto& wall = problem_.system.left_wall();
-  if (wall && motion_.acceleration({wall->position, 0}) > 0) add_grazing(wall->position);
+  if (wall && motion_solver_.acceleration({wall->position, 0}) > 0)
+    add_velocities_of_grazing_trajectory(wall->position);
   return velocities;
 }
 
 namespace {
 
-// Map of x in [0, 1] to an interval of velocities. Its slope vanishes at the ends at which
-// functionals are not smooth.
+// Map v(x) from x in [0, 1] to an interval of velocities. The slope v'(x) is 0 at the ends of the
+// interval at which integrals along trajectories are not smooth.
 struct VelocityMap {
   double begin, length;
   bool is_smooth_at_begin, is_smooth_at_end;
@@ -123,10 +128,11 @@ struct VelocityMap {
   }
 };
 
-// Returns the ends of the parts of [low, high] in which the density of the amplitude is smooth, for
-// impulses from the velocity v.
-std::vector<double> smooth_parts(const VelocityMap& map, double low, double high, double v,
-                                 const std::vector<double>& density_breakpoints) {
+// Divides the interval [low, high] of x at the points where the amplitude density, as a function of
+// the velocity map.velocity(x) after an impulse, is not smooth. The velocity before the impulse is
+// v.
+std::vector<double> ends_of_smooth_parts(const VelocityMap& map, double low, double high, double v,
+                                         const std::vector<double>& density_breakpoints) {
   std::vector<double> ends{low, high};
   for (const double amplitude : density_breakpoints) {
     const double after = v + amplitude;
@@ -140,15 +146,15 @@ std::vector<double> smooth_parts(const VelocityMap& map, double low, double high
 
 }  // namespace
 
-RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
-  constexpr unsigned kPoints = 10, kSubPoints = 12;
-  // Width of the panels in deviations of the impulses
-  constexpr double kWidth = 1.5, kLargestSlope = 1.5;  // slope of x^2 (3 - 2 x)
+RenewalEquation::VelocityQuadrature RenewalEquation::make_velocity_quadrature(double y) const {
+  constexpr unsigned kPoints = 10, kPointsPerSmoothPart = 12;
+  constexpr double kPanelWidth = 1.5;    // in standard deviations of the amplitude
+  constexpr double kLargestSlope = 1.5;  // largest slope of x^2 (3 - 2 x)
   const problem::ImpulseLaw& law = problem_.impulses.amplitude_law();
-  const double v_max = plane_.domain().v_max;
-  const double low = -v_max + lowest_change_, high = v_max + highest_change_;
+  const double v_max = grid_.domain().v_max;
+  const double low = -v_max + min_amplitude_, high = v_max + max_amplitude_;
   std::vector<double> ends{low, high};
-  for (const double v : singular_velocities(y)) {
+  for (const double v : find_non_smooth_velocities(y)) {
     if (v > low && v < high) ends.push_back(v);
   }
   std::ranges::sort(ends);
@@ -159,7 +165,7 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
       ends.end());
 
   const std::vector<double> breakpoints = law.density_breakpoints();
-  VelocityRule rule;
+  VelocityQuadrature rule;
   std::vector<Eigen::MatrixXd> panel_weights;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const VelocityMap map{.begin = ends[k],
@@ -167,23 +173,23 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
                           .is_smooth_at_begin = k == 0,
                           .is_smooth_at_end = k + 2 == ends.size()};
     const int panels =
-        std::max(1, static_cast<int>(std::ceil(kLargestSlope * map.length * refinement_ /
-                                               (kWidth * law.deviation()))));
+        std::max(1, static_cast<int>(std::ceil(kLargestSlope * map.length * panel_refinement_ /
+                                               (kPanelWidth * law.deviation()))));
     for (int panel = 0; panel < panels; ++panel) {
       const double begin = static_cast<double>(panel) / panels;
       const double end = static_cast<double>(panel + 1) / panels;
       const auto points = numerics::composite_gauss_points<kPoints>(begin, end, 1);
       std::vector<double> nodes;
       for (const auto& point : points) nodes.push_back(point.at);
-      for (const double x : nodes) rule.points.push_back(map.velocity(x));
+      for (const double x : nodes) rule.velocities.push_back(map.velocity(x));
       Eigen::MatrixXd& weights =
-          panel_weights.emplace_back(Eigen::MatrixXd::Zero(plane_.n_v(), kPoints));
-      for (int j = 0; j < plane_.n_v(); ++j) {
-        const double v = plane_.v_node(j);
+          panel_weights.emplace_back(Eigen::MatrixXd::Zero(grid_.v_node_count(), kPoints));
+      for (int j = 0; j < grid_.v_node_count(); ++j) {
+        const double v = grid_.v_node(j);
         const auto density = [&](double x) {
           return map.slope(x) * law.density(map.velocity(x) - v);
         };
-        const std::vector<double> parts = smooth_parts(map, begin, end, v, breakpoints);
+        const std::vector<double> parts = ends_of_smooth_parts(map, begin, end, v, breakpoints);
         if (parts.size() == 2) {
           for (std::size_t q = 0; q < kPoints; ++q) {
             weights(j, static_cast<Eigen::Index>(q)) = points[q].weight * density(nodes[q]);
@@ -191,7 +197,7 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
           continue;
         }
         const numerics::QuadratureRule rule_of_parts =
-            numerics::composite_gauss_rule<kSubPoints>(parts);
+            numerics::composite_gauss_rule<kPointsPerSmoothPart>(parts);
         for (Eigen::Index m = 0; m < rule_of_parts.size(); ++m) {
           const double x = rule_of_parts.points[static_cast<std::size_t>(m)];
           const std::vector<double> lagrange = numerics::lagrange_weights(nodes, x);
@@ -201,7 +207,7 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
       }
     }
   }
-  rule.weights.resize(plane_.n_v(), static_cast<Eigen::Index>(rule.points.size()));
+  rule.weights.resize(grid_.v_node_count(), static_cast<Eigen::Index>(rule.velocities.size()));
   for (std::size_t panel = 0; panel < panel_weights.size(); ++panel) {
     rule.weights.middleCols(static_cast<Eigen::Index>(panel * kPoints), kPoints) =
         panel_weights[panel];
@@ -209,87 +215,102 @@ RenewalEquation::VelocityRule RenewalEquation::velocity_rule(double y) const {
   return rule;
 }
 
-// Integrates along a motion. After its end a motion below the barrier stays at its last state.
-// @param of_function shape (n_y, n_v weights.size()): side by side, a matrix for each weight
-void RenewalEquation::integrate(const Motion& motion, const std::vector<TimeWeight>& weights,
-                                Eigen::Ref<Eigen::MatrixXd> of_function,
-                                Eigen::Ref<Eigen::VectorXd> of_one) const {
+// Computes the linear forms f -> int_0^te w(t) f(X_t) dt of several weights w along a trajectory.
+// If the trajectory does not pass the barrier, the state remains the last state of the trajectory
+// until t = infinity.
+// @param[out] node_weights coefficients of the values of f at the nodes of the grid, one matrix of
+// shape (nodes in y, nodes in v) for each weight; the matrices are in consecutive columns
+// @param[out] integrals_of_one value of each linear form for f = 1
+void RenewalEquation::integrate_along_trajectory(
+    const UnforcedTrajectory& trajectory, const std::vector<TimeWeight>& weights,
+    Eigen::Ref<Eigen::MatrixXd> node_weights, Eigen::Ref<Eigen::VectorXd> integrals_of_one) const {
   const auto count =
-      static_cast<Eigen::Index>(motion.nodes.size() + (motion.passed_barrier ? 0 : 1));
-  const Eigen::Index n_v = plane_.n_v();
-  const auto kinds = static_cast<Eigen::Index>(weights.size());
-  Eigen::MatrixXd in_y(plane_.n_y(), count), in_v(n_v * kinds, count);
-  of_one.setZero();
+      static_cast<Eigen::Index>(trajectory.nodes.size() + (trajectory.passed_barrier ? 0 : 1));
+  const Eigen::Index n_v = grid_.v_node_count();
+  const auto weight_count = static_cast<Eigen::Index>(weights.size());
+  Eigen::MatrixXd y_polynomials(grid_.y_node_count(), count),
+      weighted_v_polynomials(n_v * weight_count, count);
+  integrals_of_one.setZero();
   Eigen::VectorXd values(n_v);
   for (Eigen::Index n = 0; n < count; ++n) {
-    const bool is_end = n == static_cast<Eigen::Index>(motion.nodes.size());
-    const PhaseState& at = is_end ? motion.end : motion.nodes[static_cast<std::size_t>(n)].at;
-    plane_.in_y(at.y, in_y.col(n));
-    plane_.in_v(at.v, values);
-    for (Eigen::Index k = 0; k < kinds; ++k) {
-      const auto& [rate, power] = weights[static_cast<std::size_t>(k)];
+    const bool is_end = n == static_cast<Eigen::Index>(trajectory.nodes.size());
+    const PhaseState& at =
+        is_end ? trajectory.end_state : trajectory.nodes[static_cast<std::size_t>(n)].state;
+    grid_.evaluate_y_polynomials(at.y, y_polynomials.col(n));
+    grid_.evaluate_v_polynomials(at.v, values);
+    for (Eigen::Index k = 0; k < weight_count; ++k) {
+      const auto& [decay_rate, time_power] = weights[static_cast<std::size_t>(k)];
       double weight = 0;
       if (is_end) {
-        const double t = motion.duration;
-        weight = std::exp(-rate * t) / rate * (power == 0 ? 1 : t + 1 / rate);
+        const double t = trajectory.duration;
+        weight =
+            std::exp(-decay_rate * t) / decay_rate * (time_power == 0 ? 1 : t + 1 / decay_rate);
       } else {
-        const TimeNode& node = motion.nodes[static_cast<std::size_t>(n)];
-        weight = node.weight * std::exp(-rate * node.time) * (power == 0 ? 1 : node.time);
+        const TrajectoryNode& node = trajectory.nodes[static_cast<std::size_t>(n)];
+        weight =
+            node.weight * std::exp(-decay_rate * node.time) * (time_power == 0 ? 1 : node.time);
       }
-      in_v.col(n).segment(k * n_v, n_v) = weight * values;
-      of_one(k) += weight;
+      weighted_v_polynomials.col(n).segment(k * n_v, n_v) = weight * values;
+      integrals_of_one(k) += weight;
     }
   }
-  of_function.noalias() = in_y * in_v.transpose();
+  node_weights.noalias() = y_polynomials * weighted_v_polynomials.transpose();
 }
 
-std::vector<RenewalEquation::Operator> RenewalEquation::operators(
+std::vector<RenewalEquation::MotionIntegralOperator> RenewalEquation::compute_operators(
     const std::vector<TimeWeight>& weights, const base::Deadline& deadline) const {
-  const auto kinds = static_cast<Eigen::Index>(weights.size());
-  const Eigen::Index n_v = plane_.n_v(), size = plane_.size();
-  std::vector<Operator> operators(weights.size());
-  for (Operator& one : operators) {
-    one.of_function.resize(size, size);
-    one.of_one.resize(size);
+  const auto weight_count = static_cast<Eigen::Index>(weights.size());
+  const Eigen::Index n_v = grid_.v_node_count(), size = grid_.node_count();
+  std::vector<MotionIntegralOperator> operators(weights.size());
+  for (MotionIntegralOperator& one : operators) {
+    one.matrix.resize(size, size);
+    one.values_of_one.resize(size);
   }
-  base::parallel_for(
-      static_cast<std::size_t>(plane_.n_y()), base::kOneThreadPerProcessor, [&](std::size_t node) {
-        const int i = static_cast<int>(node);
-        const double y = plane_.y_node(i);
-        const VelocityRule rule = velocity_rule(y);
-        const auto points = static_cast<Eigen::Index>(rule.points.size());
-        // Integrals along the motions: a row for each velocity, and the weights side by side
-        Eigen::MatrixXd integrals(points, kinds * size), of_one(points, kinds);
-        Eigen::MatrixXd along(plane_.n_y(), kinds * n_v);
-        Eigen::VectorXd one(kinds);
-        for (Eigen::Index q = 0; q < points && !deadline.has_passed(); ++q) {
-          integrate(motion_.follow({y, rule.points[static_cast<std::size_t>(q)]}, longest_),
-                    weights, along, one);
-          of_one.row(q) = one;
-          for (Eigen::Index k = 0; k < kinds; ++k) {
-            for (int m = 0; m < plane_.n_y(); ++m) {
-              integrals.row(q).segment(k * size + plane_.index(m, 0), n_v) =
-                  along.row(m).segment(k * n_v, n_v);
-            }
-          }
+  // The rows of the operators that belong to the nodes (y_i, v_j) with one y_i
+  const auto compute_rows = [&](std::size_t y_node) {
+    const int i = static_cast<int>(y_node);
+    const double y = grid_.y_node(i);
+    const VelocityQuadrature rule = make_velocity_quadrature(y);
+    const auto velocity_count = static_cast<Eigen::Index>(rule.velocities.size());
+    // Integrals along the trajectories: one row for each velocity, and consecutive columns for the
+    // weights
+    Eigen::MatrixXd integrals(velocity_count, weight_count * size);
+    Eigen::MatrixXd integrals_of_one(velocity_count, weight_count);
+    Eigen::MatrixXd node_weights(grid_.y_node_count(), weight_count * n_v);
+    Eigen::VectorXd trajectory_integrals_of_one(weight_count);
+    for (Eigen::Index q = 0; q < velocity_count && !deadline.has_passed(); ++q) {
+      const double v = rule.velocities[static_cast<std::size_t>(q)];
+      integrate_along_trajectory(motion_solver_.compute_trajectory({y, v}, max_duration_), weights,
+                                 node_weights, trajectory_integrals_of_one);
+      integrals_of_one.row(q) = trajectory_integrals_of_one;
+      for (Eigen::Index k = 0; k < weight_count; ++k) {
+        for (int m = 0; m < grid_.y_node_count(); ++m) {
+          integrals.row(q).segment(k * size + grid_.node_index(m, 0), n_v) =
+              node_weights.row(m).segment(k * n_v, n_v);
         }
-        for (Eigen::Index k = 0; k < kinds; ++k) {
-          Operator& target = operators[static_cast<std::size_t>(k)];
-          target.of_function.middleRows(plane_.index(i, 0), n_v).noalias() =
-              rule.weights * integrals.middleCols(k * size, size);
-          target.of_one.segment(plane_.index(i, 0), n_v).noalias() = rule.weights * of_one.col(k);
-        }
-      });
+      }
+    }
+    for (Eigen::Index k = 0; k < weight_count; ++k) {
+      MotionIntegralOperator& target = operators[static_cast<std::size_t>(k)];
+      target.matrix.middleRows(grid_.node_index(i, 0), n_v).noalias() =
+          rule.weights * integrals.middleCols(k * size, size);
+      target.values_of_one.segment(grid_.node_index(i, 0), n_v).noalias() =
+          rule.weights * integrals_of_one.col(k);
+    }
+  };
+  base::parallel_for(static_cast<std::size_t>(grid_.y_node_count()), base::kOneThreadPerProcessor,
+                     compute_rows);
   if (deadline.has_passed()) return {};
   return operators;
 }
 
-RenewalEquation::Functional RenewalEquation::from_state(const PhaseState& from,
-                                                        const TimeWeight& weight) const {
-  // Row-major: the order of ChebyshevPlane::index()
-  Eigen::MatrixXd along(plane_.n_y(), plane_.n_v());
+RenewalEquation::MotionIntegral RenewalEquation::integrate_from_state(
+    const PhaseState& start, const TimeWeight& weight) const {
+  // The node weights of the result are in the order of ChebyshevGrid::node_index(), row by row.
+  Eigen::MatrixXd along(grid_.y_node_count(), grid_.v_node_count());
   Eigen::VectorXd one(1);
-  integrate(motion_.follow(from, longest_), {weight}, along, one);
+  integrate_along_trajectory(motion_solver_.compute_trajectory(start, max_duration_), {weight},
+                             along, one);
   return {along.transpose().reshaped(), one(0)};
 }
 

@@ -10,97 +10,118 @@
 
 namespace fpkcheck::backward {
 
-/// Functions on the phase plane below a barrier that are smooth in sqrt(barrier - y) and in v, by
-/// their values at the tensor product of Chebyshev nodes. Outside its domain a function is constant
-/// along y and along v.
-class ChebyshevPlane {
+/// Tensor product of Chebyshev nodes in sqrt(barrier - y) and in v, for the interpolation of
+/// functions on the phase plane below a barrier. Outside the domain of the grid an interpolated
+/// function is constant along y and along v.
+class ChebyshevGrid {
  public:
+  /// Rectangle y_low <= y <= barrier, |v| <= v_max of the phase plane.
   struct Domain {
     double y_low, barrier, v_max;
   };
-  ChebyshevPlane(const Domain& domain, int n_y, int n_v);
+  ChebyshevGrid(const Domain& domain, int y_node_count, int v_node_count);
 
-  int n_y() const { return static_cast<int>(y_.size()); }
-  int n_v() const { return static_cast<int>(v_.size()); }
-  Eigen::Index size() const { return y_.size() * v_.size(); }
+  int y_node_count() const { return static_cast<int>(y_interpolation_.size()); }
+  int v_node_count() const { return static_cast<int>(v_interpolation_.size()); }
+  /// Returns the number of nodes (y, v) of the tensor product.
+  Eigen::Index node_count() const { return y_interpolation_.size() * v_interpolation_.size(); }
   const Domain& domain() const { return domain_; }
-  double y_node(int i) const { return domain_.barrier - y_.nodes(i) * y_.nodes(i); }
-  double v_node(int j) const { return v_.nodes(j); }
-  /// Position of the value at the node (i, j) in a vector of values
-  Eigen::Index index(int i, int j) const { return i * v_.size() + j; }
+  double y_node(int i) const {
+    return domain_.barrier - y_interpolation_.nodes(i) * y_interpolation_.nodes(i);
+  }
+  double v_node(int j) const { return v_interpolation_.nodes(j); }
+  /// Returns the index of the node (y_node(i), v_node(j)) in a vector of the values of a function
+  /// at all nodes.
+  Eigen::Index node_index(int i, int j) const { return i * v_interpolation_.size() + j; }
 
-  /// Values of the Lagrange polynomials of the nodes in y, or in v. The interpolated value at (y,
-  /// v) is in_y(y)^T G in_v(v), with the matrix G of the values, of shape (n_y, n_v).
-  void in_y(double y, Eigen::Ref<Eigen::VectorXd> values) const;
-  void in_v(double v, Eigen::Ref<Eigen::VectorXd> values) const;
+  /// Evaluates the Lagrange polynomials a_i(y) of the nodes in y, or b_j(v) of the nodes in v. A
+  /// function with the values g_ij at the nodes has the interpolated value sum_ij a_i(y) g_ij
+  /// b_j(v).
+  /// @param[out] values values of all polynomials, shape (number of nodes in y or in v)
+  void evaluate_y_polynomials(double y, Eigen::Ref<Eigen::VectorXd> values) const;
+  void evaluate_v_polynomials(double v, Eigen::Ref<Eigen::VectorXd> values) const;
 
  private:
-  struct Interpolation {
-    Eigen::VectorXd nodes, weights;  // Chebyshev nodes and their barycentric weights
+  struct BarycentricInterpolation {
+    Eigen::VectorXd nodes, barycentric_weights;
 
-    Interpolation(double low, double high, int count);
+    BarycentricInterpolation(double low, double high, int count);
     Eigen::Index size() const { return nodes.size(); }
-    void lagrange_values(double x, Eigen::Ref<Eigen::VectorXd> values) const;
+    void evaluate_lagrange_polynomials(double x, Eigen::Ref<Eigen::VectorXd> values) const;
   };
   Domain domain_;
-  Interpolation y_, v_;  // y_: in sqrt(barrier - y)
+  BarycentricInterpolation y_interpolation_;  // in the coordinate sqrt(barrier - y)
+  BarycentricInterpolation v_interpolation_;
 };
 
-/// A weight t^power exp(-rate t) of the time t since the last impulse.
+/// Weight function w(t) = t^time_power exp(-decay_rate t) of the time t since the last impulse.
 struct TimeWeight {
-  double rate;
-  int power = 0;
+  double decay_rate;
+  int time_power = 0;
 };
 
-/// The mean over an impulse Y of integrals along the motion after the impulse,
+/// Discretisation of the operator A, the mean over an impulse Y of the integral of a function f
+/// along the motion after the impulse,
 ///
 ///     (A f)(y, v) = E int_0^te w(t) f(X_t) dt,   X_0 = (y, v + Y),
 ///
-/// where te is the time of the passage of the barrier without a further impulse. For w =
-/// exp(-lambda t) the function h = E T(y, v + Y) of the mean time T to the passage satisfies h = A
-/// 1 + lambda A h (renewal equation). Collocation represents f and A f on a ChebyshevPlane.
+/// where te is the time at which the motion passes the barrier without a further impulse, or
+/// infinity. Let h(y, v) = E T(y, v + Y) be the mean time to the passage after an impulse. With the
+/// weight w(t) = exp(-lambda t) the function h satisfies the renewal equation
+///
+///     h = A 1 + lambda A h.
+///
+/// Collocation represents f and A f by their values at the nodes of a ChebyshevGrid.
 class RenewalEquation {
  public:
-  /// @param slowest_rate least rate of the weights of operators() and from_state()
-  /// @param refinement divides the panels of time and of velocity
-  /// @pre the impulses have a law with a density, and no factor
-  RenewalEquation(const problem::Problem& problem, const ChebyshevPlane& plane, double slowest_rate,
-                  double refinement);
+  /// @param min_decay_rate smallest decay rate of the weights of compute_operators() and
+  /// integrate_from_state(), which limits the durations of the trajectories
+  /// @param panel_refinement factor by which the panels of the quadrature rules in time and in
+  /// velocity are shorter than with the factor 1
+  /// @pre the impulses have an amplitude law with a density, and no factor
+  RenewalEquation(const problem::Problem& problem, const ChebyshevGrid& grid, double min_decay_rate,
+                  double panel_refinement);
 
-  struct Operator {
-    Eigen::MatrixXd of_function;  ///< matrix of A, shape (plane.size(), plane.size())
-    Eigen::VectorXd of_one;       ///< values of A 1
+  /// The discretised operator A of one weight function.
+  struct MotionIntegralOperator {
+    Eigen::MatrixXd matrix;         ///< maps values of f to values of A f, shape (nodes, nodes)
+    Eigen::VectorXd values_of_one;  ///< values of A 1, the function A f for f = 1
   };
-  /// Returns the operators of several weights; no operators if the deadline passes.
-  std::vector<Operator> operators(const std::vector<TimeWeight>& weights,
-                                  const base::Deadline& deadline) const;
+  /// Computes the operators of several weights. The result is empty if the deadline passes.
+  std::vector<MotionIntegralOperator> compute_operators(const std::vector<TimeWeight>& weights,
+                                                        const base::Deadline& deadline) const;
 
-  /// Functional f -> int_0^te w(t) f(X_t) dt of the motion from a state.
-  struct Functional {
-    Eigen::VectorXd of_function;  ///< weights of the values of f
-    double of_one;                ///< integral of w
+  /// The linear form f -> int_0^te w(t) f(X_t) dt of the motion from one state.
+  struct MotionIntegral {
+    Eigen::VectorXd node_weights;  ///< coefficients of the values of f at the nodes of the grid
+    double integral_of_one;        ///< value of the linear form for f = 1, int_0^te w(t) dt
   };
-  Functional from_state(const PhaseState& from, const TimeWeight& weight) const;
+  MotionIntegral integrate_from_state(const PhaseState& start, const TimeWeight& weight) const;
 
  private:
-  struct VelocityRule {
-    std::vector<double> points;
-    Eigen::MatrixXd weights;  // of the values at the points, for each node in v
+  // Quadrature rule for the mean over an impulse of a function g of the velocity. For each node v_j
+  // of the grid, E g(v_j + Y) = sum_q weights(j, q) g(velocities[q]).
+  struct VelocityQuadrature {
+    std::vector<double> velocities;
+    Eigen::MatrixXd weights;
   };
-  VelocityRule velocity_rule(double y) const;
-  std::vector<double> singular_velocities(double y) const;
-  void integrate(const Motion& motion, const std::vector<TimeWeight>& weights,
-                 Eigen::Ref<Eigen::MatrixXd> of_function, Eigen::Ref<Eigen::VectorXd> of_one) const;
+  VelocityQuadrature make_velocity_quadrature(double y) const;
+  std::vector<double> find_non_smooth_velocities(double y) const;
+  void integrate_along_trajectory(const UnforcedTrajectory& trajectory,
+                                  const std::vector<TimeWeight>& weights,
+                                  Eigen::Ref<Eigen::MatrixXd> node_weights,
+                                  Eigen::Ref<Eigen::VectorXd> integrals_of_one) const;
 
   problem::Problem problem_;
-  ChebyshevPlane plane_;
-  double refinement_;
-  UnforcedMotion motion_;
-  double longest_;                         // time limit of motions: the weights are then 1.5e-8
-  double lowest_change_, highest_change_;  // range of the amplitudes
+  ChebyshevGrid grid_;
+  double panel_refinement_;
+  UnforcedMotionSolver motion_solver_;
+  double max_duration_;  // longest duration of a trajectory; afterwards the weights are < 1.5e-8
+  double min_amplitude_, max_amplitude_;  // effective_amplitude_range()
 };
 
 /// Returns the range of amplitudes outside of which the probability is below 1e-9.
-std::array<double, 2> amplitude_range(const problem::ImpulseLaw& law);
+/// @return lower and upper end of the range
+std::array<double, 2> effective_amplitude_range(const problem::ImpulseLaw& law);
 
 }  // namespace fpkcheck::backward

@@ -12,14 +12,15 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr unsigned kPoints = 8;  // of the Gauss rule of a panel
+constexpr unsigned kPoints = 8;  // number of points of the Gauss rule of a panel
 
 const std::vector<numerics::QuadraturePoint>& unit_gauss_points() {
   static const auto points = numerics::composite_gauss_points<kPoints>(0, 1, 1);
   return points;
 }
 
-// Times at which a parabola vanishes, with its value and derivatives at t = 0; the nearest first.
+// Returns the times at which a parabola is 0, the time nearest to t = 0 first. The parabola is
+// given by its value and its derivatives at t = 0.
 std::array<std::complex<double>, 2> roots_of_parabola(double value, double slope,
                                                       double second_derivative) {
   const std::complex<double> root =
@@ -32,28 +33,31 @@ std::array<std::complex<double>, 2> roots_of_parabola(double value, double slope
 
 }  // namespace
 
-UnforcedMotion::UnforcedMotion(const problem::System& system, double barrier, double velocity_scale,
-                               double refinement)
-    : system_(system), barrier_(barrier), velocity_scale_(velocity_scale), refinement_(refinement) {
+UnforcedMotionSolver::UnforcedMotionSolver(const problem::System& system, double barrier,
+                                           double velocity_scale, double panel_refinement)
+    : system_(system),
+      barrier_(barrier),
+      velocity_scale_(velocity_scale),
+      panel_refinement_(panel_refinement) {
   assert(!system.left_wall() || system.left_wall()->position < barrier);
-  assert(system.has_polynomial_force() && velocity_scale > 0 && refinement > 0);
+  assert(system.has_polynomial_force() && velocity_scale > 0 && panel_refinement > 0);
 }
 
-PhaseState UnforcedMotion::Panel::at(double time) const {
-  PhaseState state{y[kOrder], 0};
-  for (int k = kOrder - 1; k >= 0; --k) {
+PhaseState UnforcedMotionSolver::TaylorPanel::state_at(double time) const {
+  PhaseState state{y_coefficients[kTaylorOrder], 0};
+  for (int k = kTaylorOrder - 1; k >= 0; --k) {
     state.v = state.v * time + state.y;
-    state.y = state.y * time + y[static_cast<std::size_t>(k)];
+    state.y = state.y * time + y_coefficients[static_cast<std::size_t>(k)];
   }
   return state;
 }
 
 // Returns the coefficients y_k of y(t) = sum y_k t^k. The equation of motion gives y_(k+2) from the
 // coefficients up to k + 1 of the powers of y and of v.
-std::array<double, UnforcedMotion::kOrder + 1> UnforcedMotion::taylor_coefficients(
-    const PhaseState& from) const {
+std::array<double, UnforcedMotionSolver::kTaylorOrder + 1>
+UnforcedMotionSolver::taylor_coefficients(const PhaseState& start) const {
   constexpr std::size_t kMostPowers = 6;
-  using Series = std::array<double, kOrder + 1>;
+  using Series = std::array<double, kTaylorOrder + 1>;
   const numerics::Polynomial& force = system_.restoring_force();
   const numerics::Polynomial& damping = system_.damping_polynomial();
   const double rayleigh = system_.rayleigh_coefficient();
@@ -63,14 +67,14 @@ std::array<double, UnforcedMotion::kOrder + 1> UnforcedMotion::taylor_coefficien
   Series v{}, v_squared{}, v_cubed{}, damping_series{};
   power[0][0] = 1;
   Series& y = power[1];
-  y[0] = from.y;
-  y[1] = from.v;
+  y[0] = start.y;
+  y[1] = start.v;
   const auto product = [](const Series& a, const Series& b, std::size_t k) {
     double sum = 0;
     for (std::size_t m = 0; m <= k; ++m) sum += a[m] * b[k - m];
     return sum;
   };
-  for (std::size_t k = 0; k + 2 <= kOrder; ++k) {
+  for (std::size_t k = 0; k + 2 <= kTaylorOrder; ++k) {
     v[k] = static_cast<double>(k + 1) * y[k + 1];
     double acceleration = -force.coefficient(0) * power[0][k] - force.coefficient(1) * y[k];
     damping_series[k] = damping.coefficient(0) * power[0][k] + damping.coefficient(1) * y[k];
@@ -90,190 +94,208 @@ std::array<double, UnforcedMotion::kOrder + 1> UnforcedMotion::taylor_coefficien
   return y;
 }
 
-// Returns the longest panel in which the states and integrands are smooth.
-UnforcedMotion::PanelLimit UnforcedMotion::panel_limit(const PhaseState& from,
-                                                       int direction) const {
+// Returns the longest duration of a panel in which states and integrands are smooth functions of
+// time.
+UnforcedMotionSolver::PanelLimit UnforcedMotionSolver::find_panel_limit(const PhaseState& start,
+                                                                        int direction) const {
   // A Gauss rule with 8 points has an error of about (w h / 4)^16 for the frequency w.
-  constexpr double kPhase = 0.8, kOfVelocityScale = 1.5, kOfWidth = 0.5, kNone = 1e-300;
-  const double a = acceleration(from);
-  const double frequency = std::sqrt(std::abs(system_.force_slope_in_y(from.y, from.v))) +
-                           std::abs(system_.force_slope_in_v(from.y, from.v));
-  double longest = std::min(kPhase / (frequency + kNone),
-                            kOfVelocityScale * velocity_scale_ / (std::abs(a) + kNone));
+  constexpr double kMaxPhase = 0.8, kMaxVelocityChange = 1.5, kMaxDisplacement = 0.5,
+                   kTiny = 1e-300;
+  const double a = acceleration(start);
+  const double frequency = std::sqrt(std::abs(system_.force_slope_in_y(start.y, start.v))) +
+                           std::abs(system_.force_slope_in_v(start.y, start.v));
+  double longest = std::min(kMaxPhase / (frequency + kTiny),
+                            kMaxVelocityChange * velocity_scale_ / (std::abs(a) + kTiny));
   if (const auto& wall = system_.left_wall()) {
-    longest =
-        std::min(longest, kOfWidth * (barrier_ - wall->position) / (std::abs(from.v) + kNone));
+    longest = std::min(
+        longest, kMaxDisplacement * (barrier_ - wall->position) / (std::abs(start.v) + kTiny));
   }
-  longest /= refinement_;
-  const double refinement = std::max(1.0, refinement_);
-  // The state is a smooth function of time everywhere; only integrands have a square root.
+  longest /= panel_refinement_;
+  const double refinement = std::max(1.0, panel_refinement_);
+  // Backward in time only the state is used, which is a smooth function of time everywhere. Only
+  // integrands contain sqrt(barrier - y).
   if (direction < 0) return {longest, false};
-  // Backward and forward in time, barrier - y vanishes about at the roots of a parabola.
-  constexpr double kOfDistance = 0.7, kOfTurningTime = 0.5, kSeparated = 4, kShortest = 1e-5;
-  const auto [near, far] = roots_of_parabola(barrier_ - from.y, -from.v, -a);
-  const bool is_separated = near.imag() == 0 && std::abs(far) > kSeparated * std::abs(near);
-  // In sqrt(barrier - y) the velocity has a square root at the turning point between the roots.
-  const double smooth =
-      (is_separated ? kOfTurningTime * std::abs(near + far) / 2 : kOfDistance * std::abs(near)) /
-      refinement;
-  return {std::min(longest, std::max(smooth, kShortest * longest)), is_separated};
+  // A parabola approximates barrier - y as a function of time. Its roots are approximate passages
+  // of the barrier, in the past or in the future.
+  constexpr double kDistanceFraction = 0.7, kTurningTimeFraction = 0.5, kSeparationRatio = 4,
+                   kMinFraction = 1e-5;
+  const auto [near, far] = roots_of_parabola(barrier_ - start.y, -start.v, -a);
+  const bool is_separated = near.imag() == 0 && std::abs(far) > kSeparationRatio * std::abs(near);
+  // As a function of sqrt(barrier - y) the velocity is not smooth at the turning point between the
+  // roots.
+  const double smooth = (is_separated ? kTurningTimeFraction * std::abs(near + far) / 2
+                                      : kDistanceFraction * std::abs(near)) /
+                        refinement;
+  return {std::min(longest, std::max(smooth, kMinFraction * longest)), is_separated};
 }
 
-UnforcedMotion::Panel UnforcedMotion::next_panel(const PhaseState& from, double longest,
-                                                 int direction) const {
-  Panel panel;
-  panel.y = taylor_coefficients(from);
-  const PanelLimit limit = panel_limit(from, direction);
-  panel.in_square_root = limit.in_square_root;
+UnforcedMotionSolver::TaylorPanel UnforcedMotionSolver::compute_next_panel(const PhaseState& start,
+                                                                           double max_duration,
+                                                                           int direction) const {
+  TaylorPanel panel;
+  panel.y_coefficients = taylor_coefficients(start);
+  const PanelLimit limit = find_panel_limit(start, direction);
+  panel.is_smooth_in_square_root = limit.is_smooth_in_square_root;
   // The last two terms of the series of v estimate its truncation error.
   constexpr double kTruncation = 1e-14;
-  double duration = std::min(longest, limit.duration);
-  for (const int k : {kOrder - 1, kOrder}) {
-    const double coefficient = k * std::abs(panel.y[static_cast<std::size_t>(k)]);
-    duration = std::min(duration, std::pow(kTruncation * (std::abs(from.v) + velocity_scale_) /
+  double duration = std::min(max_duration, limit.max_duration);
+  for (const int k : {kTaylorOrder - 1, kTaylorOrder}) {
+    const double coefficient = k * std::abs(panel.y_coefficients[static_cast<std::size_t>(k)]);
+    duration = std::min(duration, std::pow(kTruncation * (std::abs(start.v) + velocity_scale_) /
                                                (coefficient + std::numeric_limits<double>::min()),
                                            1.0 / (k - 1)));
   }
-  const auto end_at = [&](double time, End kind) {
+  const auto end_at = [&](double time, PanelEnd kind) {
     panel.duration = time;
-    panel.end = panel.at(time);
-    panel.kind = kind;
+    panel.end_state = panel.state_at(time);
+    panel.end_kind = kind;
   };
-  end_at(direction * duration, End::inside);
-  const auto end_at_root = [&](const auto& function, End kind) {
-    // The function may vanish at the start too, as the velocity does after a turning point.
+  end_at(direction * duration, PanelEnd::interior);
+  const auto end_at_root = [&](const auto& function, PanelEnd kind) {
+    // The function may also be 0 at the start of the panel, as the velocity after a turning point.
     constexpr double kFirst = 1e-9;
-    const double first = function(from) != 0 ? 0 : kFirst * panel.duration;
+    const double first = function(start) != 0 ? 0 : kFirst * panel.duration;
     const double last = panel.duration;
-    const auto of_time = [&](double time) { return function(panel.at(time)); };
+    const auto of_time = [&](double time) { return function(panel.state_at(time)); };
     end_at(numerics::bracketed_root(of_time, std::min(first, last), std::max(first, last)), kind);
   };
-  // The acceleration of the series, since that of the force may have the other sign by rounding
-  const double heading = from.v != 0 ? from.v : direction * 2 * panel.y[2];
-  if (panel.end.v * heading < 0) {
-    end_at_root([](const PhaseState& at) { return at.v; }, End::turning_point);
-    panel.end.v = 0;
+  // The sign of the acceleration follows from the series. The acceleration computed from the force
+  // may have the opposite sign by rounding.
+  const double heading = start.v != 0 ? start.v : direction * 2 * panel.y_coefficients[2];
+  if (panel.end_state.v * heading < 0) {
+    end_at_root([](const PhaseState& at) { return at.v; }, PanelEnd::turning_point);
+    panel.end_state.v = 0;
   }
-  const auto end_at_displacement = [&](double y, End kind) {
+  const auto end_at_displacement = [&](double y, PanelEnd kind) {
     end_at_root([&](const PhaseState& at) { return at.y - y; }, kind);
-    panel.end.y = y;
+    panel.end_state.y = y;
   };
-  if (from.y != barrier_ && (from.y - barrier_) * (panel.end.y - barrier_) <= 0) {
-    end_at_displacement(barrier_, End::exit);
+  if (start.y != barrier_ && (start.y - barrier_) * (panel.end_state.y - barrier_) <= 0) {
+    end_at_displacement(barrier_, PanelEnd::barrier_exit);
   }
   const auto& wall = system_.left_wall();
-  if (wall && panel.end.y <= wall->position && from.y > wall->position) {
-    end_at_displacement(wall->position, End::impact);
+  if (wall && panel.end_state.y <= wall->position && start.y > wall->position) {
+    end_at_displacement(wall->position, PanelEnd::impact);
   }
   return panel;
 }
 
-// Returns whether the integrands remain constant: at rest, or in impacts of negligible speed.
-bool UnforcedMotion::is_at_rest(const PhaseState& at) const {
-  // In units of velocity_scale. Slow impacts under a force towards the wall are so frequent that
-  // they must end at a higher speed.
-  constexpr double kSpeed = 1e-7, kSpeedOfImpacts = 1e-4;
+// Returns whether integrands are constant from this state on: at rest, or in impacts of negligible
+// speed.
+bool UnforcedMotionSolver::is_at_rest(const PhaseState& state) const {
+  // Negligible speeds, in units of the velocity scale. The limit for impacts under a force towards
+  // the wall is larger, since slow impacts follow one another in short intervals.
+  constexpr double kNegligibleSpeed = 1e-7, kNegligibleImpactSpeed = 1e-4;
   const auto& wall = system_.left_wall();
-  const double a = acceleration(at);
-  const bool is_on_wall = wall && at.y <= wall->position;
-  const double speed = velocity_scale_ * (is_on_wall && a < 0 ? kSpeedOfImpacts : kSpeed);
-  if (std::abs(at.v) > speed) return false;
+  const double a = acceleration(state);
+  const bool is_on_wall = wall && state.y <= wall->position;
+  const double speed =
+      velocity_scale_ * (is_on_wall && a < 0 ? kNegligibleImpactSpeed : kNegligibleSpeed);
+  if (std::abs(state.v) > speed) return false;
   if (is_on_wall && a <= 0) return true;
-  // In a stable equilibrium the acceleration is 0, and its rounding error is not.
-  const double stiffness = system_.force_slope_in_y(at.y, at.v);
-  return stiffness > 0 && system_.force_slope_in_v(at.y, at.v) >= 0
+  // In a stable equilibrium the exact acceleration is 0, but the computed acceleration contains a
+  // rounding error.
+  const double stiffness = system_.force_slope_in_y(state.y, state.v);
+  return stiffness > 0 && system_.force_slope_in_v(state.y, state.v) >= 0
              ? std::abs(a) <= speed * std::sqrt(stiffness)
              : a == 0;
 }
 
-// Appends the quadrature points of a panel. Near the barrier the integrands are smooth in s =
-// sqrt(barrier - y), and the points are those of a Gauss rule in s.
-void UnforcedMotion::append_nodes(const PhaseState& from, const Panel& panel, double time,
-                                  std::vector<TimeNode>& nodes) const {
-  const double s0 = std::sqrt(barrier_ - from.y);
-  const double s1 = std::sqrt(barrier_ - panel.end.y);
-  // A rule in time is as accurate while s changes little.
+// Appends the quadrature nodes of a panel that begins at the given time. Near the barrier the
+// integrands are smooth functions of s = sqrt(barrier - y), and the nodes are those of a Gauss rule
+// in s.
+void UnforcedMotionSolver::append_quadrature_nodes(const PhaseState& start,
+                                                   const TaylorPanel& panel, double time,
+                                                   std::vector<TrajectoryNode>& nodes) const {
+  const double s0 = std::sqrt(barrier_ - start.y);
+  const double s1 = std::sqrt(barrier_ - panel.end_state.y);
+  // While s changes little, a Gauss rule in time has the same accuracy.
   constexpr double kSmallChange = 1.2;
-  if (!panel.in_square_root || std::max(s0, s1) < kSmallChange * std::min(s0, s1)) {
+  if (!panel.is_smooth_in_square_root || std::max(s0, s1) < kSmallChange * std::min(s0, s1)) {
     for (const auto& [at, weight] : unit_gauss_points()) {
-      nodes.push_back(
-          {time + panel.duration * at, panel.duration * weight, panel.at(panel.duration * at)});
+      nodes.push_back({time + panel.duration * at, panel.duration * weight,
+                       panel.state_at(panel.duration * at)});
     }
     return;
   }
   for (const auto& [at, weight] : unit_gauss_points()) {
     const double s = s0 + (s1 - s0) * at;
     const double y = barrier_ - s * s;
-    const double t = numerics::bracketed_root([&](double part) { return panel.at(part).y - y; }, 0,
-                                              panel.duration);
-    const PhaseState state = panel.at(t);
+    const double t = numerics::bracketed_root(
+        [&](double part) { return panel.state_at(part).y - y; }, 0, panel.duration);
+    const PhaseState state = panel.state_at(t);
     nodes.push_back({time + t, std::abs(2 * s * (s1 - s0) * weight / state.v), state});
   }
 }
 
-Motion UnforcedMotion::follow(PhaseState from, double until) const {
-  Motion motion;
+UnforcedTrajectory UnforcedMotionSolver::compute_trajectory(PhaseState start,
+                                                            double max_duration) const {
+  UnforcedTrajectory trajectory;
+  PhaseState state = start;
   double time = 0;
   const auto& wall = system_.left_wall();
-  const auto rebound = [&] { from.v = -from.v * wall->restitution_at_speed(-from.v); };
-  if (wall && from.y <= wall->position && from.v < 0) rebound();
-  while (time < until && !is_at_rest(from)) {
-    const Panel panel = next_panel(from, until - time, 1);
-    append_nodes(from, panel, time, motion.nodes);
+  const auto rebound = [&] { state.v = -state.v * wall->restitution_at_speed(-state.v); };
+  if (wall && state.y <= wall->position && state.v < 0) rebound();
+  while (time < max_duration && !is_at_rest(state)) {
+    const TaylorPanel panel = compute_next_panel(state, max_duration - time, 1);
+    append_quadrature_nodes(state, panel, time, trajectory.nodes);
     time += panel.duration;
-    from = panel.end;
-    if (panel.kind == End::exit) {
-      motion.passed_barrier = true;
+    state = panel.end_state;
+    if (panel.end_kind == PanelEnd::barrier_exit) {
+      trajectory.passed_barrier = true;
       break;
     }
-    if (panel.kind == End::impact) rebound();
+    if (panel.end_kind == PanelEnd::impact) rebound();
   }
-  motion.end = from;
-  motion.duration = time;
-  return motion;
+  trajectory.end_state = state;
+  trajectory.duration = time;
+  return trajectory;
 }
 
-// Follows the motion that ends at a state backwards in time, and calls visit(start, panel) for each
-// of its panels.
+// Traces the trajectory that ends in the state `end` backward in time, and calls visit(state,
+// panel) for each panel, where the panel begins in the state and extends backward in time.
 template <class Visitor>
-void UnforcedMotion::trace_back(PhaseState end, double until, double fastest,
-                                const Visitor& visit) const {
+void UnforcedMotionSolver::visit_panels_backward(PhaseState end, double max_duration,
+                                                 double max_speed, const Visitor& visit) const {
   double time = 0;
   const auto& wall = system_.left_wall();
-  while (time < until && std::abs(end.v) < fastest) {
+  while (time < max_duration && std::abs(end.v) < max_speed) {
     if (end.v == 0 && acceleration(end) == 0) return;
     if (wall && end.y <= wall->position && end.v >= 0) {
       if (end.v == 0 && acceleration(end) <= 0) return;
       if (end.v > 0) end.v = -problem::speed_before_impact(*wall, end.v);
-      if (std::abs(end.v) >= fastest) return;
+      if (std::abs(end.v) >= max_speed) return;
     }
-    const Panel panel = next_panel(end, until - time, -1);
+    const TaylorPanel panel = compute_next_panel(end, max_duration - time, -1);
     if (panel.duration == 0) return;
     visit(end, panel);
     time -= panel.duration;
-    end = panel.end;
-    if (panel.kind == End::exit) return;
+    end = panel.end_state;
+    if (panel.end_kind == PanelEnd::barrier_exit) return;
   }
 }
 
-std::vector<double> UnforcedMotion::velocities_before(PhaseState end, double y, double until,
-                                                      double fastest) const {
+std::vector<double> UnforcedMotionSolver::find_backward_crossing_velocities(
+    PhaseState end, double y, double max_duration, double max_speed) const {
   std::vector<double> velocities;
-  trace_back(end, until, fastest, [&](const PhaseState& start, const Panel& panel) {
-    if ((start.y - y) * (panel.end.y - y) >= 0) return;
-    const double time =
-        numerics::bracketed_root([&](double at) { return panel.at(at).y - y; },
-                                 std::min(0.0, panel.duration), std::max(0.0, panel.duration));
-    velocities.push_back(panel.at(time).v);
-  });
+  visit_panels_backward(
+      end, max_duration, max_speed, [&](const PhaseState& start, const TaylorPanel& panel) {
+        if ((start.y - y) * (panel.end_state.y - y) >= 0) return;
+        const double time =
+            numerics::bracketed_root([&](double at) { return panel.state_at(at).y - y; },
+                                     std::min(0.0, panel.duration), std::max(0.0, panel.duration));
+        velocities.push_back(panel.state_at(time).v);
+      });
   return velocities;
 }
 
-double UnforcedMotion::largest_speed_before(PhaseState end, double until, double fastest) const {
+double UnforcedMotionSolver::find_largest_backward_speed(PhaseState end, double max_duration,
+                                                         double max_speed) const {
   double largest = 0;
-  trace_back(end, until, fastest, [&](const PhaseState& start, const Panel& panel) {
-    largest = std::max({largest, std::abs(start.v), std::abs(panel.end.v)});
-  });
+  visit_panels_backward(
+      end, max_duration, max_speed, [&](const PhaseState& start, const TaylorPanel& panel) {
+        largest = std::max({largest, std::abs(start.v), std::abs(panel.end_state.v)});
+      });
   return largest;
 }
 

@@ -13,77 +13,84 @@ struct PhaseState {
   double y, v;
 };
 
-/// A point of a quadrature rule in the time since the start of a motion.
-struct TimeNode {
-  double time, weight;
-  PhaseState at;
+/// Node of a quadrature rule in time along a trajectory.
+struct TrajectoryNode {
+  double time;    ///< time since the start of the trajectory
+  double weight;  ///< quadrature weight, in units of time
+  PhaseState state;
 };
 
-/// Motion from a state until it leaves through the barrier, comes to rest, or until a time limit.
-struct Motion {
-  std::vector<TimeNode> nodes;
-  bool passed_barrier = false;  ///< whether the motion has left through the barrier
-  PhaseState end;               ///< last state
+/// Trajectory from an initial state until the passage of the barrier, rest or a time limit. The
+/// integral of g(X_t) over the duration is the sum of weight g(state) over all nodes.
+struct UnforcedTrajectory {
+  std::vector<TrajectoryNode> nodes;
+  bool passed_barrier = false;  ///< whether the trajectory ends by the passage of the barrier
+  PhaseState end_state;
   double duration = 0;
 };
 
-/// The motion y'' + f(y, y') + g(y) = 0 between impulses, with impacts on the left wall, by Taylor
-/// series in panels of time. Panels end at turning points, impacts and the exit through a
-/// barrier. Each panel has Gauss points for integrands that are smooth functions of v and of
-/// sqrt(barrier - y).
-class UnforcedMotion {
+/// Solver of the motion between impulses, y'' + f(y, y') + g(y) = 0 with impacts on the left wall.
+/// The solver divides the time into panels and expands y in a Taylor series in each panel. Panels
+/// end at turning points, at impacts and at the passage of the barrier. Each panel has Gauss points
+/// for integrands that are smooth functions of v and of sqrt(barrier - y).
+class UnforcedMotionSolver {
  public:
   /// @pre the force is a polynomial, system.has_polynomial_force()
-  /// @param barrier displacement right of the left wall
-  /// @param velocity_scale change of velocity in which integrands may vary; limits the panels
-  /// @param refinement divides the panels
-  UnforcedMotion(const problem::System& system, double barrier, double velocity_scale,
-                 double refinement);
+  /// @param barrier displacement of the barrier, above the left wall
+  /// @param velocity_scale scale on which integrands vary with the velocity; in one panel the
+  /// velocity changes by about this scale at most
+  /// @param panel_refinement factor by which the panels are shorter than with the factor 1
+  UnforcedMotionSolver(const problem::System& system, double barrier, double velocity_scale,
+                       double panel_refinement);
 
-  /// Returns the motion from a state, for at most the time `until`.
-  Motion follow(PhaseState from, double until) const;
+  /// Computes the trajectory from a state, for at most the duration `max_duration`.
+  UnforcedTrajectory compute_trajectory(PhaseState start, double max_duration) const;
 
-  /// Returns the velocities at the displacement y of the motion that ends in the state `end`,
-  /// traced back to the barrier, for at most the time `until` and while the speed is below
-  /// `fastest`.
-  std::vector<double> velocities_before(PhaseState end, double y, double until,
-                                        double fastest) const;
+  /// Traces the trajectory that ends in the state `end` backward in time. Returns the velocities at
+  /// which this trajectory crosses the displacement y. The trace stops at the barrier, after the
+  /// time `max_duration`, and where the speed reaches `max_speed`.
+  std::vector<double> find_backward_crossing_velocities(PhaseState end, double y,
+                                                        double max_duration,
+                                                        double max_speed) const;
 
-  /// Returns the largest speed of the motion that ends in the state `end`, with the limits of
-  /// velocities_before().
-  double largest_speed_before(PhaseState end, double until, double fastest) const;
+  /// Traces the trajectory that ends in the state `end` backward in time, with the limits of
+  /// find_backward_crossing_velocities(). Returns the largest speed on this trajectory.
+  double find_largest_backward_speed(PhaseState end, double max_duration, double max_speed) const;
 
-  double acceleration(const PhaseState& at) const { return -system_.force(at.y, at.v); }
+  double acceleration(const PhaseState& state) const { return -system_.force(state.y, state.v); }
 
  private:
-  static constexpr int kOrder = 16;  // of the Taylor series
-  enum class End { inside, turning_point, impact, exit };
-  struct Panel {
-    std::array<double, kOrder + 1> y;  // coefficients of the series of y
-    double duration;                   // negative backwards in time
-    PhaseState end;
-    End kind = End::inside;
-    bool in_square_root;  // whether integrands are smooth in sqrt(barrier - y)
+  static constexpr int kTaylorOrder = 16;  // highest power of the Taylor series of y
+  enum class PanelEnd { interior, turning_point, impact, barrier_exit };
+  // Interval of time with the Taylor series y(t) = sum_k y_coefficients[k] t^k from its start.
+  struct TaylorPanel {
+    std::array<double, kTaylorOrder + 1> y_coefficients;
+    double duration;  // negative if the trajectory is traced backward in time
+    PhaseState end_state;
+    PanelEnd end_kind = PanelEnd::interior;
+    bool is_smooth_in_square_root;  // whether integrands are smooth in sqrt(barrier - y)
 
-    PhaseState at(double time) const;
+    PhaseState state_at(double time) const;
   };
   struct PanelLimit {
-    double duration;
-    bool in_square_root;
+    double max_duration;
+    bool is_smooth_in_square_root;
   };
 
-  bool is_at_rest(const PhaseState& at) const;
-  std::array<double, kOrder + 1> taylor_coefficients(const PhaseState& from) const;
-  PanelLimit panel_limit(const PhaseState& from, int direction) const;
-  Panel next_panel(const PhaseState& from, double longest, int direction) const;
-  void append_nodes(const PhaseState& from, const Panel& panel, double time,
-                    std::vector<TimeNode>& nodes) const;
+  bool is_at_rest(const PhaseState& state) const;
+  std::array<double, kTaylorOrder + 1> taylor_coefficients(const PhaseState& start) const;
+  // The direction is 1 forward in time, -1 backward in time.
+  PanelLimit find_panel_limit(const PhaseState& start, int direction) const;
+  TaylorPanel compute_next_panel(const PhaseState& start, double max_duration, int direction) const;
+  void append_quadrature_nodes(const PhaseState& start, const TaylorPanel& panel, double time,
+                               std::vector<TrajectoryNode>& nodes) const;
   template <class Visitor>
-  void trace_back(PhaseState end, double until, double fastest, const Visitor& visit) const;
+  void visit_panels_backward(PhaseState end, double max_duration, double max_speed,
+                             const Visitor& visit) const;
 
   problem::System system_;
   double barrier_;
-  double velocity_scale_, refinement_;
+  double velocity_scale_, panel_refinement_;
 };
 
 }  // namespace fpkcheck::backward

@@ -9,7 +9,8 @@ namespace {
 
 double constant_one(double) { return 1; }
 
-std::shared_ptr<const numerics::QuinticBSplines> coarsened_splines(
+/// Returns splines whose cells each consist of two cells of the given splines.
+std::shared_ptr<const numerics::QuinticBSplines> make_coarse_splines(
     const numerics::QuinticBSplines& splines) {
   const auto& breaks = splines.breaks();
   std::vector<double> knots(numerics::QuinticBSplines::kDegree + 1, splines.begin());
@@ -18,8 +19,10 @@ std::shared_ptr<const numerics::QuinticBSplines> coarsened_splines(
   return std::make_shared<const numerics::QuinticBSplines>(std::move(knots));
 }
 
-std::vector<std::function<double(double)>> bin_functions(const numerics::QuinticBSplines& splines) {
-  const auto bins = coarsened_splines(splines);
+/// Returns the smooth bins of an axis as functions.
+std::vector<std::function<double(double)>> make_bin_functions(
+    const numerics::QuinticBSplines& splines) {
+  const auto bins = make_coarse_splines(splines);
   std::vector<std::function<double(double)>> functions;
   for (int b = 0; b < bins->size(); ++b) {
     functions.push_back([bins, b](double x) {
@@ -33,21 +36,25 @@ std::vector<std::function<double(double)>> bin_functions(const numerics::Quintic
 
 }  // namespace
 
-GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
-                             const problem::WallFrame& frame) {
+GoalFunctions make_goal_functions(const numerics::QuinticBSplines& y_splines,
+                                  const numerics::QuinticBSplines& v_splines,
+                                  const problem::WallFrame& frame) {
   GoalFunctions goal;
   for (const int n : {1, 2, 4}) {
-    goal.all.push_back({[=](double x) { return std::pow(frame.physical_y(x), n); }, constant_one});
+    goal.functions.push_back(
+        {[=](double x) { return std::pow(frame.physical_y(x), n); }, constant_one});
   }
   for (const int n : {1, 2, 4}) {
-    goal.all.push_back(
+    goal.functions.push_back(
         {constant_one, [=](double x) { return std::pow(frame.physical_velocity(x), n); }});
   }
-  goal.moments = static_cast<int>(goal.all.size());
-  for (auto& bin : bin_functions(y)) goal.all.push_back({std::move(bin), constant_one});
-  goal.y_bins = static_cast<int>(goal.all.size()) - goal.moments;
-  for (auto& bin : bin_functions(v)) goal.all.push_back({constant_one, std::move(bin)});
-  goal.v_bins = static_cast<int>(goal.all.size()) - goal.moments - goal.y_bins;
+  goal.moment_count = static_cast<int>(goal.functions.size());
+  for (auto& bin : make_bin_functions(y_splines))
+    goal.functions.push_back({std::move(bin), constant_one});
+  goal.y_bin_count = static_cast<int>(goal.functions.size()) - goal.moment_count;
+  for (auto& bin : make_bin_functions(v_splines))
+    goal.functions.push_back({constant_one, std::move(bin)});
+  goal.v_bin_count = static_cast<int>(goal.functions.size()) - goal.moment_count - goal.y_bin_count;
   return goal;
 }
 

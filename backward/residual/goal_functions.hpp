@@ -8,19 +8,21 @@
 
 namespace fpkcheck::backward {
 
-/// Functions of the phase plane whose expectations have error estimates.
+/// Goal functions f: functions of the state whose expectations E_p[f] have error estimates.
 struct GoalFunctions {
-  /// All goal functions in this order: transform::kMoments (in physical coordinates), bins of y,
-  /// bins of v
-  std::vector<SeparableFunction> all;
-  int moments = 0, y_bins = 0, v_bins = 0;
+  /// The goal functions in this order: transform::kMoments (in physical coordinates), smooth bins
+  /// of y, smooth bins of v
+  std::vector<SeparableFunction> functions;
+  int moment_count = 0, y_bin_count = 0, v_bin_count = 0;
 };
 
-/// Returns the goal functions for given splines. The bins are B-splines whose cells are pairs of
-/// cells of the given splines, with the sum 1. The bins are narrow where the cells are narrow, and
-/// the solution of the backward equation for a bin is smooth on the scale of the cells.
+/// Makes the goal functions for given splines. The bins of an axis are B-splines with the sum 1.
+/// Each cell of a bin consists of two cells of the given splines, so that the bins are narrow where
+/// the cells are narrow. The solution of the backward equation for a bin is then smooth on the
+/// scale of the cells.
 /// @param frame coordinate frame of the splines
-GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
-                             const problem::WallFrame& frame = {});
+GoalFunctions make_goal_functions(const numerics::QuinticBSplines& y_splines,
+                                  const numerics::QuinticBSplines& v_splines,
+                                  const problem::WallFrame& frame = {});
 
 }  // namespace fpkcheck::backward

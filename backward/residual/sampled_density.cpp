@@ -15,15 +15,17 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr unsigned kGaussPoints = 6;
+constexpr unsigned kGaussPoints = 6;  // number of points of the Gauss rule of a panel
+// Least number of panels of the range of a density that is given as a function
 constexpr int kPanelsPerRange = 24;
 
-/// Returns the Gauss rule on [begin, end], divided at the breaks of the density and of the
-/// integrands.
-numerics::QuadratureRule composite_rule(double begin, double end, std::span<const double> a,
-                                        std::span<const double> b) {
+/// Returns the composite Gauss rule on [begin, end], divided at the breaks of the integrands and of
+/// the density.
+numerics::QuadratureRule composite_rule(double begin, double end,
+                                        std::span<const double> integrand_breaks,
+                                        std::span<const double> density_breaks) {
   std::vector<double> cuts{begin, end};
-  for (const auto& breaks : {a, b}) {
+  for (const auto& breaks : {integrand_breaks, density_breaks}) {
     std::ranges::copy_if(breaks, std::back_inserter(cuts),
                          [&](double x) { return begin < x && x < end; });
   }
@@ -32,52 +34,57 @@ numerics::QuadratureRule composite_rule(double begin, double end, std::span<cons
   return numerics::composite_gauss_rule<kGaussPoints>(cuts);
 }
 
-AxisQuadrature axis_from_averages(const numerics::QuadratureRule& rule,
-                                  std::span<const double> edges) {
-  RowMajorSparseMatrix rows = reconstruction_matrix(edges, rule.points);
+/// Returns the quadrature of a density whose samples are cell averages.
+AxisQuadrature quadrature_of_cell_averages(const numerics::QuadratureRule& rule,
+                                           std::span<const double> edges) {
+  RowMajorSparseMatrix rows = density_reconstruction_matrix(edges, rule.points);
   for (Eigen::Index n = 0; n < rows.rows(); ++n) rows.row(n) *= rule.weights(n);
   return {rule.points, std::move(rows)};
 }
 
-AxisQuadrature axis_from_values(const numerics::QuadratureRule& rule) {
+/// Returns the quadrature of a density whose samples are values at the points.
+AxisQuadrature quadrature_of_values(const numerics::QuadratureRule& rule) {
   RowMajorSparseMatrix rows(rule.weights.size(), rule.weights.size());
   rows.setIdentity();
   for (Eigen::Index n = 0; n < rows.rows(); ++n) rows.coeffRef(n, n) = rule.weights(n);
   return {rule.points, std::move(rows)};
 }
 
-void check_edges(std::span<const double> edges, const char* axis) {
+void require_increasing_edges(std::span<const double> edges, const char* axis) {
   if (edges.size() < 2 ||
       std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
     throw InputError(std::string("the cell edges of ") + axis + " do not increase");
   }
 }
 
-/// Range of a density in y, whose ends are compared with walls up to rounding errors.
+/// Range of a density in y. The comparisons of its ends with a wall have a tolerance for rounding
+/// errors.
 struct DisplacementRange {
   double low, high;
 
-  bool has_end_at(const ImpactBreaks& wall) const {
-    return std::abs((wall.rebound_sign > 0 ? low : high) - wall.position) <= rounding();
+  bool has_end_at(const ImpactSpeedBreaks& wall) const {
+    return std::abs((wall.rebound_sign > 0 ? low : high) - wall.wall_position) <=
+           rounding_tolerance();
   }
-  bool extends_past(const ImpactBreaks& wall) const {
-    return wall.rebound_sign > 0 ? low < wall.position - rounding()
-                                 : high > wall.position + rounding();
+  bool extends_past(const ImpactSpeedBreaks& wall) const {
+    return wall.rebound_sign > 0 ? low < wall.wall_position - rounding_tolerance()
+                                 : high > wall.wall_position + rounding_tolerance();
   }
 
  private:
-  double rounding() const { return 1e-12 * (high - low + std::abs(low)); }
+  double rounding_tolerance() const { return 1e-12 * (high - low + std::abs(low)); }
 };
 
-SampledDensity sample_form(const transform::GridDensity& density, const IntegrandBreaks& breaks) {
-  check_edges(density.y_edges, "y");
-  check_edges(density.v_edges, "y'");
-  const DisplacementRange range_y{density.y_edges.front(), density.y_edges.back()};
-  for (const ImpactBreaks& wall : breaks.walls) {
-    if (wall.rebound_sign > 0 && !range_y.has_end_at(wall)) {
+SampledDensity sample_density_form(const transform::GridDensity& density,
+                                   const IntegrandBreaks& breaks) {
+  require_increasing_edges(density.y_edges, "y");
+  require_increasing_edges(density.v_edges, "y'");
+  const DisplacementRange y_range{density.y_edges.front(), density.y_edges.back()};
+  for (const ImpactSpeedBreaks& wall : breaks.impact_breaks) {
+    if (wall.rebound_sign > 0 && !y_range.has_end_at(wall)) {
       throw InputError("the cells of y do not begin at the wall, y = 0");
     }
-    if (range_y.extends_past(wall)) throw InputError("the cells of y extend past the wall");
+    if (y_range.extends_past(wall)) throw InputError("the cells of y extend past the wall");
   }
   if (density.averages.size() != density.ny() * density.nv()) {
     throw InputError("the number of averages differs from the number of cells");
@@ -87,50 +94,53 @@ SampledDensity sample_form(const transform::GridDensity& density, const Integran
                                             static_cast<Eigen::Index>(density.ny()),
                                             static_cast<Eigen::Index>(density.nv()));
   const auto &y = density.y_edges, &v = density.v_edges;
-  SampledDensity result{
-      .y = axis_from_averages(composite_rule(y.front(), y.back(), breaks.y, y), y),
-      .v = axis_from_averages(composite_rule(v.front(), v.back(), breaks.v, v), v),
-      .samples = averages,
-      .impacts = {}};
-  for (const ImpactBreaks& wall : breaks.walls) {
+  SampledDensity result{.y_quadrature = quadrature_of_cell_averages(
+                            composite_rule(y.front(), y.back(), breaks.y_breaks, y), y),
+                        .v_quadrature = quadrature_of_cell_averages(
+                            composite_rule(v.front(), v.back(), breaks.v_breaks, v), v),
+                        .samples = averages,
+                        .wall_densities = {}};
+  for (const ImpactSpeedBreaks& wall : breaks.impact_breaks) {
     // At a left wall the mirrored cells of v are the cells of the impact speed.
     std::vector<double> edges;
     for (const double edge : v) edges.push_back(-wall.rebound_sign * edge);
     if (wall.rebound_sign > 0) std::ranges::reverse(edges);
     const numerics::QuadratureRule rule =
-        composite_rule(0, std::max(0.0, edges.back()), wall.speeds, edges);
+        composite_rule(0, std::max(0.0, edges.back()), wall.breaks, edges);
     const double at[] = {wall.rebound_sign > 0 ? y.front() : y.back()};
-    Eigen::VectorXd samples = (reconstruction_matrix(y, at) * averages).transpose();
+    Eigen::VectorXd samples = (density_reconstruction_matrix(y, at) * averages).transpose();
     if (wall.rebound_sign > 0) samples.reverseInPlace();
-    if (!range_y.has_end_at(wall)) samples.setZero();
-    result.impacts.push_back({axis_from_averages(rule, edges), std::move(samples)});
+    if (!y_range.has_end_at(wall)) samples.setZero();
+    result.wall_densities.push_back({quadrature_of_cell_averages(rule, edges), std::move(samples)});
   }
   return result;
 }
 
-SampledDensity sample_form(const transform::SmoothDensity& density, const IntegrandBreaks& breaks) {
+SampledDensity sample_density_form(const transform::SmoothDensity& density,
+                                   const IntegrandBreaks& breaks) {
   const double range = density.y_max - density.y_min;
   if (!(range > 0) || !(density.v_max > 0) || !std::isfinite(range) ||
       !std::isfinite(density.v_max)) {
     throw InputError("a density given as a function has no finite positive range of y or y'");
   }
-  const DisplacementRange range_y{density.y_min, density.y_max};
-  if (std::ranges::any_of(breaks.walls,
-                          [&](const auto& wall) { return range_y.extends_past(wall); })) {
+  const DisplacementRange y_range{density.y_min, density.y_max};
+  if (std::ranges::any_of(breaks.impact_breaks,
+                          [&](const auto& wall) { return y_range.extends_past(wall); })) {
     throw InputError("the range of a density given as a function extends past the wall");
   }
-  std::vector<double> in_y, in_v;
+  std::vector<double> y_panel_ends, v_panel_ends;
   for (int k = 1; k <= kPanelsPerRange; ++k) {
-    in_y.push_back(density.y_min + range * k / kPanelsPerRange);
+    y_panel_ends.push_back(density.y_min + range * k / kPanelsPerRange);
     for (const double sign : {-1.0, 1.0})
-      in_v.push_back(sign * density.v_max * k / kPanelsPerRange);
+      v_panel_ends.push_back(sign * density.v_max * k / kPanelsPerRange);
   }
-  SampledDensity result{
-      .y = axis_from_values(composite_rule(density.y_min, density.y_max, breaks.y, in_y)),
-      .v = axis_from_values(composite_rule(-density.v_max, density.v_max, breaks.v, in_v)),
-      .samples = {},
-      .impacts = {}};
-  const auto &y = result.y.points, &v = result.v.points;
+  SampledDensity result{.y_quadrature = quadrature_of_values(composite_rule(
+                            density.y_min, density.y_max, breaks.y_breaks, y_panel_ends)),
+                        .v_quadrature = quadrature_of_values(composite_rule(
+                            -density.v_max, density.v_max, breaks.v_breaks, v_panel_ends)),
+                        .samples = {},
+                        .wall_densities = {}};
+  const auto &y = result.y_quadrature.points, &v = result.v_quadrature.points;
   result.samples.resize(std::ssize(y), std::ssize(v));
   for (Eigen::Index j = 0; j < std::ssize(v); ++j) {
     for (Eigen::Index i = 0; i < std::ssize(y); ++i) {
@@ -138,17 +148,18 @@ SampledDensity sample_form(const transform::SmoothDensity& density, const Integr
           density.value(y[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(j)]);
     }
   }
-  for (const ImpactBreaks& wall : breaks.walls) {
-    AxisQuadrature speeds = axis_from_values(composite_rule(0, density.v_max, wall.speeds, in_v));
+  for (const ImpactSpeedBreaks& wall : breaks.impact_breaks) {
+    AxisQuadrature speeds =
+        quadrature_of_values(composite_rule(0, density.v_max, wall.breaks, v_panel_ends));
     Eigen::VectorXd samples = Eigen::VectorXd::Zero(std::ssize(speeds.points));
     // The position of the wall is clamped to the range of the density. A position outside the range
     // by a rounding error would give the density 0.
-    const double at = std::clamp(wall.position, density.y_min, density.y_max);
-    for (Eigen::Index n = 0; range_y.has_end_at(wall) && n < samples.size(); ++n) {
+    const double at = std::clamp(wall.wall_position, density.y_min, density.y_max);
+    for (Eigen::Index n = 0; y_range.has_end_at(wall) && n < samples.size(); ++n) {
       samples(n) =
           density.value(at, -wall.rebound_sign * speeds.points[static_cast<std::size_t>(n)]);
     }
-    result.impacts.push_back({std::move(speeds), std::move(samples)});
+    result.wall_densities.push_back({std::move(speeds), std::move(samples)});
   }
   return result;
 }
@@ -156,7 +167,7 @@ SampledDensity sample_form(const transform::SmoothDensity& density, const Integr
 }  // namespace
 
 SampledDensity sample_density(const transform::Density& density, const IntegrandBreaks& breaks) {
-  return std::visit([&](const auto& form) { return sample_form(form, breaks); }, density);
+  return std::visit([&](const auto& form) { return sample_density_form(form, breaks); }, density);
 }
 
 namespace {
@@ -183,8 +194,8 @@ std::vector<double> lagrange_slopes(std::span<const double> edges, double x) {
 
 }  // namespace
 
-RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
-                                           std::span<const double> points) {
+RowMajorSparseMatrix density_reconstruction_matrix(std::span<const double> edges,
+                                                   std::span<const double> points) {
   const auto zero = std::ranges::lower_bound(edges, 0.0) - edges.begin();
   const bool has_edge_at_zero =
       zero < std::ssize(edges) && edges[static_cast<std::size_t>(zero)] == 0;

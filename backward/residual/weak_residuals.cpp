@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kNodesPerCell = 8;  // number of Gauss points between consecutive breaks of v
 constexpr int kPowers = 5;                // number of powers of a coordinate, 0 .. 4
-constexpr double kMinBreakDistance =
-    1e-12;  // smallest distance of breaks, in ranges of v; closer breaks differ only by rounding
+// Smallest distance of breaks, relative to the range of v. Closer breaks differ only by rounding.
+constexpr double kMinBreakDistance = 1e-12;
 
 std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
   auto nodes = numerics::composite_gauss_rule<kNodesPerCell>(breaks).points;
@@ -51,11 +51,11 @@ std::vector<double> breaks_after_impulse(const numerics::QuinticBSplines& v,
   return breaks;
 }
 
-std::vector<ImpactBreaks> impact_breaks(const std::vector<ImpactWall>& walls,
-                                        const numerics::QuinticBSplines& v) {
-  std::vector<ImpactBreaks> all;
+std::vector<ImpactSpeedBreaks> find_impact_breaks(const std::vector<ImpactWall>& walls,
+                                                  const numerics::QuinticBSplines& v) {
+  std::vector<ImpactSpeedBreaks> all;
   for (const ImpactWall& wall : walls) {
-    all.push_back({wall.position, wall.rebound_sign, non_smooth_impact_speeds(v, wall)});
+    all.push_back({wall.position, wall.rebound_sign, impact_speed_breaks(v, wall)});
   }
   return all;
 }
@@ -86,60 +86,66 @@ Eigen::MatrixXd cell_indicators(std::span<const double> points, const std::vecto
 
 }  // namespace
 
-WeakResiduals::WeakResiduals(const problem::Problem& problem, ControlSplines splines)
+WeakResidualIntegrator::WeakResidualIntegrator(const problem::Problem& problem,
+                                               ControlSplines splines)
     : problem_(problem),
-      y_(std::move(splines.y)),
-      v_(std::move(splines.v)),
+      y_splines_(std::move(splines.y_splines)),
+      v_splines_(std::move(splines.v_splines)),
       walls_(impact_walls(problem.system)),
-      wall_breaks_(impact_breaks(walls_, v_)),
-      v_breaks_(breaks_after_impulse(v_, problem.impulses)),
-      nodes_(gauss_nodes(v_breaks_)),
-      means_(spline_means_after_impulse(v_, problem.impulses, nodes_)) {}
+      impact_breaks_(find_impact_breaks(walls_, v_splines_)),
+      v_breaks_(breaks_after_impulse(v_splines_, problem.impulses)),
+      gauss_velocities_(gauss_nodes(v_breaks_)),
+      means_at_gauss_velocities_(
+          spline_means_after_impulse(v_splines_, problem.impulses, gauss_velocities_)) {}
 
 /// Returns the means K B_j of the splines B_j after an impulse, interpolated between the Gauss
 /// points of a cell, where the mean K B_j is smooth. Beyond the ends of the splines the mean is
 /// constant.
-Eigen::MatrixXd WeakResiduals::interpolated_spline_means_after_impulse(
+Eigen::MatrixXd WeakResidualIntegrator::interpolate_means_after_impulse(
     std::span<const double> v) const {
   if (!problem_.impulses.is_present()) return {};
-  Eigen::MatrixXd result(std::ssize(v), v_.size());
+  Eigen::MatrixXd result(std::ssize(v), v_splines_.size());
   const auto& breaks = v_breaks_;
   for (std::size_t n = 0; n < v.size(); ++n) {
-    const double x = std::clamp(v[n], v_.begin(), v_.end());
+    const double x = std::clamp(v[n], v_splines_.begin(), v_splines_.end());
     const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x);
     const auto first = static_cast<std::size_t>(after - breaks.begin() - 1) * kNodesPerCell;
-    const std::span<const double, kNodesPerCell> nodes(nodes_.data() + first, kNodesPerCell);
+    const std::span<const double, kNodesPerCell> nodes(gauss_velocities_.data() + first,
+                                                       kNodesPerCell);
     const std::vector<double> lagrange = numerics::lagrange_weights(nodes, x);
     result.row(static_cast<Eigen::Index>(n)).noalias() =
         Eigen::Map<const Eigen::RowVectorXd>(lagrange.data(), kNodesPerCell) *
-        means_.middleRows(static_cast<Eigen::Index>(first),
-                          static_cast<Eigen::Index>(kNodesPerCell));
+        means_at_gauss_velocities_.middleRows(static_cast<Eigen::Index>(first),
+                                              static_cast<Eigen::Index>(kNodesPerCell));
   }
   return result;
 }
 
-/// Returns the contribution of impacts, int u p(0, -u) [B_j(r u) - B_j(-u)] du, mirrored at a right
-/// wall.
-Eigen::RowVectorXd WeakResiduals::impact_terms(const ImpactWall& wall,
-                                               const SampledWallDensity& impacts) const {
-  const auto& speeds = impacts.speeds.points;
+/// Returns the integrals over the impacts at a wall, int u p(0, -u) [B_j(r u) - B_j(-u)] du,
+/// mirrored at a right wall.
+Eigen::RowVectorXd WeakResidualIntegrator::integrate_impact_terms(
+    const ImpactWall& wall, const SampledWallDensity& wall_density) const {
+  const auto& speeds = wall_density.speed_quadrature.points;
   const Eigen::Map<const Eigen::VectorXd> u(speeds.data(), std::ssize(speeds));
-  const Eigen::MatrixXd jumps = spline_jumps_at_impacts(v_, wall, speeds);
-  return (impacts.speeds.integrals_with_density(u.asDiagonal() * jumps) * impacts.samples)
+  const Eigen::MatrixXd jumps = spline_jumps_at_impacts(v_splines_, wall, speeds);
+  return (wall_density.speed_quadrature.integrals_with_density(u.asDiagonal() * jumps) *
+          wall_density.samples)
       .transpose();
 }
 
-DensityIntegrals WeakResiduals::operator()(const transform::Density& density) const {
-  const SampledDensity p =
-      sample_density(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
+DensityIntegrals WeakResidualIntegrator::integrate(const transform::Density& density) const {
+  const SampledDensity p = sample_density(
+      density,
+      {.y_breaks = y_splines_.breaks(), .v_breaks = v_breaks_, .impact_breaks = impact_breaks_});
 
   // Moments E_p[y^m y'^n] in physical coordinates, before the division by the mass.
   const problem::WallFrame& frame = problem_.frame;
-  const Eigen::MatrixXd along_y = p.y.integrals_with_density(coordinate_powers(
-                                      p.y.points, [&](double x) { return frame.physical_y(x); })) *
-                                  p.samples;
-  const Eigen::MatrixXd along_v = p.v.integrals_with_density(
-      coordinate_powers(p.v.points, [&](double x) { return frame.physical_velocity(x); }));
+  const Eigen::MatrixXd along_y =
+      p.y_quadrature.integrals_with_density(
+          coordinate_powers(p.y_quadrature.points, [&](double x) { return frame.physical_y(x); })) *
+      p.samples;
+  const Eigen::MatrixXd along_v = p.v_quadrature.integrals_with_density(coordinate_powers(
+      p.v_quadrature.points, [&](double x) { return frame.physical_velocity(x); }));
   const Eigen::MatrixXd powers = along_y * along_v.transpose();
   const double mass = powers(0, 0);
   if (!(mass > 0) || !std::isfinite(mass)) {
@@ -147,37 +153,45 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
   }
   const auto moment = [&](int m, int n) { return powers(m, n) / mass; };
 
-  const GeneratorFactors y = displacement_generator_factors(problem_.system, y_, p.y.points);
-  const GeneratorFactors v = velocity_generator_factors(
-      problem_, v_, p.v.points, interpolated_spline_means_after_impulse(p.v.points));
-  // All functions of y have a small support. The means of functions of v after an impulse have a
+  const GeneratorFactors y =
+      displacement_generator_factors(problem_.system, y_splines_, p.y_quadrature.points);
+  const GeneratorFactors v =
+      velocity_generator_factors(problem_, v_splines_, p.v_quadrature.points,
+                                 interpolate_means_after_impulse(p.v_quadrature.points));
+  // All factors in y have a small support. The means K B_j, which are part of a factor in v, have a
   // large support.
   const auto integrated_over_y = [&](const Eigen::MatrixXd& functions) -> Eigen::MatrixXd {
-    return p.y.sparse_integrals_with_density(functions) * p.samples;
+    return p.y_quadrature.sparse_integrals_with_density(functions) * p.samples;
   };
-  Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_.size(), v_.size());
+  Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_splines_.size(), v_splines_.size());
   for (std::size_t term = 0; term < y.size(); ++term) {
     residuals.noalias() +=
-        integrated_over_y(y[term]) * p.v.integrals_with_density(v[term]).transpose();
+        integrated_over_y(y[term]) * p.v_quadrature.integrals_with_density(v[term]).transpose();
   }
-  std::vector<Eigen::VectorXd> of_impacts;
+  std::vector<Eigen::VectorXd> impact_fluxes;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
     // At the left wall the first spline of y is 1, at the right wall the last spline is 1. All
     // other splines of y are 0 at the wall.
-    residuals.row(walls_[n].rebound_sign > 0 ? 0 : y_.size() - 1) +=
-        impact_terms(walls_[n], p.impacts[n]);
-    const AxisQuadrature& speeds = p.impacts[n].speeds;
+    residuals.row(walls_[n].rebound_sign > 0 ? 0 : y_splines_.size() - 1) +=
+        integrate_impact_terms(walls_[n], p.wall_densities[n]);
+    const AxisQuadrature& speeds = p.wall_densities[n].speed_quadrature;
     const Eigen::Map<const Eigen::VectorXd> u(speeds.points.data(), std::ssize(speeds.points));
     const Eigen::MatrixXd flux =
-        u.asDiagonal() * cell_indicators(speeds.points, wall_breaks_[n].speeds);
-    of_impacts.push_back(speeds.integrals_with_density(flux) * p.impacts[n].samples / mass);
+        u.asDiagonal() * cell_indicators(speeds.points, impact_breaks_[n].breaks);
+    impact_fluxes.push_back(speeds.integrals_with_density(flux) * p.wall_densities[n].samples /
+                            mass);
   }
   const Eigen::MatrixXd cells =
-      integrated_over_y(cell_indicators(p.y.points, y_.breaks())) *
-      p.v.sparse_integrals_with_density(cell_indicators(p.v.points, v_.breaks())).transpose();
+      integrated_over_y(cell_indicators(p.y_quadrature.points, y_splines_.breaks())) *
+      p.v_quadrature
+          .sparse_integrals_with_density(
+              cell_indicators(p.v_quadrature.points, v_splines_.breaks()))
+          .transpose();
   const Eigen::MatrixXd means =
-      integrated_over_y(spline_values(y_, p.y.points).value) *
-      p.v.sparse_integrals_with_density(spline_values(v_, p.v.points).value).transpose();
+      integrated_over_y(evaluate_splines(y_splines_, p.y_quadrature.points).values) *
+      p.v_quadrature
+          .sparse_integrals_with_density(evaluate_splines(v_splines_, p.v_quadrature.points).values)
+          .transpose();
   return {.mass = mass,
           .moments = {.y1 = moment(1, 0),
                       .y2 = moment(2, 0),
@@ -185,10 +199,10 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
                       .v1 = moment(0, 1),
                       .v2 = moment(0, 2),
                       .v4 = moment(0, 4)},
-          .means = means / mass,
-          .residuals = residuals / mass,
-          .cells = cells / mass,
-          .impacts = std::move(of_impacts)};
+          .spline_means = means / mass,
+          .weak_residuals = residuals / mass,
+          .cell_probabilities = cells / mass,
+          .impact_fluxes = std::move(impact_fluxes)};
 }
 
 }  // namespace fpkcheck::backward

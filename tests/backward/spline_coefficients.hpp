@@ -25,8 +25,8 @@ inline Eigen::VectorXd power_coefficients(const numerics::SplineBasis& basis, in
 }
 
 /// Spline coefficients of v^n on [-u_max, r u_max].
-inline Eigen::VectorXd power_coefficients(const ImpactBasis& basis, int n) {
-  const Eigen::VectorXd speed = power_coefficients(basis.speeds(), n);
+inline Eigen::VectorXd power_coefficients(const ImpactSplineBasis& basis, int n) {
+  const Eigen::VectorXd speed = power_coefficients(basis.speed_basis(), n);
   Eigen::VectorXd c(basis.size());
   for (int h = 0; h < speed.size(); ++h) {
     c(basis.outgoing_index(h)) = speed(h) * std::pow(basis.restitution(), n);
@@ -36,8 +36,8 @@ inline Eigen::VectorXd power_coefficients(const ImpactBasis& basis, int n) {
 }
 
 /// sum_b c_b B_b(v), constant beyond the ends.
-inline double spline_value(const ImpactBasis& basis, const Eigen::VectorXd& c, double v) {
-  const numerics::SplineBasis& speeds = basis.speeds();
+inline double spline_value(const ImpactSplineBasis& basis, const Eigen::VectorXd& c, double v) {
+  const numerics::SplineBasis& speeds = basis.speed_basis();
   const double u = std::min(v < 0 ? -v : v / basis.restitution(), speeds.end());
   const int span = speeds.span_containing(u);
   const Eigen::MatrixXd at = speeds.basis_derivatives(u, span, 0);

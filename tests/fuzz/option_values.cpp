@@ -54,7 +54,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (list == "transient") {
       fd_fpk::validate({}, parse_options(fd_fpk::transient_option_descriptions(), settings));
     } else if (list == "bounds") {
-      backward::validate(parse_options(backward::description(), settings));
+      backward::require_valid_bounds_options(
+          parse_options(backward::bounds_option_descriptions(), settings));
     } else {
       select_methods(list, settings);
     }

@@ -182,10 +182,10 @@ TEST(ResidualErrorEstimate, IsReplacedByTheDistanceFromTheReference) {
 
 TEST(ResidualErrorEstimator, FitsOnceForAllThreads) {
   const ResidualErrorEstimator residuals(tests::paper_case(2));
-  std::vector<const backward::DensityResiduals*> seen(4);
+  std::vector<const backward::DensityErrorEstimator*> seen(4);
   {
     std::vector<std::jthread> threads;
-    for (auto& one : seen) threads.emplace_back([&] { one = residuals.density_residuals(); });
+    for (auto& one : seen) threads.emplace_back([&] { one = residuals.density_error_estimator(); });
   }
   EXPECT_NE(seen[0], nullptr);
   for (const auto* one : seen) EXPECT_EQ(one, seen[0]);

@@ -10,7 +10,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-problem::Problem linear(const std::string& law) {
+problem::Problem linear_case(const std::string& law) {
   return problem::load_case("case1",
                             {"system.cubic=0", "system.restitution=1", "impulse.law=" + law});
 }
@@ -27,7 +27,7 @@ double fourth_moment(const problem::Problem& problem, int p) {
 
 TEST(EnergyMomentBounds, BoundTheExactMomentsOfLinearMotion) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
-    const problem::Problem problem = linear(law);
+    const problem::Problem problem = linear_case(law);
     const std::vector<double> bounds = energy_moment_bounds(problem, 2);
     const double c = problem.system.damping(), k = problem.system.stiffness();
     // G = a v^2 + b y v + d y^2; y v and the squares are the same functions of (z, z').
@@ -56,23 +56,23 @@ TEST(EnergyMomentBounds, WithAMeanSolveTheQuadraticInequality) {
 
 TEST(ResidualWeight, EnergyDecaysAlongTheFlowAndAtImpacts) {
   const problem::Problem problem = problem::load_case("case1", {"system.damping=0.9"});
-  const ResidualWeight tau = residual_weight(problem, 12);
+  const ResidualWeight weight = make_residual_weight(problem, 12);
   for (const double y : {0.01, 0.3, 2.0}) {
     for (const double v : {-3.0, -0.2, 0.0, 0.5, 4.0}) {
       const double h = 1e-5, force = problem.system.restoring_force()(y);
-      const double slope_y = (tau.energy(y + h, v) - tau.energy(y - h, v)) / (2 * h);
-      const double slope_v = (tau.energy(y, v + h) - tau.energy(y, v - h)) / (2 * h);
+      const double slope_y = (weight.energy(y + h, v) - weight.energy(y - h, v)) / (2 * h);
+      const double slope_v = (weight.energy(y, v + h) - weight.energy(y, v - h)) / (2 * h);
       const double rate = v * slope_y - (0.9 * v + force) * slope_v;
-      EXPECT_NEAR(rate, -0.9 * tau.energy(y, v) - 0.9 * 0.1 * std::pow(y, 4) / 4, 1e-7);
+      EXPECT_NEAR(rate, -0.9 * weight.energy(y, v) - 0.9 * 0.1 * std::pow(y, 4) / 4, 1e-7);
     }
   }
-  EXPECT_LE(tau.energy(0, 0.98 * 2), tau.energy(0, -2));
+  EXPECT_LE(weight.energy(0, 0.98 * 2), weight.energy(0, -2));
 }
 
 TEST(ResidualWeight, HasItsDesignMean) {
-  const ResidualWeight tau = residual_weight(problem::load_case("case1"), 12);
-  EXPECT_NEAR(tau.mean_bound, 1.25, 1e-12);
-  EXPECT_NEAR(tau(0, std::sqrt(2 * tau.scale)), 2, 1e-12);
+  const ResidualWeight weight = make_residual_weight(problem::load_case("case1"), 12);
+  EXPECT_NEAR(weight.mean_upper_bound, 1.25, 1e-12);
+  EXPECT_NEAR(weight(0, std::sqrt(2 * weight.energy_scale)), 2, 1e-12);
 }
 
 TEST(ResidualWeight, RejectsLawsWithoutEnclosures) {

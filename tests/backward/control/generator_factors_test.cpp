@@ -83,7 +83,7 @@ TEST(ImpulseMeans, OfAUniformLawAreAveragesOverCorners) {
 TEST(ImpactSpeeds, IncreaseStrictlyForEveryRestitution) {
   for (const double r : {0.5, 0.9, 1.0}) {
     for (const double sign : {1.0, -1.0}) {
-      const auto speeds = non_smooth_impact_speeds(wide_splines(), {0, r, sign});
+      const auto speeds = impact_speed_breaks(wide_splines(), {0, r, sign});
       ASSERT_GT(speeds.size(), 20u);
       EXPECT_EQ(speeds.front(), 0);
       for (std::size_t n = 1; n < speeds.size(); ++n) EXPECT_GT(speeds[n], speeds[n - 1]);

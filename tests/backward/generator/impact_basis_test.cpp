@@ -8,47 +8,47 @@
 namespace fpkcheck::backward {
 namespace {
 
-ImpactBasis example(double r = 0.7) {
-  return ImpactBasis(numerics::SplineBasis(numerics::graded_breaks(3, 6, 0.1, 1)), r);
+ImpactSplineBasis make_example_basis(double r = 0.7) {
+  return ImpactSplineBasis(numerics::SplineBasis(numerics::graded_breaks(3, 6, 0.1, 1)), r);
 }
 
 TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
-  const ImpactBasis basis = example();
+  const ImpactSplineBasis basis = make_example_basis();
   const std::vector<VelocityPiece> pieces = numerics::call_with_upward_rounding([&] {
-    return velocity_pieces(basis, std::array{-1.234, 0.5}, 0.3);
+    return divide_velocity_axis(basis, std::array{-1.234, 0.5}, 0.3);
   });
-  EXPECT_EQ(pieces.front().from.lower(), -3);
-  EXPECT_NEAR(pieces.back().to.upper(), 0.7 * 3, 1e-15);
-  std::vector<double> wanted = velocity_breaks(basis);
-  wanted.insert(wanted.end(), {-1.234, 0.5});
+  EXPECT_EQ(pieces.front().begin.lower(), -3);
+  EXPECT_NEAR(pieces.back().end.upper(), 0.7 * 3, 1e-15);
+  std::vector<double> expected_ends = velocity_breaks(basis);
+  expected_ends.insert(expected_ends.end(), {-1.234, 0.5});
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    EXPECT_LT(pieces[i].to.upper() - pieces[i].from.lower(), 0.3 + 1e-12);
+    EXPECT_LT(pieces[i].end.upper() - pieces[i].begin.lower(), 0.3 + 1e-12);
     if (i == 0) continue;
-    EXPECT_EQ(pieces[i].from.lower(), pieces[i - 1].to.lower());
+    EXPECT_EQ(pieces[i].begin.lower(), pieces[i - 1].end.lower());
   }
-  for (const double v : wanted) {
+  for (const double v : expected_ends) {
     double nearest = 1;
     for (const VelocityPiece& p : pieces) {
-      nearest = std::min({nearest, std::abs(p.from.lower() - v), std::abs(p.to.lower() - v)});
+      nearest = std::min({nearest, std::abs(p.begin.lower() - v), std::abs(p.end.lower() - v)});
     }
     EXPECT_LT(nearest, 1e-15) << v;
   }
 }
 
 TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
-  const ImpactBasis basis = example();
+  const ImpactSplineBasis basis = make_example_basis();
   numerics::call_with_upward_rounding([&] {
-    for (const VelocityPiece& piece : velocity_pieces(basis, std::array{-0.9, 0.4}, 0.25)) {
+    for (const VelocityPiece& piece : divide_velocity_axis(basis, std::array{-0.9, 0.4}, 0.25)) {
       const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
-      for (std::size_t l = 0; l < functions.index.size(); ++l) {
+      for (std::size_t l = 0; l < functions.indices.size(); ++l) {
         Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
-        c(functions.index[l]) = 1;
+        c(functions.indices[l]) = 1;
         for (const double t : {0.0, 0.4, 1.0}) {
-          const double v = piece.from.lower() + t * (piece.to.lower() - piece.from.lower());
+          const double v = piece.begin.lower() + t * (piece.end.lower() - piece.begin.lower());
           const double expected = spline_value(basis, c, v);
-          EXPECT_NEAR(
-              evaluate_bernstein_polynomial(functions.value[l], numerics::Interval(t)).lower(),
-              expected, 1e-12);
+          EXPECT_NEAR(evaluate_bernstein_polynomial(functions.polynomials[l], numerics::Interval(t))
+                          .lower(),
+                      expected, 1e-12);
         }
       }
     }
@@ -59,17 +59,18 @@ TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
 TEST(VelocityPieces, MirroredFunctionsSatisfyTheImpactCondition) {
   // The impact condition in exact arithmetic: the enclosures of the Bernstein coefficients on
   // mirrored spans overlap, even if r u is rounded.
-  const ImpactBasis basis = example(0.98);
+  const ImpactSplineBasis basis = make_example_basis(0.98);
   numerics::call_with_upward_rounding([&] {
-    const std::vector<VelocityPiece> spans = velocity_pieces(basis, {}, 100);
+    const std::vector<VelocityPiece> spans = divide_velocity_axis(basis, {}, 100);
     for (std::size_t i = 0; i < spans.size() / 2; ++i) {
       const BasisFunctionsOnPiece in = basis_functions_on_piece(basis, spans[i]);
       const BasisFunctionsOnPiece out =
           basis_functions_on_piece(basis, spans[spans.size() - 1 - i]);
-      for (std::size_t l = 0; l < in.index.size(); ++l) {
-        EXPECT_EQ(out.index[l], basis.mirrored_index(in.index[l]));
-        for (std::size_t j = 0; j < in.value[l].size(); ++j) {
-          EXPECT_TRUE(overlap(in.value[l][j], out.value[l][in.value[l].size() - 1 - j]));
+      for (std::size_t l = 0; l < in.indices.size(); ++l) {
+        EXPECT_EQ(out.indices[l], basis.opposite_side_index(in.indices[l]));
+        for (std::size_t j = 0; j < in.polynomials[l].size(); ++j) {
+          EXPECT_TRUE(
+              overlap(in.polynomials[l][j], out.polynomials[l][in.polynomials[l].size() - 1 - j]));
         }
       }
     }
@@ -78,18 +79,19 @@ TEST(VelocityPieces, MirroredFunctionsSatisfyTheImpactCondition) {
 }
 
 TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
-  const ImpactBasis basis = example();
+  const ImpactSplineBasis basis = make_example_basis();
   const Eigen::VectorXd c = power_coefficients(basis, 3);
   numerics::call_with_upward_rounding([&] {
-    for (const VelocityPiece& piece : velocity_pieces(basis, {}, 0.5)) {
+    for (const VelocityPiece& piece : divide_velocity_axis(basis, {}, 0.5)) {
       const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
-      const std::vector<numerics::BernsteinCoefficients> slopes = partial_sum_slopes(basis, piece);
+      const std::vector<numerics::BernsteinCoefficients> slopes =
+          enclose_partial_sum_slopes(basis, piece);
       numerics::Interval slope = 0;
-      for (std::size_t l = 1; l < functions.index.size(); ++l) {
-        slope += (numerics::Interval(c(functions.index[l])) - c(functions.index[l - 1])) *
+      for (std::size_t l = 1; l < functions.indices.size(); ++l) {
+        slope += (numerics::Interval(c(functions.indices[l])) - c(functions.indices[l - 1])) *
                  evaluate_bernstein_polynomial(slopes[l - 1], numerics::Interval(0.5));
       }
-      const double v = ((piece.from + piece.to) / 2.0).lower();
+      const double v = ((piece.begin + piece.end) / 2.0).lower();
       EXPECT_NEAR(slope.lower(), 3 * v * v, 1e-11);
       EXPECT_LT(width(slope), 1e-10);
     }
@@ -98,27 +100,27 @@ TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
 }
 
 TEST(VelocityPieces, OverhangIsPartOfTheError) {
-  const ImpactBasis basis = example();
+  const ImpactSplineBasis basis = make_example_basis();
   numerics::call_with_upward_rounding([&] {
     const VelocityPiece across =
-        velocity_piece_of_segment(basis, numerics::Interval(-0.5), numerics::Interval(1e-3));
+        make_velocity_piece(basis, numerics::Interval(-0.5), numerics::Interval(1e-3));
     EXPECT_EQ(across.side, VelocitySide::incoming);
-    EXPECT_GE(across.overhang, 1e-3);
+    EXPECT_GE(across.rounding_overhang, 1e-3);
     const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, across);
     // On the overhang the polynomial of the central function exceeds 1, but the function itself
     // decreases.
     Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
-    c(basis.centre_index()) = 1;
-    for (std::size_t l = 0; l < functions.index.size(); ++l) {
-      if (functions.index[l] != basis.centre_index()) continue;
-      const double there =
-          evaluate_bernstein_polynomial(functions.value[l], numerics::Interval(1)).upper();
-      const double error = std::abs(there - spline_value(basis, c, 1e-3));
+    c(basis.index_at_zero_velocity()) = 1;
+    for (std::size_t l = 0; l < functions.indices.size(); ++l) {
+      if (functions.indices[l] != basis.index_at_zero_velocity()) continue;
+      const double polynomial_value =
+          evaluate_bernstein_polynomial(functions.polynomials[l], numerics::Interval(1)).upper();
+      const double error = std::abs(polynomial_value - spline_value(basis, c, 1e-3));
       EXPECT_GT(error, 1e-4);
       EXPECT_LE(error, functions.overhang_error);
     }
     const VelocityPiece inside =
-        velocity_piece_of_segment(basis, numerics::Interval(-0.06), numerics::Interval(-0.05));
+        make_velocity_piece(basis, numerics::Interval(-0.06), numerics::Interval(-0.05));
     EXPECT_EQ(basis_functions_on_piece(basis, inside).overhang_error, 0);
     return 0;
   });

@@ -18,45 +18,47 @@ using problem::ImpulseLaw;
 
 constexpr double kDeviation = 0.31;
 
-struct Tabulated {
-  ImpactBasis basis;
+struct BasisWithTable {
+  ImpactSplineBasis basis;
   std::vector<VelocityPiece> pieces;
   ImpulseMeanTable table;
 };
 
-Tabulated tabulated(const ImpulseLaw& law, double end, int cells, double r) {
+BasisWithTable make_basis_with_table(const ImpulseLaw& law, double end, int cells, double r) {
   return numerics::call_with_upward_rounding([&] {
-    const ImpactBasis basis(
+    const ImpactSplineBasis basis(
         numerics::SplineBasis(numerics::graded_breaks(end, cells, 0.05, end / 3)), r);
-    const VelocityPieceConstraints kinks = velocity_piece_constraints(basis, law);
-    std::vector<VelocityPiece> pieces = velocity_pieces(basis, kinks.cuts, kinks.longest);
-    ImpulseMeanTable table = impulse_mean_table(basis, pieces, law);
-    return Tabulated{basis, std::move(pieces), std::move(table)};
+    const VelocityPieceConstraints constraints = velocity_piece_constraints(basis, law);
+    std::vector<VelocityPiece> pieces =
+        divide_velocity_axis(basis, constraints.break_velocities, constraints.max_length);
+    ImpulseMeanTable table = compute_impulse_mean_table(basis, pieces, law);
+    return BasisWithTable{basis, std::move(pieces), std::move(table)};
   });
 }
 
-// The enclosure of K V at t of a piece.
-numerics::Enclosure jump_mean(const Tabulated& t, const Eigen::VectorXd& c, std::size_t piece,
-                              double at) {
+// Returns the enclosure of K V at the coordinate `at` in [0, 1] of a piece.
+numerics::Enclosure enclose_mean_after_impulse(const BasisWithTable& t, const Eigen::VectorXd& c,
+                                               std::size_t piece, double at) {
   return numerics::call_with_upward_rounding([&] {
     numerics::Interval sum = numerics::symmetric_interval(
-        (numerics::Interval(t.table.remainder) * c.cwiseAbs().maxCoeff()).upper());
+        (numerics::Interval(t.table.remainder_bound) * c.cwiseAbs().maxCoeff()).upper());
     for (int b = 0; b < t.basis.size(); ++b) {
-      sum +=
-          c(b) * evaluate_bernstein_polynomial(t.table.coefficients_of(static_cast<int>(piece), b),
-                                               numerics::Interval(at));
+      sum += c(b) * evaluate_bernstein_polynomial(
+                        t.table.polynomial_coefficients(static_cast<int>(piece), b),
+                        numerics::Interval(at));
     }
     return enclosure_from_interval(sum);
   });
 }
 
-double point(const VelocityPiece& piece, double t) {
-  return piece.from.lower() + t * (piece.to.upper() - piece.from.lower());
+double velocity_on_piece(const VelocityPiece& piece, double t) {
+  return piece.begin.lower() + t * (piece.end.upper() - piece.begin.lower());
 }
 
-// E[V(v + Y)] by Gauss quadrature between all points where the integrand is not smooth, plus the
-// sum over atoms.
-double quadrature(const Tabulated& t, const Eigen::VectorXd& c, const ImpulseLaw& law, double v) {
+// Returns E[V(v + Y)] by Gauss quadrature between all points where the integrand is not smooth,
+// plus the sum over atoms.
+double mean_after_impulse_by_quadrature(const BasisWithTable& t, const Eigen::VectorXd& c,
+                                        const ImpulseLaw& law, double v) {
   double sum = 0;
   for (const problem::AmplitudeAtom& atom : law.atoms()) {
     sum += atom.probability * spline_value(t.basis, c, v + atom.amplitude);
@@ -88,19 +90,19 @@ class ImpulseTables : public ::testing::TestWithParam<std::tuple<const char*, do
 
 TEST_P(ImpulseTables, ReproduceTheMomentsOfTheLawOnPowers) {
   // E[(v + Y)^n] = sum C(n, i) v^(n-i) E[Y^i], far from the ends of the basis.
-  const Tabulated t = tabulated(law(), 13, 12, 0.9);
+  const BasisWithTable t = make_basis_with_table(law(), 13, 12, 0.9);
   for (const int n : {0, 1, 2, 3, 6}) {
     const Eigen::VectorXd c = power_coefficients(t.basis, n);
     int checked = 0;
     for (std::size_t p = 0; p < t.pieces.size(); p += 7) {
-      const double v = point(t.pieces[p], 0.4);
+      const double v = velocity_on_piece(t.pieces[p], 0.4);
       if (std::abs(v) > 1.5) continue;
       double exact = 0;
       for (int i = 0; i <= n; ++i) {
         exact +=
             boost::math::binomial_coefficient<double>(n, i) * std::pow(v, n - i) * law().moment(i);
       }
-      const numerics::Enclosure mean = jump_mean(t, c, p, 0.4);
+      const numerics::Enclosure mean = enclose_mean_after_impulse(t, c, p, 0.4);
       // The constants beyond the ends are not powers: exp(-sqrt(2) 10/.31) 13^6 for laplace,
       // exp(-11.5/.31) 13^6 for exponential.
       EXPECT_NEAR(mean.middle(), exact, 4e-10) << "power " << n << " at " << v;
@@ -111,13 +113,14 @@ TEST_P(ImpulseTables, ReproduceTheMomentsOfTheLawOnPowers) {
 }
 
 TEST_P(ImpulseTables, EncloseTheQuadratureOfARoughSpline) {
-  const Tabulated t = tabulated(law(), 2.5, 7, 0.6);
+  const BasisWithTable t = make_basis_with_table(law(), 2.5, 7, 0.6);
   Eigen::VectorXd c(t.basis.size());
   for (int b = 0; b < c.size(); ++b) c(b) = std::cos(2.3 * b * b);
   for (std::size_t p = 0; p < t.pieces.size(); p += 3) {
     for (const double at : {0.0, 0.5, 0.97}) {
-      const double v = point(t.pieces[p], at), expected = quadrature(t, c, law(), v);
-      const numerics::Enclosure mean = jump_mean(t, c, p, at);
+      const double v = velocity_on_piece(t.pieces[p], at),
+                   expected = mean_after_impulse_by_quadrature(t, c, law(), v);
+      const numerics::Enclosure mean = enclose_mean_after_impulse(t, c, p, at);
       EXPECT_NEAR(mean.middle(), expected, 3e-11) << "at " << v;
       EXPECT_LT(mean.half_width(), 1e-9);
     }
@@ -127,7 +130,7 @@ TEST_P(ImpulseTables, EncloseTheQuadratureOfARoughSpline) {
 TEST_P(ImpulseTables, MomentsAreThoseOfTheLaw) {
   for (int n = 0; n <= 24; ++n) {
     const numerics::Interval m =
-        numerics::call_with_upward_rounding([&] { return moment_enclosure(law(), n); });
+        numerics::call_with_upward_rounding([&] { return enclose_amplitude_moment(law(), n); });
     const double expected = law().moment(n);
     EXPECT_NEAR(m.lower(), expected, 1e-12 * std::abs(expected)) << n;
     EXPECT_NEAR(m.upper(), expected, 1e-12 * std::abs(expected)) << n;
@@ -143,7 +146,7 @@ TEST(Enclosures, AreThoseOfLawsWithATable) {
   EXPECT_TRUE(has_interval_enclosures(ImpulseLaw::from_name("laplace", 0, 1)));
   const ImpulseLaw gamma = ImpulseLaw::from_name("gamma", 0, 1);
   EXPECT_FALSE(has_interval_enclosures(gamma));
-  EXPECT_THROW(moment_enclosure(gamma, 2), std::logic_error);
+  EXPECT_THROW(enclose_amplitude_moment(gamma, 2), std::logic_error);
 }
 
 }  // namespace

@@ -14,26 +14,26 @@ namespace {
 using transform::Passage;
 using transform::Status;
 
-constexpr double kAmple = 300;  // time limit that a busy machine keeps, in seconds
+constexpr double kAmpleSeconds = 300;  // time limit that a busy machine keeps, in seconds
 
 TEST(ChebyshevPlane, ReproducesPolynomialsInTheSquareRootAndInTheVelocity) {
-  const ChebyshevPlane plane({-0.5, 1.5, 3}, 4, 5);
+  const ChebyshevGrid grid({-0.5, 1.5, 3}, 4, 5);
   const auto function = [](double y, double v) {
     const double s = std::sqrt(1.5 - y);
     return (1 + s - 2 * s * s * s) * (v + 0.3 * std::pow(v, 4));
   };
   Eigen::MatrixXd values(4, 5);
   for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 5; ++j) values(i, j) = function(plane.y_node(i), plane.v_node(j));
+    for (int j = 0; j < 5; ++j) values(i, j) = function(grid.y_node(i), grid.v_node(j));
   }
-  Eigen::VectorXd in_y(4), in_v(5);
+  Eigen::VectorXd y_polynomials(4), v_polynomials(5);
   const auto interpolated = [&](double y, double v) {
-    plane.in_y(y, in_y);
-    plane.in_v(v, in_v);
-    return in_y.dot(values * in_v);
+    grid.evaluate_y_polynomials(y, y_polynomials);
+    grid.evaluate_v_polynomials(v, v_polynomials);
+    return y_polynomials.dot(values * v_polynomials);
   };
   EXPECT_NEAR(interpolated(0.7, -2.2), function(0.7, -2.2), 1e-11);
-  EXPECT_NEAR(interpolated(plane.y_node(2), 1), function(plane.y_node(2), 1), 1e-11);
+  EXPECT_NEAR(interpolated(grid.y_node(2), 1), function(grid.y_node(2), 1), 1e-11);
   EXPECT_NEAR(interpolated(-2, 4), function(-0.5, 3), 1e-11);  // constant outside
 }
 
@@ -45,21 +45,22 @@ TEST(RenewalEquation, IntegratesTheTimeToTheNextImpulse) {
     const problem::Problem problem = tests::with_impulses(
         problem::System({.damping = 0.3, .stiffness = 1}, {.left = 0, .left_restitution = 0.9}),
         problem::ImpulseTrain({.arrival_rate = 4, .law = law, .intensity = 0.1, .mean = 0}));
-    const ChebyshevPlane plane({0, 5, 1}, 5, 7);
-    const RenewalEquation equation(problem, plane, 4, 1);
-    const auto operators = equation.operators({{4}, {4, 1}}, base::Deadline::unlimited());
+    const ChebyshevGrid grid({0, 5, 1}, 5, 7);
+    const RenewalEquation equation(problem, grid, 4, 1);
+    const auto operators = equation.compute_operators({{4}, {4, 1}}, base::Deadline::unlimited());
     ASSERT_EQ(operators.size(), 2u);
-    const Eigen::Index wall = plane.index(plane.n_y() - 1, 3);  // the node nearest to the wall
-    EXPECT_NEAR(operators[0].of_one(wall), 0.25, 1e-8) << law;
-    EXPECT_NEAR(operators[1].of_one(wall), 1.0 / 16, 1e-8) << law;
-    EXPECT_NEAR(operators[0].of_function.row(wall).sum(), 0.25, 1e-8) << law;
+    const Eigen::Index wall =
+        grid.node_index(grid.y_node_count() - 1, 3);  // the node nearest to the wall
+    EXPECT_NEAR(operators[0].values_of_one(wall), 0.25, 1e-8) << law;
+    EXPECT_NEAR(operators[1].values_of_one(wall), 1.0 / 16, 1e-8) << law;
+    EXPECT_NEAR(operators[0].matrix.row(wall).sum(), 0.25, 1e-8) << law;
   }
 }
 
 // Values of an independent collocation along characteristics, with about seven digits
 TEST(PassageByCharacteristics, HasTheValuesOfAnIndependentComputationInCase1) {
   const Passage passage =
-      solve_passage(tests::paper_case(1), {.accuracy = 1e-3, .max_seconds = kAmple}, 1.5);
+      solve_passage(tests::paper_case(1), {.accuracy = 1e-3, .max_seconds = kAmpleSeconds}, 1.5);
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   EXPECT_NEAR(passage.hazard->value, 0.00945683, 6e-9);
   EXPECT_NEAR(passage.mean_from_point->value, 114.2740, 1e-4);
@@ -71,7 +72,7 @@ TEST(PassageByCharacteristics, StatesAnErrorThatContainsTheChangeToAFinerPlane) 
   const problem::Problem problem =
       tests::make_problem({.damping = 0.3, .restitution = 0.8, .intensity = 0.4});
   const auto solve = [&](double accuracy) {
-    return solve_passage(problem, {.accuracy = accuracy, .max_seconds = kAmple}, 1,
+    return solve_passage(problem, {.accuracy = accuracy, .max_seconds = kAmpleSeconds}, 1,
                          transform::StartState{0.3, -0.7});
   };
   const Passage coarse = solve(1), fine = solve(1e-4);
@@ -95,7 +96,7 @@ TEST(PassageByCharacteristics, ObeysTheChangeOfUnits) {
                                              {.left = 0, .left_restitution = 0.7}),
                              tests::gaussian_impulses(rate, 0.4 * std::pow(rate, 3) / per_square));
     const Passage passage =
-        solve_passage(problem, {.accuracy = 1e-3, .max_seconds = kAmple}, length);
+        solve_passage(problem, {.accuracy = 1e-3, .max_seconds = kAmpleSeconds}, length);
     EXPECT_EQ(passage.status, Status::ok) << passage.reason;
     return passage.mean_from_point ? passage.mean_from_point->value : 0;
   };
@@ -103,8 +104,8 @@ TEST(PassageByCharacteristics, ObeysTheChangeOfUnits) {
   EXPECT_NEAR(mean(a, s) * s, original, 1e-6 * original);
 }
 
-// A wrong transformation of the barrier or of the start at rest to wall coordinates would change the
-// mean time.
+// A wrong transformation of the barrier or of the start at rest to wall coordinates would change
+// the mean time.
 TEST(PassageByCharacteristics, DependsOnTheDistanceFromTheWall) {
   const auto solve = [](double wall) {
     // The force k (y - wall)

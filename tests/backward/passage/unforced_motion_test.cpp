@@ -11,11 +11,11 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr double kForever = 100;
+constexpr double kLongDuration = 100;
 
-double duration_of_nodes(const Motion& motion) {
-  return std::accumulate(motion.nodes.begin(), motion.nodes.end(), 0.0,
-                         [](double sum, const TimeNode& node) { return sum + node.weight; });
+double sum_of_weights(const UnforcedTrajectory& trajectory) {
+  return std::accumulate(trajectory.nodes.begin(), trajectory.nodes.end(), 0.0,
+                         [](double sum, const TrajectoryNode& node) { return sum + node.weight; });
 }
 
 // Linear oscillator with damping 0.2 and stiffness 4 from the state (y, v)
@@ -29,23 +29,23 @@ PhaseState damped_state(double y, double v, double t) {
 
 TEST(UnforcedMotion, FollowsTheExactSolutionUntilTheExit) {
   const problem::System system({.damping = 0.2, .stiffness = 4}, {.none = true});
-  const UnforcedMotion motion(system, 1, 0.3, 1);
-  const Motion found = motion.follow({0.5, -2.5}, kForever);
+  const UnforcedMotionSolver solver(system, 1, 0.3, 1);
+  const UnforcedTrajectory found = solver.compute_trajectory({0.5, -2.5}, kLongDuration);
   ASSERT_TRUE(found.passed_barrier);
   const PhaseState at_exit = damped_state(0.5, -2.5, found.duration);
   EXPECT_NEAR(at_exit.y, 1, 1e-12);
-  EXPECT_NEAR(found.end.v, at_exit.v, 1e-12);
-  EXPECT_GT(found.end.v, 0.1);
-  EXPECT_NEAR(duration_of_nodes(found), found.duration, 1e-9);
-  double of_square_root = 0, error = 0;
-  for (const TimeNode& node : found.nodes) {
+  EXPECT_NEAR(found.end_state.v, at_exit.v, 1e-12);
+  EXPECT_GT(found.end_state.v, 0.1);
+  EXPECT_NEAR(sum_of_weights(found), found.duration, 1e-9);
+  double integral = 0, error = 0;
+  for (const TrajectoryNode& node : found.nodes) {
     const PhaseState exact = damped_state(0.5, -2.5, node.time);
-    error = std::max({error, std::abs(node.at.y - exact.y), std::abs(node.at.v - exact.v)});
+    error = std::max({error, std::abs(node.state.y - exact.y), std::abs(node.state.v - exact.v)});
     // d/dt (1 - y)^(3/2) = -(3/2) (1 - y)^(1/2) v
-    of_square_root += node.weight * 1.5 * std::sqrt(1 - node.at.y) * node.at.v;
+    integral += node.weight * 1.5 * std::sqrt(1 - node.state.y) * node.state.v;
   }
   EXPECT_LT(error, 1e-12);
-  EXPECT_NEAR(of_square_root, std::pow(0.5, 1.5), 1e-9);
+  EXPECT_NEAR(integral, std::pow(0.5, 1.5), 1e-9);
 }
 
 // Damping c(y) = 0.1 + 0.2 y^2 and 0.05 v^3, and all powers of the force: the derivative of the
@@ -60,20 +60,20 @@ TEST(UnforcedMotion, DissipatesTheEnergyOfAllTermsOfThePolynomials) {
                                 .cubic = 0.4,
                                 .quintic = 0.5},
                                {.left = -1, .left_restitution = 0.8});
-  const UnforcedMotion motion(system, 3, 0.3, 1);
+  const UnforcedMotionSolver solver(system, 3, 0.3, 1);
   const PhaseState start{0.3, -0.6};  // turns before the wall
-  const Motion found = motion.follow(start, 1);
+  const UnforcedTrajectory found = solver.compute_trajectory(start, 1);
   const auto energy = [&](const PhaseState& at) {
     return at.v * at.v / 2 + system.potential()(at.y);
   };
   double dissipated = 0;
-  for (const TimeNode& node : found.nodes) {
-    const auto [y, v] = node.at;
+  for (const TrajectoryNode& node : found.nodes) {
+    const auto [y, v] = node.state;
     dissipated += node.weight * (system.damping_polynomial()(y) * v * v + 0.05 * std::pow(v, 4));
   }
   EXPECT_NEAR(found.duration, 1, 1e-12);
   EXPECT_GT(dissipated, 1e-3);
-  EXPECT_NEAR(energy(start) - energy(found.end), dissipated, 1e-10);
+  EXPECT_NEAR(energy(start) - energy(found.end_state), dissipated, 1e-10);
 }
 
 // Without damping a linear oscillator with a wall at its equilibrium returns after half a period,
@@ -81,33 +81,35 @@ TEST(UnforcedMotion, DissipatesTheEnergyOfAllTermsOfThePolynomials) {
 TEST(UnforcedMotion, ReboundsWithTheRestitutionCoefficient) {
   const problem::System system({.damping = 0, .stiffness = 4},
                                {.left = 0, .left_restitution = 0.5});
-  const UnforcedMotion motion(system, 2, 0.3, 1);
-  const Motion found = motion.follow({0, 2}, 1.5 * std::numbers::pi + 0.25);
+  const UnforcedMotionSolver solver(system, 2, 0.3, 1);
+  const UnforcedTrajectory found = solver.compute_trajectory({0, 2}, 1.5 * std::numbers::pi + 0.25);
   EXPECT_FALSE(found.passed_barrier);
-  EXPECT_NEAR(found.end.v, 0.25 * std::cos(0.5), 1e-10);
-  EXPECT_NEAR(found.end.y, 0.125 * std::sin(0.5), 1e-10);
+  EXPECT_NEAR(found.end_state.v, 0.25 * std::cos(0.5), 1e-10);
+  EXPECT_NEAR(found.end_state.y, 0.125 * std::sin(0.5), 1e-10);
   // A force towards the wall ends the impacts at rest after a finite time.
   const problem::System falling({.damping = 0, .constant = 1, .stiffness = 1},
                                 {.left = 0, .left_restitution = 0.5});
-  const Motion ended = UnforcedMotion(falling, 2, 0.3, 1).follow({0, 0.5}, kForever);
-  EXPECT_EQ(ended.end.y, 0);
+  const UnforcedTrajectory ended =
+      UnforcedMotionSolver(falling, 2, 0.3, 1).compute_trajectory({0, 0.5}, kLongDuration);
+  EXPECT_EQ(ended.end_state.y, 0);
   EXPECT_LT(ended.duration, 3);
 }
 
 TEST(UnforcedMotion, FindsTheVelocitiesOfTheGrazingMotion) {
   const problem::System system({.damping = 0.1, .stiffness = 1, .cubic = 0.3},
                                {.left = 0, .left_restitution = 0.7});
-  const UnforcedMotion motion(system, 1.5, 0.3, 1);
-  const std::vector<double> velocities = motion.velocities_before({1.5, 0}, 0.6, kForever, 100);
+  const UnforcedMotionSolver solver(system, 1.5, 0.3, 1);
+  const std::vector<double> velocities =
+      solver.find_backward_crossing_velocities({1.5, 0}, 0.6, kLongDuration, 100);
   ASSERT_EQ(velocities.size(), 2u);  // on the way to the barrier, and on the way to the wall
   EXPECT_GT(velocities[0], 0);
   EXPECT_LT(velocities[1], 0);
   for (const double v : velocities) {
     const double faster = v + std::copysign(1e-6, v), slower = v - std::copysign(1e-6, v);
-    EXPECT_TRUE(motion.follow({0.6, faster}, 5).passed_barrier) << v;
-    EXPECT_FALSE(motion.follow({0.6, slower}, 5).passed_barrier) << v;
+    EXPECT_TRUE(solver.compute_trajectory({0.6, faster}, 5).passed_barrier) << v;
+    EXPECT_FALSE(solver.compute_trajectory({0.6, slower}, 5).passed_barrier) << v;
   }
-  EXPECT_GT(motion.largest_speed_before({1.5, 0}, kForever, 100), -velocities[1]);
+  EXPECT_GT(solver.find_largest_backward_speed({1.5, 0}, kLongDuration, 100), -velocities[1]);
 }
 
 }  // namespace

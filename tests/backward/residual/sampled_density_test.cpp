@@ -26,7 +26,7 @@ TEST(Reconstruction, IsExactForDegree6OnUnequalCells) {
   for (int n = 0; n <= 7; ++n) {
     const auto averages =
         averages_between(edges, [&](double x) { return std::pow(x - 2, n + 1) / (n + 1); });
-    const Eigen::VectorXd values = reconstruction_matrix(edges, points) * averages;
+    const Eigen::VectorXd values = density_reconstruction_matrix(edges, points) * averages;
     double worst = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
       const double error = values(static_cast<Eigen::Index>(k)) - std::pow(points[k] - 2, n);
@@ -47,7 +47,7 @@ TEST(Reconstruction, DoesNotReachAcrossAJumpAt0NorBeyondTheEnds) {
       edges, [](double x) { return x < 0 ? 3 * x - x * x / 2 : std::pow(x, 3) / 3; });
   const std::vector<double> points{-2.1, -2, -0.05, -1e-9, 0, 0.05, 2, 2.1};
   const std::vector<double> expected{0, 5, 3.05, 3, 0, 0.0025, 4, 0};
-  const Eigen::VectorXd values = reconstruction_matrix(edges, points) * averages;
+  const Eigen::VectorXd values = density_reconstruction_matrix(edges, points) * averages;
   for (std::size_t k = 0; k < points.size(); ++k) {
     EXPECT_NEAR(values(static_cast<Eigen::Index>(k)), expected[k], 1e-8) << points[k];
   }
@@ -59,7 +59,7 @@ TEST(Reconstruction, OfASmoothFunctionIsOfSeventhOrder) {
   for (const int cells : {40, 60, 90}) {
     const auto edges = tests::uniform_edges(-3, 3, cells);
     const Eigen::VectorXd values =
-        reconstruction_matrix(edges, points) * averages_between(edges, [](double x) {
+        density_reconstruction_matrix(edges, points) * averages_between(edges, [](double x) {
           return std::sqrt(std::acos(-1.0)) / 2 * std::erf(x);
         });
     double worst = 0;

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "backward/residual/density_residuals.hpp"
+#include "backward/residual/density_error_estimator.hpp"
 #include "base/input_error.hpp"
 #include "uniform_edges.hpp"
 

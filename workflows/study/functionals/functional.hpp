@@ -80,7 +80,7 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
 struct SelectedMethod {
   transform::SolutionIdentity identity;  ///< with the plot style of the method
   std::optional<fd_fpk::Options> fd = {};
-  std::optional<backward::PassageOptions> characteristics = {};
+  std::optional<backward::PassageCollocationOptions> characteristics = {};
   std::optional<epc::Options> epc = {};
   std::optional<mcs::Options> mcs = {};
 };
