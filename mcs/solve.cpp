@@ -397,7 +397,8 @@ bool gather_streams(const ProcessGroup& process_group, Simulation& simulation) {
 }
 
 /// Runs a simulation with twice the interval between noise kicks, for half of the simulated time.
-void run_with_doubled_kick_interval(const Simulation& simulation, const Options& options,
+/// @return whether the simulation is complete; false after a stop request
+bool run_with_doubled_kick_interval(const Simulation& simulation, const Options& options,
                                     Simulation& doubled) {
   doubled.restrict_to_streams_of_part(options.process_group.part, options.process_group.parts);
   doubled.run_burn_in();
@@ -406,9 +407,11 @@ void run_with_doubled_kick_interval(const Simulation& simulation, const Options&
   const auto must_stop = [&] {
     return options.process_group.parts == 1 && options.stop && options.stop();
   };
-  do {
+  while (doubled.round_count() < rounds) {
+    if (must_stop()) return false;
     doubled.run_round();
-  } while (doubled.round_count() < rounds && !must_stop());
+  }
+  return true;
 }
 
 }  // namespace
@@ -420,17 +423,21 @@ void require_accuracy(const Options& options, transform::Solution& solution) {
   const transform::ErrorEstimate bias = solution.error.value_or(transform::ErrorEstimate{});
   if (y + bias.y_l1 <= options.accuracy && ydot + bias.ydot_l1 <= options.accuracy) return;
   solution.status = transform::Status::inaccurate;
-  const bool is_bias_larger = bias.y_l1 > y || bias.ydot_l1 > ydot;
-  solution.reason =
-      is_bias_larger
-          ? fmt::format(
-                "the interval between noise kicks causes errors above the accuracy {:g}: L1 {:.2g} "
-                "in p(y) and {:.2g} in p(y'); reduce --white-step",
-                options.accuracy, bias.y_l1, bias.ydot_l1)
-          : fmt::format(
-                "sampling errors above the accuracy {:g}: their 99 % quantiles are L1 {:.2g} in "
-                "p(y) and {:.2g} in p(y'); increase --time",
-                options.accuracy, y, ydot);
+  if (!solution.error) {
+    solution.reason = fmt::format(
+        "sampling errors above the accuracy {:g}: their 99 % quantiles are L1 {:.2g} in p(y) and "
+        "{:.2g} in p(y'); increase --time",
+        options.accuracy, y, ydot);
+    return;
+  }
+  const bool is_y_worse = y + bias.y_l1 > ydot + bias.ydot_l1;
+  const double by_chance = is_y_worse ? y : ydot,
+               by_interval = is_y_worse ? bias.y_l1 : bias.ydot_l1;
+  solution.reason = fmt::format(
+      "error above the accuracy {:g}: L1 {:.2g} in {}, the sum of the 99 % quantile {:.2g} of the "
+      "sampling error and {:.2g} by the interval between noise kicks; {}",
+      options.accuracy, by_chance + by_interval, is_y_worse ? "p(y)" : "p(y')", by_chance,
+      by_interval, by_interval > by_chance ? "reduce --white-step" : "increase --time");
 }
 
 void require_solvable(const problem::Problem& problem, const Options& options) {
@@ -470,9 +477,13 @@ Result solve(const problem::Problem& problem, const Options& options) {
 
   const auto doubled_plan = plan_with_doubled_kick_interval(problem, plan);
   std::optional<Simulation> doubled;
-  if (doubled_plan) {
+  if (doubled_plan && !interrupted) {
     doubled.emplace(problem, *doubled_plan);
-    run_with_doubled_kick_interval(simulation, options, *doubled);
+    if (!run_with_doubled_kick_interval(simulation, options, *doubled)) {
+      interrupted = true;
+      unreached_reason = "interrupted: the error of the interval between noise kicks is incomplete";
+      doubled.reset();
+    }
   }
   const bool has_all_streams = gather_streams(options.process_group, simulation);
   if (doubled) gather_streams(options.process_group, *doubled);

@@ -229,9 +229,14 @@ void add_sampling_errors(const CaseResult& case_result, Sentences& sentences) {
         fmt::format("The sampling error of {}: on average L1 {}; standard errors {:.1g} in E[y^2] "
                     "and {:.1g} in E[y'^2].",
                     solution.id(), l1_distances_text(l1), moments.y2, moments.v2));
-    if (!solution.error) continue;
+  }
+}
+
+void add_kick_interval_errors(const CaseResult& case_result, Sentences& sentences) {
+  for (const auto& solution : case_result.solutions) {
+    if (!solution.error || !solution.standard_errors) continue;
     sentences.push_back(fmt::format(
-        "The interval between noise kicks in {} causes errors of at most about L1 {}, {:.1g} in E[y^2] and "
+        "The interval between noise kicks in {} causes errors of about L1 {}, {:.1g} in E[y^2] and "
         "{:.1g} in E[y'^2].",
         solution.id(),
         l1_distances_text(MarginalDistances{solution.error->y_l1, solution.error->ydot_l1}),
@@ -406,6 +411,7 @@ std::vector<std::string> finding_sentences(const CaseResult& case_result) {
   if (case_result.solutions.size() > 1) sentences.push_back(describe_reference(case_result));
   add_discretisation_errors(case_result, sentences);
   add_sampling_errors(case_result, sentences);
+  add_kick_interval_errors(case_result, sentences);
   add_approximation_errors(case_result, sentences);
   add_closest_closures(case_result, sentences);
   add_measured_errors(case_result, sentences);

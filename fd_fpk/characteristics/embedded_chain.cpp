@@ -1,6 +1,7 @@
 #include "fd_fpk/characteristics/embedded_chain.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "base/process/parallel_for.hpp"
@@ -186,10 +187,11 @@ class EmbeddedChain {
   bool has_slopes_ = false;
 };
 
-// Tolerances of ||J T q - q||_1; the rough solution only determines the slope limiter.
+// Tolerances of ||J p + r - q||_1; the rough solution only determines the slope limiter.
 constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
-// Adds to q, of mass 1, the solution d, of mass 0, of (1 - J T) d + q (1, d) = J T q - q.
+// Adds to q, of mass 1, the solution d, of mass 0, of d - A d + q (1, d) = A q - q, where A is a
+// step of the chain.
 void solve_chain_by_gmres(const EmbeddedChain& chain, const ChainAggregation& aggregation,
                           double tolerance, const base::Deadline& deadline,
                           Eigen::VectorXd& masses_after_impulse, StationaryMasses& result) {
@@ -272,6 +274,10 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
   result.residual = (chain.apply_jump(masses_before_impulse) + continuing - masses_after_impulse)
                         .cwiseAbs()
                         .sum();
+  // Impacts are counted per unit mass of q. With walls every characteristic ends at a wall or at
+  // rest, so that the sum of p is 1.
+  assert(!(problem.system.left_wall() || problem.system.right_wall()) || points.empty() ||
+         std::abs(continuing.sum()) < 1e-9);
   const Eigen::VectorXd masses = masses_before_impulse / masses_before_impulse.sum();
   result.masses = masses.head(grid.size());
   for (const RestPoint& point : points) {

@@ -58,7 +58,7 @@ struct StationaryMasses {
   /// Mass at each rest point: in contact with the wall, or in the innermost cells of an equilibrium
   std::vector<double> at_rest = {};
   WallImpacts impacts = {};
-  /// Residual ||J T q - q||_1 of the density q after impulses, with q normalised to mass 1
+  /// Residual ||J p + r - q||_1 of the chain, with q normalised to mass 1
   double residual = 0;
   long iterations = 0;
   std::string failure = {};
@@ -66,8 +66,10 @@ struct StationaryMasses {
   long visits = 0;  ///< number of cell visits of all characteristics
 };
 
-/// Solves q = J T q, with the transport operator T and the velocity jumps J, for the embedded
-/// Markov chain of states after impulses. The equation is solved twice by GMRES. The first
+/// Solves q = J p + r for the embedded Markov chain of states after impulses, with the velocity
+/// jumps J. The transport operator divides the masses of q into the masses p that receive an impulse
+/// and the masses r that continue from the end of a characteristic (TransportedMasses); r is
+/// negligible except along a limit cycle. The equation is solved twice by GMRES. The first
 /// discretisation has a uniform density in each cell, so that all masses are positive. The second
 /// discretisation has slopes of the density in the cells, which the first solution limits. The
 /// preconditioner is the embedded chain aggregated to blocks of cells.

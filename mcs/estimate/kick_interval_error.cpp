@@ -70,12 +70,13 @@ transform::ErrorEstimate estimate_kick_interval_error(const Simulation& simulati
     const MarginalEstimate a = estimate_marginal(simulation, weights, variable, kAnyNumber);
     const MarginalEstimate b = estimate_marginal(doubled, doubled_weights, variable, kAnyNumber);
     const double l1 = transform::l1_distance(a.marginal, b.marginal);
-    const double by_chance = std::hypot(expected_l1_error(a.errors), expected_l1_error(b.errors));
-    // The sampling errors of the bins increase the distance. Their fluctuation of about a tenth
-    // hides distances below half of the distance that they cause.
-    constexpr double kResolved = 0.5;
-    return fraction * std::max(kResolved * by_chance,
-                               std::sqrt(std::max(0.0, l1 * l1 - by_chance * by_chance)));
+    const L1SamplingError of_a = l1_sampling_error(a.errors), of_b = l1_sampling_error(b.errors);
+    // The sampling errors of the bins increase the distance. A distance that they may explain counts
+    // as half of the expected distance by sampling errors.
+    constexpr double kHidden = 0.5;
+    const double by_chance = std::hypot(of_a.expected, of_b.expected);
+    if (l1 <= std::hypot(of_a.quantile_99, of_b.quantile_99)) return fraction * kHidden * by_chance;
+    return fraction * std::sqrt(l1 * l1 - by_chance * by_chance);
   };
   error.y_l1 = l1_error(transform::StateVariable::y);
   error.ydot_l1 = l1_error(transform::StateVariable::ydot);

@@ -202,7 +202,10 @@ def formula_of_function(function: Callable[..., Any], key: str, constants: Colle
     """
     variables = VARIABLES[key]
     expected = f"({', '.join(variables)})"
-    parameters = inspect.signature(function).parameters.values()
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except ValueError:
+        raise TypeError(f"{key}: the function has no known parameters; use a def or a lambda with {expected}") from None
     named = [each for each in parameters if each.kind not in (each.VAR_POSITIONAL, each.VAR_KEYWORD)]
     if len(named) < len(variables):
         raise TypeError(f"{key}: the function has too few parameters ({len(named)}); use {expected}")
@@ -210,6 +213,8 @@ def formula_of_function(function: Callable[..., Any], key: str, constants: Colle
         is_misplaced = variables[place : place + 1] != (name,)
         if is_misplaced and (name in ("y", "v", "t") or (name in constants and place < len(variables))):
             raise TypeError(f"{key}: the parameter '{name}' of the function is misplaced; begin with {expected}")
+    if any(each.kind == each.POSITIONAL_ONLY for each in named[len(variables) :]):
+        raise TypeError(f"{key}: the function has named constants before the separator /; move / after the variables")
     by_name = {
         each.name: SymbolicExpression(key, each.name, _ATOM)
         for each in named[len(variables) :]

@@ -226,7 +226,9 @@ Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) 
   whole.append_word("status", std::string(name(s.status)));
   const PartQuantityAppender density = part("density", s.has_density() ? "one" : "none");
   if (s.has_density()) add_density_quantities(s, tolerances, density);
-  if (s.error) add_error_estimates(s, tolerances, part(kErrorEstimatePart));
+  // The error estimate of a simulation is a difference of two simulations. It scatters by as much
+  // as its value, and therefore does not reveal a change.
+  if (s.error && !s.standard_errors) add_error_estimates(s, tolerances, part(kErrorEstimatePart));
   if (s.standard_errors) add_standard_error_quantities(*s.standard_errors, part("standard errors"));
   if (s.sampling) add_sampling_error_quantities(*s.sampling, part("sampling L1"));
   if (s.smooth_sampling)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 #include "general_oscillators.hpp"
@@ -67,6 +68,21 @@ TEST(KickIntervalError, IsPartOfTheErrorThatTheAccuracyLimits) {
   EXPECT_NE(coarse.reason.find("--white-step"), std::string::npos) << coarse.reason;
   EXPECT_TRUE(fine.is_ok()) << fine.reason;
   EXPECT_LT(fine.error->ydot_l1, coarse.error->ydot_l1 / 2);
+}
+
+// The simulation asks once between two rounds, and then before each round of the second simulation.
+TEST(KickIntervalError, IsAbsentAfterAnInterruptionOfTheSecondSimulation) {
+  const Problem problem = tests::make_problem({.restitution = 0.5});
+  Options options{.equation = DensityEquation::white, .time = 1e4, .accuracy = 1};
+  const Result complete = solve(problem, options);
+  ASSERT_TRUE(complete.solution.error);
+  std::uint64_t questions = 0;
+  options.stop = [&] { return ++questions > complete.summary.rounds; };
+  const Result interrupted = solve(problem, options);
+  EXPECT_EQ(interrupted.summary.rounds, complete.summary.rounds);
+  EXPECT_TRUE(interrupted.summary.interrupted);
+  EXPECT_EQ(interrupted.solution.status, transform::Status::not_converged);
+  EXPECT_FALSE(interrupted.solution.error);
 }
 
 }  // namespace

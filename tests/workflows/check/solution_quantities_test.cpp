@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "solved_run.hpp"
@@ -107,6 +109,21 @@ TEST(SolutionClaims, ToleranceOfErrorsGrowsWithTheirNumber) {
   // Numbers of effective samples are proportional to 1 / error^2.
   const double error = allowed("standard error of E[y]");
   EXPECT_NEAR(allowed("effective_samples"), std::pow(1 + error, 2) - 1, 1e-9);
+}
+
+// The error estimate of a simulation is a difference of two simulations, which scatters freely.
+TEST(SolutionClaims, TheErrorEstimateOfASimulationIsNotCompared) {
+  results::Run run = tests::solved_run();
+  const auto count = [&](transform::Solution& one) {
+    one.error = transform::ErrorEstimate{.y_l1 = 1e-3, .ydot_l1 = 1e-3};
+    return std::ranges::count_if(solution_quantities(one, {}), [](const Quantity& quantity) {
+      return quantity.name.starts_with("error of");
+    });
+  };
+  transform::Solution& simulation = solution(run, "mcs");
+  EXPECT_EQ(count(simulation), 0);
+  simulation.standard_errors.reset();
+  EXPECT_EQ(count(simulation), 2 + static_cast<long>(std::size(transform::kMoments)));
 }
 
 }  // namespace
