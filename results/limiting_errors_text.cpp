@@ -74,7 +74,7 @@ std::string limiting_errors_text(const CaseResult& case_result) {
   return fmt::format(
       "Limiting error of each closure: {}.{}", fmt::join(parts, "; "),
       errors.has_reference_disagreement
-          ? " Finite volumes and the simulation differ by more than their stated errors, which "
+          ? " Finite volumes and the simulation differ by more than their errors explain, which "
             "increases the part `sampling`."
           : "");
 }
