@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -114,16 +113,16 @@ TEST(SolutionClaims, ToleranceOfErrorsGrowsWithTheirNumber) {
 // The error estimate of a simulation is a difference of two simulations, which scatters freely.
 TEST(SolutionClaims, TheErrorEstimateOfASimulationIsNotCompared) {
   results::Run run = tests::solved_run();
-  const auto count = [&](transform::Solution& one) {
+  transform::Solution& one = solution(run, "mcs");
+  const auto count_of_error_estimate = [&] {
+    one.error.reset();
+    const std::size_t without = solution_quantities(one, {}).size();
     one.error = transform::ErrorEstimate{.y_l1 = 1e-3, .ydot_l1 = 1e-3};
-    return std::ranges::count_if(solution_quantities(one, {}), [](const Quantity& quantity) {
-      return quantity.name.starts_with("error of");
-    });
+    return solution_quantities(one, {}).size() - without;
   };
-  transform::Solution& simulation = solution(run, "mcs");
-  EXPECT_EQ(count(simulation), 0);
-  simulation.standard_errors.reset();
-  EXPECT_EQ(count(simulation), 2 + static_cast<long>(std::size(transform::kMoments)));
+  EXPECT_EQ(count_of_error_estimate(), 0U);
+  one.standard_errors.reset();
+  EXPECT_GE(count_of_error_estimate(), 2 + std::size(transform::kMoments));
 }
 
 }  // namespace
