@@ -107,10 +107,7 @@ std::optional<RunOutcome> outcome_if_finished(const Simulation& simulation, cons
                           "simulated time too short: samples or target error not reached; increase "
                           "--time"};
   }
-  // With several processes Options::stop is ignored, since all processes must simulate an equal
-  // time. A stop request then ends the process.
-  if (simulation.round_count() > 0 && options.process_group.parts == 1 && options.stop &&
-      options.stop()) {
+  if (simulation.round_count() > 0 && is_stop_requested(options)) {
     return RunOutcome{
         .unreached_reason = fmt::format("interrupted: only {:.1f} % of the simulation is "
                                         "complete",
@@ -121,6 +118,10 @@ std::optional<RunOutcome> outcome_if_finished(const Simulation& simulation, cons
 }
 
 }  // namespace
+
+bool is_stop_requested(const Options& options) {
+  return options.process_group.parts == 1 && options.stop && options.stop();
+}
 
 ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
                                                 const SimulationPlan& plan) {

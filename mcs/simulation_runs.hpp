@@ -17,6 +17,11 @@ namespace fpkcheck::mcs {
 ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
                                                 const SimulationPlan& plan);
 
+/// Returns whether Options::stop requests the end of the simulation. With several processes the
+/// result is false, since all processes must simulate an equal time. A stop request then ends the
+/// process.
+bool is_stop_requested(const Options& options);
+
 struct RunOutcome {
   /// Reason why the goal was not reached, in one sentence; empty if the goal was reached
   std::string unreached_reason{};

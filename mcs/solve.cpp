@@ -27,24 +27,14 @@ namespace {
 
 using transform::StateVariable;
 
-void estimate_moments(const Simulation& simulation, const StreamWeights& weights, Result& result) {
-  using transform::Moments;
-  auto& solution = result.solution;
-  auto& summary = result.summary;
+void set_moments(const Simulation& simulation, const StreamWeights& weights, Result& result) {
+  auto& [solution, summary] = result;
   for (const auto& [p, q] : kPowers) {
     summary.joint_moments.push_back(weights.estimate_mean(moment_per_stream(simulation, p, q)));
   }
-  const auto set = [&](double Moments::*member, int p, int q) {
-    const MeanEstimate e = weights.estimate_mean(moment_per_stream(simulation, p, q));
-    solution.moments.*member = e.mean;
-    solution.standard_errors->moments.*member = e.standard_error;
-  };
-  set(&Moments::y1, 1, 0);
-  set(&Moments::y2, 2, 0);
-  set(&Moments::y4, 4, 0);
-  set(&Moments::v1, 0, 1);
-  set(&Moments::v2, 0, 2);
-  set(&Moments::v4, 0, 4);
+  const MomentEstimates estimates = estimate_moments(simulation, weights);
+  solution.moments = estimates.means;
+  solution.standard_errors->moments = estimates.standard_errors;
 }
 
 double mean_damping_power(const problem::System& system, const Simulation& simulation,
@@ -359,7 +349,7 @@ void set_status(const SimulationPlan& plan, const Options& options, const Summar
 void fill_result(const problem::Problem& problem, const Simulation& simulation, Result& result) {
   const StreamWeights weights(excess_impulse_power_per_stream(simulation));
   result.solution.standard_errors.emplace();
-  estimate_moments(simulation, weights, result);
+  set_moments(simulation, weights, result);
   estimate_impacts(problem, simulation, weights, result);
   estimate_balances(problem, simulation, weights, result.summary);
   estimate_excess_power(simulation, result.summary);
@@ -403,12 +393,8 @@ bool run_with_doubled_kick_interval(const Simulation& simulation, const Options&
   doubled.restrict_to_streams_of_part(options.process_group.part, options.process_group.parts);
   doubled.run_burn_in();
   const std::uint64_t rounds = (simulation.round_count() + 1) / 2;
-  // All processes of a group must simulate an equal time, see outcome_if_finished().
-  const auto must_stop = [&] {
-    return options.process_group.parts == 1 && options.stop && options.stop();
-  };
   while (doubled.round_count() < rounds) {
-    if (must_stop()) return false;
+    if (is_stop_requested(options)) return false;
     doubled.run_round();
   }
   return true;
@@ -493,7 +479,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   }
 
   fill_result(problem, simulation, result);
-  if (doubled) solution.error = estimate_kick_interval_error(simulation, *doubled);
+  if (doubled) solution.error = estimate_kick_interval_error(solution, *doubled);
   summary.interrupted = interrupted;
   if (plan.deposit) summary.deposits = stream_deposits(simulation);
   if (splitting) {

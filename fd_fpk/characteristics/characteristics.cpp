@@ -21,9 +21,9 @@ constexpr double kMaxDecayTimes = 40;
 constexpr long kMostSteps = 20000;
 // Maximum duration of a characteristic along a limit cycle, in mean times between impulses. Mass
 // without an impulse until then continues from the cell of the last state: a fraction of 9e-4 of
-// the mass at the beginning of the characteristic, more of mass that starts later. For
-// the example `relaxation` the residual of the power balance is 1.4e-3 with this duration, 1.1e-3
-// with twice the duration, and 4.6e-3 with a duration of 4.
+// the mass at the beginning of the characteristic, and a larger fraction of mass that starts later.
+// For the example `relaxation` the residual of the power balance is 1.4e-3 with this duration,
+// 1.1e-3 with twice the duration, and 4.6e-3 with a duration of 4.
 constexpr double kMaxCycleDecayTimes = 7;
 // Lower limit of the flux of area, which decays to zero for overdamped motion.
 constexpr double kLeastFlux = 1e-200;

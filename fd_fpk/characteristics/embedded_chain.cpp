@@ -127,7 +127,7 @@ class EmbeddedChain {
 
   // Returns the masses after the next impulse, or at the end of a characteristic without an
   // impulse.
-  Eigen::VectorXd advance(const Eigen::VectorXd& masses_after_impulse) const {
+  Eigen::VectorXd apply_step(const Eigen::VectorXd& masses_after_impulse) const {
     const auto [ended, continuing] = apply_flow(masses_after_impulse);
     return apply_jump(ended) + continuing;
   }
@@ -195,11 +195,11 @@ constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 void solve_chain_by_gmres(const EmbeddedChain& chain, const ChainAggregation& aggregation,
                           double tolerance, const base::Deadline& deadline,
                           Eigen::VectorXd& masses_after_impulse, StationaryMasses& result) {
-  const Eigen::VectorXd defect = chain.advance(masses_after_impulse) - masses_after_impulse;
+  const Eigen::VectorXd defect = chain.apply_step(masses_after_impulse) - masses_after_impulse;
   const double norm = defect.cwiseAbs().sum();
   if (norm <= tolerance) return;
   const LinearMap map = [&](const Eigen::VectorXd& d) -> Eigen::VectorXd {
-    return d - chain.advance(d) + masses_after_impulse * d.sum();
+    return d - chain.apply_step(d) + masses_after_impulse * d.sum();
   };
   const ApproximateSolve correct = [&](Eigen::Ref<Eigen::VectorXd> d) {
     aggregation.apply_coarse_correction(d);
@@ -246,7 +246,7 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
       return {.masses = std::nullopt, .failure = why};
     }
     aggregation.set_block_chain([&](const Eigen::VectorXd& masses_after_impulse) {
-      return block_chain.advance(masses_after_impulse);
+      return block_chain.apply_step(masses_after_impulse);
     });
   }
   StationaryMasses result{.masses = std::nullopt,

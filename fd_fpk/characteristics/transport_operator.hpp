@@ -71,7 +71,7 @@ struct WallImpacts {
 /// characteristic. Mass that receives no impulse during the visit enters the next visit. The
 /// operator is exact along the characteristics and conserves mass.
 ///
-/// Along a limit cycle a characteristic ends after some mean times between impulses. Mass that
+/// Along a limit cycle a characteristic ends after several mean times between impulses. Mass that
 /// reaches this end without an impulse is not part of p.
 ///
 /// The vectors of p and of q contain the masses on the cells, followed by one mass for each rest

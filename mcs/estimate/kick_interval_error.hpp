@@ -23,8 +23,9 @@ std::optional<SimulationPlan> plan_with_doubled_kick_interval(const problem::Pro
 /// with the order p = 1 if impacts dissipate energy or the force jumps, and p = 2 otherwise
 /// (docs/simulation.md). A difference that sampling errors hide counts as large as the smallest
 /// difference that the two simulations resolve.
-/// @param simulation,doubled simulations with the intervals h and 2h
-transform::ErrorEstimate estimate_kick_interval_error(const Simulation& simulation,
+/// @param solution moments, marginals and sampling errors of the simulation with the interval h
+/// @param doubled simulation with the interval 2h
+transform::ErrorEstimate estimate_kick_interval_error(const transform::Solution& solution,
                                                       const Simulation& doubled);
 
 }  // namespace fpkcheck::mcs

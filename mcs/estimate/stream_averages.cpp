@@ -76,6 +76,23 @@ std::vector<double> moment_per_stream(const Simulation& simulation, int p, int q
   });
 }
 
+MomentEstimates estimate_moments(const Simulation& simulation, const StreamWeights& weights) {
+  using transform::Moments;
+  MomentEstimates estimates;
+  const auto set = [&](double Moments::*moment, int p, int q) {
+    const MeanEstimate e = weights.estimate_mean(moment_per_stream(simulation, p, q));
+    estimates.means.*moment = e.mean;
+    estimates.standard_errors.*moment = e.standard_error;
+  };
+  set(&Moments::y1, 1, 0);
+  set(&Moments::y2, 2, 0);
+  set(&Moments::y4, 4, 0);
+  set(&Moments::v1, 0, 1);
+  set(&Moments::v2, 0, 2);
+  set(&Moments::v4, 0, 4);
+  return estimates;
+}
+
 std::vector<double> excess_impulse_power_per_stream(const Simulation& simulation) {
   // Impulses are independent of the motion before them. The work of the impulses (Excitation::work)
   // therefore has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v] = 0, since int v dt is

@@ -5,6 +5,7 @@
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "numerics/polynomials/polynomial.hpp"
+#include "transform/density.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -26,6 +27,12 @@ double moment_in_physical_coordinates(const Simulation& simulation, const Stream
 /// Returns the mean of y^p y'^q in every stream, in physical coordinates, for (p, q) = (y_power,
 /// v_power) among kPowers.
 std::vector<double> moment_per_stream(const Simulation& simulation, int y_power, int v_power);
+
+struct MomentEstimates {
+  transform::Moments means, standard_errors;
+};
+/// Returns the weighted means of the moments over the streams, in physical coordinates.
+MomentEstimates estimate_moments(const Simulation& simulation, const StreamWeights& weights);
 
 /// Returns the excess power of every stream: power of the drawn impulses minus the expected power.
 std::vector<double> excess_impulse_power_per_stream(const Simulation& simulation);

@@ -50,15 +50,15 @@ double time_to_next_kick(const MotionParameters& motion, double diffusion, doubl
   if (!motion.kicks.has_lossy_wall) return longest_interval;
   if (motion.kicks.factor != nullptr) diffusion *= motion.kicks.factor->squared(y, v);
   if (diffusion == 0) return longest_interval;
-  const double part = motion.kicks.part_near_wall;
-  const double in_velocity = part * v * v / diffusion;
+  const double fraction = motion.kicks.fraction_near_wall;
+  const double in_velocity = fraction * v * v / diffusion;
   if (in_velocity >= longest_interval) return longest_interval;
   double distance = std::numeric_limits<double>::infinity();
   for (const Wall* wall : {&motion.oscillator.left, &motion.oscillator.right}) {
     if (!wall->is_lossy()) continue;
     distance = std::min(distance, std::abs(y - wall->position));
   }
-  const double in_distance = part * std::cbrt(distance * distance / diffusion);
+  const double in_distance = fraction * std::cbrt(distance * distance / diffusion);
   return std::clamp(std::max(in_velocity, in_distance), motion.kicks.shortest_interval,
                     longest_interval);
 }

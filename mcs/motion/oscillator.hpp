@@ -121,8 +121,8 @@ struct NoiseKicks {
   double longest_interval = 0;  ///< largest interval h between kicks
   /// Lower limit of h next to a wall with losses, see time_to_next_kick()
   double shortest_interval = 0;
-  /// Interval h next to a wall with losses, as a part of the time in which noise changes the motion
-  double part_near_wall = 0.1;
+  /// Interval h next to a wall with losses, as a fraction of the time in which noise changes the motion
+  double fraction_near_wall = 0.1;
   bool has_lossy_wall = false;
   /// Factor g of multiplicative noise, which must outlive the kicks; null for g = 1
   const problem::NoiseFactor* factor = nullptr;

@@ -45,7 +45,7 @@ TEST(KickIntervalError, ComparesWithTwiceTheIntervalAndOtherRandomNumbers) {
   const SimulationPlan doubled = *plan_with_doubled_kick_interval(problem, plan);
   EXPECT_EQ(doubled.kicks.longest_interval, 2 * plan.kicks.longest_interval);
   EXPECT_EQ(doubled.kicks.shortest_interval, 2 * plan.kicks.shortest_interval);
-  EXPECT_EQ(doubled.kicks.part_near_wall, 2 * plan.kicks.part_near_wall);
+  EXPECT_EQ(doubled.kicks.fraction_near_wall, 2 * plan.kicks.fraction_near_wall);
   EXPECT_NE(doubled.seed, plan.seed);
 
   const Problem paper = tests::make_problem({});
