@@ -126,9 +126,10 @@ bool requests_density_over_time(const CommandCall& call) {
 }
 
 int density_over_time_command(const CommandCall& call) {
-  return run_functional(call, kOverTimeUsage, study::transient_comparison_option_descriptions(),
-                        "write over_time.json, .csv, .nc and a figure to DIR (default: no files)",
-                        study::compare_over_time, problem::TimeSection::allowed);
+  return run_functional(
+      call, kOverTimeUsage, study::transient_comparison_option_descriptions(),
+      "write over_time.html, .json, .csv, .nc and a figure to DIR (default: no files)",
+      study::compare_over_time, problem::TimeSection::allowed);
 }
 
 int passage_command(const CommandCall& call) {

@@ -17,6 +17,7 @@ void write_study_files(const std::filesystem::path& directory, const study::Stud
   files.add(directory / (output.file_stem + ".json"), output.json + '\n');
   files.add(directory / (output.file_stem + ".csv"), output.csv);
   if (!output.netcdf.empty()) files.add(directory / (output.file_stem + ".nc"), output.netcdf);
+  if (!output.page.empty()) files.add(directory / (output.file_stem + ".html"), output.page);
   files.commit();
   set_exit_message("all files were written except the figure");
   if (output.figure_script.empty()) return;
@@ -43,8 +44,9 @@ void ReportOfOneCase::write_output_files(const study::StudyReport& output) const
                                                name(common.figures.formats.front()));
   print_output(fmt::format(
       "\n{}{:.1f} s.\n",
-      common.out ? fmt::format("Wrote {}.json{}{} to {} in ", output.file_stem,
-                               output.netcdf.empty() ? "" : ", .nc", figure, *common.out)
+      common.out ? fmt::format("Wrote {}.json{}{}{} to {} in ", output.file_stem,
+                               output.netcdf.empty() ? "" : ", .nc",
+                               output.page.empty() ? "" : ", .html", figure, *common.out)
                  : "Done in ",
       stopwatch_.seconds()));
 }

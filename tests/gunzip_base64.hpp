@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -34,6 +35,14 @@ inline std::string gunzip_base64(std::string base64) {
   inflateEnd(&stream);
   if (result != Z_STREAM_END) throw std::runtime_error("not gzip");
   return text;
+}
+
+/// The JSON input of page.js.
+inline nlohmann::json plots_in(const std::string& page) {
+  const std::string opening = "<script type=\"application/gzip\" id=\"plots\">";
+  const auto begin = page.find(opening) + opening.size();
+  return nlohmann::json::parse(
+      gunzip_base64(page.substr(begin, page.find("</script>", begin) - begin)));
 }
 
 }  // namespace fpkcheck::tests

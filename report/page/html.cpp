@@ -8,6 +8,7 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cctype>
+#include <map>
 #include <new>
 #include <span>
 #include <vector>
@@ -29,6 +30,21 @@ std::string status_chip(const std::string& status) {
 
 bool is_empty_column(const HtmlColumn& column) {
   return std::ranges::all_of(column.cells, [](const auto& cell) { return cell == kNoValue; });
+}
+
+// Replaces the {{placeholders}} of the page frame in a single pass, so that placeholders within
+// inserted texts are unchanged.
+std::string fill_template(std::string_view frame,
+                          const std::map<std::string, std::string_view>& parts) {
+  std::string page;
+  while (true) {
+    const auto begin = frame.find("{{");
+    page += frame.substr(0, begin);
+    if (begin == std::string_view::npos) return page;
+    const auto end = frame.find("}}", begin);
+    page += parts.at(std::string(frame.substr(begin + 2, end - begin - 2)));
+    frame.remove_prefix(end + 2);
+  }
 }
 
 }  // namespace
@@ -122,6 +138,18 @@ static_assert(std::endian::native == std::endian::little, "plotly.js reads littl
 TypedArray encode_float_array(std::span<const double> values) {
   const std::vector<float> rounded(values.begin(), values.end());
   return {"f4", encode_base64(std::as_bytes(std::span(rounded)))};
+}
+
+std::string page_with_plots_html(std::string_view title, const std::string& body,
+                                 std::string_view plots) {
+  // The text of plotly.js is constant, and is therefore compressed only once per process.
+  static const std::string plotly = gzip_base64(plotly_script());
+  return fill_template(page_template(), {{"title", escape_html(title)},
+                                         {"style", page_style()},
+                                         {"body", body},
+                                         {"plots", gzip_base64(plots)},
+                                         {"plotly", plotly},
+                                         {"script", page_script()}});
 }
 
 }  // namespace fpkcheck::report

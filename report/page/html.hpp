@@ -60,6 +60,14 @@ void to_json(Json& json, const TypedArray& array) {
   json = {{"dtype", array.dtype}, {"bdata", array.bdata}};
 }
 
+/// Returns a self-contained page with plots, which needs no other file and no network.
+/// @param title title of the page, plain text
+/// @param body HTML of the page, with plots_html() of all plots
+/// @param plots JSON list of the groups of plots, the input of the script page.js
+/// @throws std::bad_alloc
+std::string page_with_plots_html(std::string_view title, const std::string& body,
+                                 std::string_view plots);
+
 // The source files of report.html are compiled into the program, which therefore needs no file at
 // run time.
 

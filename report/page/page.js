@@ -1,6 +1,6 @@
 // Draws the plots of the page with plotly.js; the program has computed all numbers and sentences. The element #plots
-// contains for each case "plots" (figures of plotly.js; "@name" refers to a shared array), "maps" (joint densities)
-// and "errors" (error sources of moments). Plots in a closed <details> element are drawn when the element opens. The
+// contains for each case "plots" (figures of plotly.js; "@name" refers to a shared array), "maps" (joint densities),
+// "errors" (error sources of moments), and "slider" (plots at each position of a slider). Plots in a closed <details> element are drawn when the element opens. The
 // attribute <html data-plots="drawn"> states that all visible plots are drawn.
 'use strict';
 
@@ -107,24 +107,45 @@ function followLegend(changed, divs) {
   }
 }
 
+// Returns the plots of a group: first the plots at the position of the slider, then the plots without a slider.
+const plotsOf = ({slider, plots}) =>
+  slider ? [...slider.steps[document.getElementById(slider.id).value], ...plots] : plots;
+
+// Shows the plots, the label and the table at the position of a slider.
+function followSlider(slider, plots) {
+  const input = document.getElementById(slider.id);
+  const showTexts = () => {
+    const label = slider.labels[input.value];
+    document.getElementById(`${slider.id}-label`).textContent = label;
+    input.setAttribute('aria-valuetext', label);
+    document.querySelectorAll(`[data-slider="${slider.id}"]`).forEach((part, k) => { part.hidden = k !== Number(input.value); });
+  };
+  input.addEventListener('input', () => {
+    showTexts();
+    for (const plot of plots.slice(0, slider.steps[0].length)) plot.draw();
+  });
+  showTexts();
+}
+
 // Returns the plots and maps of a case as objects: the HTML element, fit(), which sets the size of the element, and
 // draw(). Callers may call fit() and draw() repeatedly.
 function drawables(one) {
-  const divs = one.plots.map(plot => document.getElementById(plot.id));
-  const plots = one.plots.map(({figure}, index) => {
-    const div = divs[index];
-    const fit = () => { div.style.height = `${sizeOf(div, figure).height}px`; };
+  const divs = plotsOf(one).map(plot => document.getElementById(plot.id));
+  const plots = divs.map((div, index) => {
+    const fit = () => { div.style.height = `${sizeOf(div, plotsOf(one)[index].figure).height}px`; };
     const draw = () => {
-      const first = !div.data;
+      const figure = plotsOf(one)[index].figure, first = !div.data;
       // Traces keep the visibility that the reader of the page chose.
       const data = figure.data.map((trace, k) => ({...withArrays(trace, figure.arrays),
                                                    ...(first ? {} : {visible: div.data[k].visible})}))
                               .map(trace => isLeftOut(trace) ? {...trace, showlegend: false} : trace);
-      Plotly.react(div, data, layoutOf(figure, sizeOf(div, figure)), config());
+      // The axes keep the ranges to which the reader of the page zoomed.
+      Plotly.react(div, data, {...layoutOf(figure, sizeOf(div, figure)), uirevision: one.slider?.id}, config());
       if (first) div.on('plotly_restyle', () => followLegend(div, divs));
     };
     return {element: div, fit, draw};
   });
+  if (one.slider) followSlider(one.slider, plots);
   return [...plots, ...(one.maps ? mapDrawables(one.maps) : []), ...(one.errors ? choiceDrawables(one.errors) : [])];
 }
 

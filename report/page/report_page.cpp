@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <string_view>
 #include <vector>
 
@@ -176,21 +175,6 @@ std::string timings_section_html(const results::Run& run) {
              escape_html(run.program.command));
 }
 
-// Replaces the {{placeholders}} of the page frame in a single pass, so that placeholders within
-// inserted texts are unchanged.
-std::string fill_template(std::string_view frame,
-                          const std::map<std::string, std::string_view>& parts) {
-  std::string page;
-  while (true) {
-    const auto begin = frame.find("{{");
-    page += frame.substr(0, begin);
-    if (begin == std::string_view::npos) return page;
-    const auto end = frame.find("}}", begin);
-    page += parts.at(std::string(frame.substr(begin + 2, end - begin - 2)));
-    frame.remove_prefix(end + 2);
-  }
-}
-
 }  // namespace
 
 std::string report_page_html(const results::Run& run, const Supplement& supplement) {
@@ -223,14 +207,7 @@ std::string report_page_html(const results::Run& run, const Supplement& suppleme
       html_element("h2", "The problem") + problem_description_html(run) +
       collapsible_html("names", "Glossary", glossary_html(run)) + "</section>\n" + cases +
       timings_section_html(run) + "</main>\n";
-  // The text of plotly.js is constant, and is therefore compressed only once per process.
-  static const std::string plotly = gzip_base64(plotly_script());
-  return fill_template(page_template(), {{"title", title},
-                                         {"style", page_style()},
-                                         {"body", body},
-                                         {"plots", gzip_base64('[' + plots + ']')},
-                                         {"plotly", plotly},
-                                         {"script", page_script()}});
+  return page_with_plots_html(title, body, '[' + plots + ']');
 }
 
 }  // namespace fpkcheck::report

@@ -14,6 +14,7 @@ struct StudyReport {
   std::string text;           ///< tables with sentences that summarise their numbers
   std::string figure_script;  ///< gnuplot script that draws STEM.png; empty without a figure
   std::string netcdf = {};    ///< contents of STEM.nc; empty without this file
+  std::string page = {};      ///< contents of STEM.html; empty without this file
 };
 
 /// Returns the files and texts of a study. If table rows exceed the width of `format`, the table
@@ -29,6 +30,8 @@ StudyReport make_study_report(const Study& study, const std::string& command,
                      drawn.panels.empty() ? "" : report::make_gnuplot_script(drawn, stem, width)};
   if constexpr (requires { study_netcdf_bytes(study, command); })
     report.netcdf = study_netcdf_bytes(study, command);
+  if constexpr (requires { study_page_html(study, command); })
+    report.page = study_page_html(study, command);
   return report;
 }
 

@@ -33,14 +33,6 @@ inline results::Run whole_run(const std::string& name = "case1") {
   return {results::current_program("fpkcheck run"), {whole_case(name)}};
 }
 
-/// The JSON input of page.js.
-inline nlohmann::json plots_in(const std::string& page) {
-  const std::string opening = "<script type=\"application/gzip\" id=\"plots\">";
-  const auto begin = page.find(opening) + opening.size();
-  return nlohmann::json::parse(
-      gunzip_base64(page.substr(begin, page.find("</script>", begin) - begin)));
-}
-
 /// The figure of a plot.
 inline nlohmann::json figure_of(const report::PagePlot& plot) {
   return nlohmann::json::parse(plot.figure);

@@ -34,24 +34,33 @@ using transform::TransientSnapshot;
 
 constexpr int kMostIntervals = 1000;
 
+}  // namespace
+
 const Marginal& marginal_of_variable(const TransientSnapshot& snapshot, StateVariable variable) {
   return variable == StateVariable::y ? snapshot.y : snapshot.ydot;
 }
 
-/// L1 distances of a solution to the reference at one time.
-struct Distances {
-  double y, ydot;
-};
-
-std::optional<Distances> l1_distances_at(const Transient& solution, const Transient& reference,
-                                         std::size_t snapshot) {
+std::optional<MarginalL1Distances> l1_distances_at(const Transient& solution,
+                                                   const Transient& reference,
+                                                   std::size_t snapshot) {
   if (&solution == &reference || snapshot >= solution.snapshots.size() ||
       snapshot >= reference.snapshots.size()) {
     return std::nullopt;
   }
   const TransientSnapshot &a = solution.snapshots[snapshot], &b = reference.snapshots[snapshot];
-  return Distances{l1_distance(a.y, b.y), l1_distance(a.ydot, b.ydot)};
+  return MarginalL1Distances{l1_distance(a.y, b.y), l1_distance(a.ydot, b.ydot)};
 }
+
+std::vector<std::size_t> evenly_spaced_snapshots(const TransientComparison& study,
+                                                 int most_intervals) {
+  const int last = study.options.snapshots, step = (last + most_intervals - 1) / most_intervals;
+  std::vector<std::size_t> indices;
+  for (int k = 0; k < last; k += step) indices.push_back(static_cast<std::size_t>(k));
+  indices.push_back(static_cast<std::size_t>(last));
+  return indices;
+}
+
+namespace {
 
 std::optional<double> moment_error_estimate(const TransientSnapshot& snapshot,
                                             double Moments::*moment) {
@@ -379,16 +388,6 @@ std::string study_csv_text(const TransientComparison& study) {
 
 namespace {
 
-/// Returns the indices of at most kRows + 1 evenly spaced snapshots.
-std::vector<std::size_t> shown_snapshot_indices(const TransientComparison& study) {
-  constexpr int kRows = 10;
-  const int last = study.options.snapshots, step = (last + kRows - 1) / kRows;
-  std::vector<std::size_t> shown;
-  for (int k = 0; k < last; k += step) shown.push_back(static_cast<std::size_t>(k));
-  shown.push_back(static_cast<std::size_t>(last));
-  return shown;
-}
-
 // Two values of a solution at one snapshot, such as E[y^2] and E[y'^2].
 using ValuePair = std::array<double, 2>;
 
@@ -402,7 +401,8 @@ std::string table_over_time(
     const report::TextFormat& format) {
   const transform::TransientRequest request{.until = study.options.until,
                                             .snapshots = study.options.snapshots};
-  const std::vector<std::size_t> shown = shown_snapshot_indices(study);
+  constexpr int kMostIntervalsInTable = 10;
+  const std::vector<std::size_t> shown = evenly_spaced_snapshots(study, kMostIntervalsInTable);
   std::vector<StudyRecord> rows;
   for (const std::size_t k : shown) {
     rows.push_back({{"time", request.time_of_snapshot(static_cast<int>(k))}});
@@ -439,6 +439,8 @@ std::string distance_table(const TransientComparison& study, const Transient& co
   };
   return table_over_time(study, {"p(y)", "p(y')"}, values, format);
 }
+
+}  // namespace
 
 std::string solution_summary_text(const TransientComparison& study, const Transient& solution,
                                   const Transient* compared_with) {
@@ -479,8 +481,6 @@ std::string solution_summary_text(const TransientComparison& study, const Transi
   return line + fmt::format("; {} ({:.1f} s)", solution.details, solution.seconds);
 }
 
-}  // namespace
-
 std::string study_table_text(const TransientComparison& study, const report::TextFormat& format) {
   const Transient* const compared_with = find_reference_solution(study);
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
@@ -513,6 +513,7 @@ using Methods = std::vector<SelectedMethod>;
 report::FigureSeries make_empty_series(const Methods& methods, const Transient& solution) {
   const auto method = find_method(methods, solution.id);
   report::FigureSeries series = report::make_empty_series(solution.id, method->identity.plot_style);
+  series.group = solution.id;
   series.mark_step = methods.size();
   series.first_mark = static_cast<std::size_t>(method - methods.begin());
   if (solution.has_standard_errors) series.dash = "";
@@ -541,7 +542,7 @@ report::FigurePanel moment_panel(const TransientComparison& study, const Methods
 
 report::FigurePanel distance_panel(const TransientComparison& study, const Methods& methods,
                                    const Transient& compared_with, const std::string& title,
-                                   double Distances::*distance) {
+                                   double MarginalL1Distances::*distance) {
   std::vector<report::FigureSeries> all;
   for (const Transient& solution : study.solutions) {
     report::FigureSeries series = make_empty_series(methods, solution);
@@ -570,10 +571,10 @@ report::Figure study_figure(const TransientComparison& study) {
   if (study.solutions.size() > 1) {
     panels.push_back(distance_panel(study, methods, *compared_with,
                                     fmt::format("distance of p(y) to {}", compared_with->id),
-                                    &Distances::y));
+                                    &MarginalL1Distances::y));
     panels.push_back(distance_panel(study, methods, *compared_with,
                                     fmt::format("distance of p(y') to {}", compared_with->id),
-                                    &Distances::ydot));
+                                    &MarginalL1Distances::ydot));
   }
   for (const StateVariable variable : transform::kVariables) {
     DensityOverTime density{

@@ -11,6 +11,7 @@
 #include "report/text/text_layout.hpp"
 #include "transform/transient.hpp"
 #include "workflows/study/functionals/functional.hpp"
+#include "workflows/study/record.hpp"
 
 /// The command `run --until T`: densities over time by finite volumes, closures and simulation.
 namespace fpkcheck::study {
@@ -62,6 +63,27 @@ const transform::Transient* find_reference_solution(const TransientComparison& s
 /// closures are ignored.
 bool has_converged(const TransientComparison& study);
 
+const transform::Marginal& marginal_of_variable(const transform::TransientSnapshot& snapshot,
+                                                transform::StateVariable variable);
+
+/// Returns the L1 distances of a solution to the reference at one snapshot. The result is empty for
+/// the reference itself, or if one of both solutions lacks the snapshot.
+std::optional<MarginalL1Distances> l1_distances_at(const transform::Transient& solution,
+                                                   const transform::Transient& reference,
+                                                   std::size_t snapshot);
+
+/// Returns the indices of evenly spaced snapshots with at most `most_intervals` intervals between
+/// them. The first and the last snapshot of the comparison are included.
+std::vector<std::size_t> evenly_spaced_snapshots(const TransientComparison& study,
+                                                 int most_intervals);
+
+/// Returns the status, the errors, the largest distances to the reference and the computing time of
+/// a solution in one sentence.
+/// @param compared_with the reference; null without a reference
+std::string solution_summary_text(const TransientComparison& study,
+                                  const transform::Transient& solution,
+                                  const transform::Transient* compared_with);
+
 std::string study_json_text(const TransientComparison& study, const std::string& command);
 /// Returns the marginal densities with the columns case, solution, time, variable, abscissa,
 /// density, lower, upper.
@@ -72,5 +94,9 @@ report::Figure study_figure(const TransientComparison& study);
 /// p_ydot(solution, time, ydot). A missing density has the value NaN. The result is empty if no
 /// solution has a density.
 std::string study_netcdf_bytes(const TransientComparison& study, const std::string& command);
+/// Returns the self-contained page over_time.html. A slider selects a time; the plots show the
+/// densities of all solutions at this time, and a table shows their moments and L1 distances. The
+/// result is empty if no solution has a density.
+std::string study_page_html(const TransientComparison& study, const std::string& command);
 
 }  // namespace fpkcheck::study

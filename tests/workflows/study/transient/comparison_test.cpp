@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
+#include "gunzip_base64.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::study {
@@ -93,6 +94,72 @@ TEST(TransientComparison, DrawsMomentsDistancesAndDensities) {
   ASSERT_EQ(drawn.panels[2].series.size(), 2u);
   EXPECT_NEAR(drawn.panels[2].series[0].points[1].y, 0.1, 1e-12);
   EXPECT_TRUE(drawn.panels[4].map && drawn.panels[5].map);
+}
+
+// Values of a curve of a plot on the page.
+Json curve(const Json& plot, const std::string& solution, const std::string& axis) {
+  for (const Json& trace : plot.at("figure").at("data")) {
+    if (trace.at("legendgroup") == solution && trace.at("yaxis") == axis &&
+        trace.value("hoverinfo", "") != "skip") {
+      return trace.at("y");
+    }
+  }
+  return nullptr;
+}
+
+TEST(TransientComparison, HasAPageWithThePlotsAndTheTableOfEachTime) {
+  TransientComparison study = made_up_comparison();
+  study.problem.name = "a<b";
+  study.solutions.push_back(solution("epc-moment-n6", 0.6, 0.2));
+  study.options.methods += ",epc-moment-n6";
+  study.solutions.back().snapshots.pop_back();  // no density at the end time
+  const std::string html = study_page_html(study, "fpkcheck run");
+  EXPECT_NE(html.find("<title>fpkcheck: densities over time of a&lt;b</title>"), std::string::npos);
+  EXPECT_EQ(html.find("a<b"), std::string::npos);
+  EXPECT_NE(html.find("min=\"0\" max=\"1\" step=\"1\" value=\"1\""), std::string::npos);
+  for (const char* fetched : {"src=", "<link", "@import", "href=\"http"}) {
+    EXPECT_EQ(html.find(fetched), std::string::npos) << fetched;
+  }
+  const auto table = html.find("<caption>Moments and L1 distances at t = 2</caption>");
+  ASSERT_NE(table, std::string::npos);
+  EXPECT_LT(html.find("<caption>Moments and L1 distances at t = 0</caption>"), table);
+  const auto row = html.find("epc-polar-n6</th>", table);
+  EXPECT_TRUE(html.substr(html.find("<td", row))
+                  .starts_with("<td class=\"number\">0.10</td><td class=\"number\">0.20</td>"
+                               "<td class=\"number\">0</td><td class=\"number\">0</td>"));
+  EXPECT_NE(html.find("2.00000 \u00b1 3.0e-01", row), std::string::npos);
+
+  const Json group = tests::plots_in(html).at(0);
+  EXPECT_EQ(group.at("plots").size(), 4u);
+  const Json& slider = group.at("slider");
+  EXPECT_EQ(slider.at("labels"), Json({"t = 0", "t = 2"}));
+  const Json& steps = slider.at("steps");
+  ASSERT_EQ(steps.size(), 2u);
+  for (const Json& step : steps) {
+    ASSERT_EQ(step.size(), 2u);
+    EXPECT_EQ(step[0].at("id"), "over-time-density-y");
+    EXPECT_EQ(step[1].at("id"), "over-time-density-ydot");
+    EXPECT_EQ(step[0].at("figure").at("layout"), steps[0][0].at("figure").at("layout"));
+  }
+  // The rows of a plot, from the lowest: density, logarithm, difference from the reference.
+  EXPECT_EQ(curve(steps[0][0], "epc-polar-n6", "y"), Json({0.9, 1 - 0.9}));
+  EXPECT_EQ(curve(steps[1][0], "epc-polar-n6", "y"), Json({0.8, 1 - 0.8}));
+  EXPECT_EQ(curve(steps[1][0], "epc-polar-n6", "y3"), Json({0.8 - 0.75, (1 - 0.8) - 0.25}));
+  EXPECT_EQ(curve(steps[1][0], "epc-moment-n6", "y"), Json({nullptr, nullptr}));
+  EXPECT_EQ(steps[0][0].at("figure").at("data").size(), steps[1][0].at("figure").at("data").size());
+  EXPECT_GT(steps[0][0].at("figure").at("layout").at("yaxis3").at("range").at(1), 0.05);
+
+  study.solutions[1].snapshots.clear();
+  study.solutions[2].snapshots.clear();
+  EXPECT_TRUE(study_page_html(study, "fpkcheck run").empty());
+}
+
+TEST(TransientComparison, ShowsAtMostTheRequestedNumberOfIntervals) {
+  TransientComparison study = made_up_comparison();
+  study.options.snapshots = 25;
+  EXPECT_EQ(evenly_spaced_snapshots(study, 10),
+            (std::vector<std::size_t>{0, 3, 6, 9, 12, 15, 18, 21, 24, 25}));
+  EXPECT_EQ(evenly_spaced_snapshots(study, 100).size(), 26u);
 }
 
 TEST(TransientComparison, ConvergesIfFiniteVolumesAndSimulationAreOk) {
