@@ -68,8 +68,9 @@ closures and simulation. The table has second moments, and L1 distances to the f
 finite volumes the L1 distances refer to the simulation.
   fd    finite volumes on two grids with two tolerances of the time steps, whose difference gives
         the error
-  epc   epc-moment and epc-polar, any order: exact moment equations with the moments as state; the
-        difference from order n-2 gives the error
+  epc   epc-moment and epc-polar, any order: exact moment equations with the moments as state;
+        epc-gaussian: the paper's projections under Gaussian weights. The difference from order n-2
+        gives the error
   mcs   independent paths, with sampling errors
 The case may have a section [time] with formulas: factors of the rate of impulses and of the noise
 intensity, and a force F(t). With --periodic the densities are those of the periodic state, which

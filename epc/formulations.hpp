@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "epc/half_plane/transient.hpp"
+#include "epc/form/evolution.hpp"
 #include "epc/options.hpp"
 #include "epc/summary.hpp"
 #include "problem/problem.hpp"
@@ -19,6 +19,23 @@ namespace gaussian {
 /// the disc of JumpIntegralRemainder is discarded.
 Result solve(const problem::Problem& problem, const Options& options);
 
+/// Computes the density over time by the projections (23) of the time-dependent equation. With p =
+/// C(t) exp(Q_n(a(t))) and the residual F of the paper, the equation dp/dt = L p is dQ_n/dt + d ln
+/// C/dt = F. Its projections on the basis functions phi_s under the Gaussian weight w are
+///
+///     M(a) da/dt = R(a),   M_sk = <phi_s phi_k>_w - <phi_s>_w E_p[phi_k],   R_s = <F phi_s>_w,
+///
+/// since d ln C/dt = -sum_k E_p[phi_k] da_k/dt keeps the mass 1. A stationary solution satisfies
+/// (23). The coefficients a are the state of CVODE.
+///
+/// The status is `inadmissible` if at a snapshot the density on the edge of DensitySupport is above
+/// kEdgeDensityLimit of its peak. The status is `not_converged` if CVODE fails or if M is singular,
+/// for example for a density much wider than the weight.
+/// @pre with a wall, the means of the initial density are 0; the equation is white or km4; the
+///   excitation is constant
+ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+                                 const EvolutionRequest& request);
+
 }  // namespace gaussian
 
 /// Closure p(y, v) = C exp(Q_n(y, v)) between the walls, with all monomials of degree 1 .. n in
@@ -34,9 +51,8 @@ namespace moment {
 Result solve(const problem::Problem& problem, const Options& options);
 
 /// Computes the density over time by half_plane::solve_evolution().
-half_plane::ClosureEvolution solve_evolution(const problem::Problem& problem,
-                                             const Options& options,
-                                             const half_plane::EvolutionRequest& request);
+ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+                                 const EvolutionRequest& request);
 
 }  // namespace moment
 
@@ -51,9 +67,8 @@ namespace polar {
 Result solve(const problem::Problem& problem, const Options& options);
 
 /// Computes the density over time by half_plane::solve_evolution().
-half_plane::ClosureEvolution solve_evolution(const problem::Problem& problem,
-                                             const Options& options,
-                                             const half_plane::EvolutionRequest& request);
+ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+                                 const EvolutionRequest& request);
 
 }  // namespace polar
 

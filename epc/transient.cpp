@@ -10,7 +10,6 @@
 #include "base/process/stopwatch.hpp"
 #include "epc/contact/coordinates.hpp"
 #include "epc/formulations.hpp"
-#include "epc/half_plane/transient.hpp"
 #include "epc/solve.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/coordinate_transformation.hpp"
@@ -18,8 +17,6 @@
 namespace fpkcheck::epc {
 namespace {
 
-using half_plane::ClosureEvolution;
-using half_plane::ClosureSnapshot;
 using transform::Status;
 using transform::TransientRequest;
 
@@ -48,9 +45,29 @@ std::string narrow_start_reason(const problem::Problem& problem,
       start.displacement_deviation, start.velocity_deviation, least_y, least_v);
 }
 
-std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options) {
+// Returns the reason why the formulation gaussian does not support a density over time.
+std::string gaussian_transient_unsupported_reason(const problem::Problem& problem,
+                                                  const problem::InitialGaussian& start,
+                                                  const Options& options) {
+  if (effective_equation(options) == DensityEquation::kf) {
+    return "the closure gaussian over time supports the equations km4 and white";
+  }
+  if (problem.time.is_present()) {
+    return "the closure gaussian supports no excitation that changes in time; use moment or polar";
+  }
+  if (problem.system.left_wall() && (start.mean_displacement != 0 || start.mean_velocity != 0)) {
+    return "the closure gaussian over time starts from a density centred at rest at the wall; set "
+           "--start-mean-y to the position of the wall and --start-mean-v to 0";
+  }
+  return "";
+}
+
+std::string transient_unsupported_reason(const problem::Problem& problem,
+                                         const problem::InitialGaussian& start,
+                                         const Options& options) {
   if (options.formulation == Formulation::gaussian) {
-    return "the closure over time needs the formulation moment or polar";
+    std::string reason = gaussian_transient_unsupported_reason(problem, start, options);
+    if (!reason.empty()) return reason;
   }
   if (std::string reason = unsupported_reason(problem, options); !reason.empty()) return reason;
   if (options.formulation == Formulation::polar && contact::force_presses_on_single_wall(problem)) {
@@ -60,10 +77,16 @@ std::string transient_unsupported_reason(const problem::Problem& problem, const 
 }
 
 ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
-                                 const half_plane::EvolutionRequest& request) {
-  return options.formulation == Formulation::moment
-             ? moment::solve_evolution(problem, options, request)
-             : polar::solve_evolution(problem, options, request);
+                                 const EvolutionRequest& request) {
+  switch (options.formulation) {
+    case Formulation::gaussian:
+      return gaussian::solve_evolution(problem, options, request);
+    case Formulation::moment:
+      return moment::solve_evolution(problem, options, request);
+    case Formulation::polar:
+      return polar::solve_evolution(problem, options, request);
+  }
+  return {};
 }
 
 std::vector<transform::TransientSnapshot> make_transient_snapshots(
@@ -95,7 +118,7 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
   const problem::MotionScales scales = problem::motion_scales(transformed);
   const problem::InitialGaussian start =
       problem::initial_density(transformed, scales, request.start);
-  transient.reason = transient_unsupported_reason(transformed, options);
+  transient.reason = transient_unsupported_reason(transformed, start, options);
   if (transient.reason.empty()) {
     transient.reason = narrow_start_reason(transformed, scales, start, options);
   }
@@ -103,8 +126,7 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
     transient.status = Status::not_offered;
     return transient;
   }
-  half_plane::EvolutionRequest evolution_request{
-      .start = start, .times = {}, .periodic = request.periodic};
+  EvolutionRequest evolution_request{.start = start, .times = {}, .periodic = request.periodic};
   for (int k = 0; k <= request.snapshots; ++k)
     evolution_request.times.push_back(request.time_of_snapshot(k));
   const ClosureEvolution evolution = solve_evolution(transformed, options, evolution_request);
@@ -120,8 +142,8 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
   }
   transient.status = evolution.status;
   transient.reason = evolution.reason;
-  transient.details = fmt::format("{} x {} quadrature points, {} steps", evolution.quadrature.s,
-                                  evolution.quadrature.t, evolution.steps);
+  transient.details =
+      fmt::format("{} quadrature points, {} steps", evolution.quadrature, evolution.steps);
   transient.seconds = stopwatch.seconds();
   return transient;
 }

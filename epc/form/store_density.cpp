@@ -131,7 +131,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   return residuals;
 }
 
-// Returns the moments of the physical coordinates y = origin + sign x and y' = sign x'.
+}  // namespace
+
 transform::Moments physical_moments(const problem::WallFrame& frame,
                                     const transform::QuadratureMarginals& marginals) {
   transform::Moments moments = marginals.moments;
@@ -148,8 +149,6 @@ transform::Moments physical_moments(const problem::WallFrame& frame,
   moments.v1 = frame.physical_velocity(moments.v1);
   return moments;
 }
-
-}  // namespace
 
 transform::QuadratureMarginals store_density(const problem::Problem& problem,
                                              problem::ImpactCondition impact,

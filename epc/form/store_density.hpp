@@ -17,4 +17,9 @@ transform::QuadratureMarginals store_density(
     const transform::SmoothDensity& density, Result& result,
     transform::QuadraturePanelSpacing panels = transform::QuadraturePanelSpacing::uniform);
 
+/// Returns the moments of the physical coordinates y = origin + sign x and y' = sign x' from the
+/// marginals of x and x'.
+transform::Moments physical_moments(const problem::WallFrame& frame,
+                                    const transform::QuadratureMarginals& marginals);
+
 }  // namespace fpkcheck::epc

@@ -6,12 +6,16 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Returns the norm sqrt(E[x^2p]) of the power x^p for x ~ N(0, sigma^2).
-double norm_of_power(int p, double sigma) {
-  const double moment =
-      p == 0 ? 1 : boost::math::double_factorial<double>(static_cast<unsigned>(2 * p - 1));
-  return std::pow(sigma, p) * std::sqrt(moment);
+// Returns the moment E[x^p] for x ~ N(0, sigma^2).
+double gaussian_moment(int p, double sigma) {
+  if (p % 2 != 0) return 0;
+  const double factor =
+      p == 0 ? 1 : boost::math::double_factorial<double>(static_cast<unsigned>(p - 1));
+  return std::pow(sigma, p) * factor;
 }
+
+// Returns the norm sqrt(E[x^2p]) of the power x^p for x ~ N(0, sigma^2).
+double norm_of_power(int p, double sigma) { return std::sqrt(gaussian_moment(2 * p, sigma)); }
 
 // Returns the j-th derivatives of powers: column p has the derivative of x^p at each point.
 Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
@@ -64,6 +68,22 @@ BasisDerivatives Basis::basis_derivatives(const Eigen::VectorXd& x1,
           .d22 = in_x2(2),
           .d222 = in_x2(3),
           .d2222 = in_x2(4)};
+}
+
+Eigen::VectorXd Basis::weighted_means() const {
+  return Eigen::VectorXd::NullaryExpr(size(), [&](Eigen::Index s) {
+    const auto& [p, q, norm] = members_[static_cast<std::size_t>(s)];
+    return gaussian_moment(p, sigma_.x1) * gaussian_moment(q, sigma_.x2) / norm;
+  });
+}
+
+Eigen::MatrixXd Basis::weighted_gram_matrix() const {
+  return Eigen::MatrixXd::NullaryExpr(size(), size(), [&](Eigen::Index s, Eigen::Index k) {
+    const auto &a = members_[static_cast<std::size_t>(s)],
+               &b = members_[static_cast<std::size_t>(k)];
+    return gaussian_moment(a.p + b.p, sigma_.x1) * gaussian_moment(a.q + b.q, sigma_.x2) /
+           (a.norm * b.norm);
+  });
 }
 
 Polynomial Basis::exponent_polynomial(const Eigen::VectorXd& scaled_coefficients) const {

@@ -36,6 +36,11 @@ class Basis {
   Eigen::MatrixXd basis_values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
   BasisDerivatives basis_derivatives(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const;
 
+  /// Returns the means <phi_s> of the basis functions under the Gaussian weights.
+  Eigen::VectorXd weighted_means() const;
+  /// Returns the matrix <phi_s phi_k> under the Gaussian weights, with ones on its diagonal.
+  Eigen::MatrixXd weighted_gram_matrix() const;
+
   /// Returns the exponent Q_n in unscaled monomials, from the coefficients of the polynomial Q_n in
   /// the basis.
   Polynomial exponent_polynomial(const Eigen::VectorXd& scaled_coefficients) const;

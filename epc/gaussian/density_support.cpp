@@ -174,4 +174,11 @@ transform::SmoothDensity density_without_wall(const Polynomial& q, const Density
           .y_min = -support.x1_max()};
 }
 
+transform::SmoothDensity density_on_support(const Polynomial& q, const DensitySupport& support,
+                                            bool has_wall) {
+  const double log_constant = log_normalising_constant(support);
+  return has_wall ? density_from_exponent(q, support, log_constant)
+                  : density_without_wall(q, support, log_constant);
+}
+
 }  // namespace fpkcheck::epc::gaussian

@@ -60,4 +60,8 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Densit
 transform::SmoothDensity density_without_wall(const Polynomial& q, const DensitySupport& support,
                                               double log_constant);
 
+/// Returns the normalised density of a problem with or without a wall.
+transform::SmoothDensity density_on_support(const Polynomial& q, const DensitySupport& support,
+                                            bool has_wall);
+
 }  // namespace fpkcheck::epc::gaussian

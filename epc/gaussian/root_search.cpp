@@ -8,7 +8,6 @@
 
 #include "epc/gaussian/continuation.hpp"
 #include "epc/gaussian/density_support.hpp"
-#include "epc/gaussian/projected_equations.hpp"
 #include "epc/selection_policy.hpp"
 #include "epc/summary.hpp"
 #include "numerics/linear_algebra/factorisations.hpp"
@@ -45,6 +44,8 @@ MonomialSet required_monomials(const problem::Problem& problem, const Options& o
   return symmetric ? options.monomials : MonomialSet::general;
 }
 
+}  // namespace
+
 ProjectedEquations make_projected_equations(const problem::Problem& problem, const Options& options,
                                             const ResidualCoefficients& coefficients,
                                             const StandardDeviations& sigma) {
@@ -59,6 +60,19 @@ ProjectedEquations make_projected_equations(const problem::Problem& problem, con
   }
   return ProjectedEquations(basis, std::move(formulas));
 }
+
+std::string unresolved_formulas_reason(const ProjectedEquations& projection) {
+  const auto& formulas = projection.formulas();
+  if (!formulas || formulas->quadrature_error() <= ProjectedFormulas::kQuadratureTolerance) {
+    return "";
+  }
+  return fmt::format(
+      "narrower panels change the weighted moments of the formulas by {:.1e} of the largest "
+      "moment (limit {:.0e}): the formulas are too steep; use fd or mcs",
+      formulas->quadrature_error(), ProjectedFormulas::kQuadratureTolerance);
+}
+
+namespace {
 
 std::string describe_branch_end(const SolutionBranch& branch) {
   switch (branch.end) {
@@ -86,14 +100,8 @@ class RootSearch {
 
   RootSearchResult find_root() {
     search_.sigma = projection_.basis().sigma();
-    const auto& formulas = projection_.formulas();
-    if (formulas && !(formulas->quadrature_error() <= ProjectedFormulas::kQuadratureTolerance)) {
-      search_.failure = fmt::format(
-          "narrower panels change the weighted moments of the formulas by {:.1e} of the largest "
-          "moment (limit {:.0e}): the formulas are too steep; use fd or mcs",
-          formulas->quadrature_error(), ProjectedFormulas::kQuadratureTolerance);
-      return search_;
-    }
+    search_.failure = unresolved_formulas_reason(projection_);
+    if (!search_.failure.empty()) return search_;
     if (options_.order > 2) search_.previous = find_previous_root();
     const NewtonResult plain = newton_from(gaussian_coefficients_, false);
     search_.plain_newton_converges = plain.converged;

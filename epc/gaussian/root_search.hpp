@@ -4,6 +4,7 @@
 #include <string>
 
 #include "epc/form/polynomial.hpp"
+#include "epc/gaussian/projected_equations.hpp"
 #include "epc/options.hpp"
 #include "epc/summary.hpp"
 
@@ -27,6 +28,17 @@ struct RootSearchResult {
   std::optional<double> disc_sensitivity;
   std::optional<Polynomial> previous;
 };
+
+/// Makes the projected equations of a problem, with the basis that the problem needs and with the
+/// terms by formulas.
+/// @param sigma deviations of the Gaussian weights
+ProjectedEquations make_projected_equations(const problem::Problem& problem, const Options& options,
+                                            const ResidualCoefficients& coefficients,
+                                            const StandardDeviations& sigma);
+
+/// Returns the reason why the quadrature does not resolve the formulas of the projected equations.
+/// The text is empty without formulas, or if the quadrature resolves them.
+std::string unresolved_formulas_reason(const ProjectedEquations& projection);
 
 /// Searches for a root of the projected equations (23) and returns the root of the first successful
 /// attempt. Beyond order n = 6 the first root whose density decays on the edge of the support is

@@ -15,13 +15,6 @@ namespace {
 
 using transform::Status;
 
-transform::SmoothDensity density_on_support(const problem::Problem& problem, const Polynomial& q,
-                                            const DensitySupport& support) {
-  return problem.system.left_wall()
-             ? density_from_exponent(q, support, log_normalising_constant(support))
-             : density_without_wall(q, support, log_normalising_constant(support));
-}
-
 // Returns the smallest order n-2 whose density is compared with order n. Without a wall, order 2 is
 // excluded for several wells and for a ring, which no Gaussian approximates.
 int first_comparable_order(const problem::Problem& problem) {
@@ -73,6 +66,7 @@ std::string virial_inadmissible_reason(const problem::Problem& problem,
 void assess_root(const problem::Problem& problem, const Polynomial& q,
                  const StandardDeviations& sigma, const std::optional<Polynomial>& previous,
                  Result& result) {
+  const bool has_wall = problem.system.left_wall().has_value();
   const DensitySupport support(q, sigma);
   const LeadingForm form = leading_form(q, sigma);
   auto& [solution, summary] = result;
@@ -84,20 +78,20 @@ void assess_root(const problem::Problem& problem, const Polynomial& q,
                      .v_max = support.x2_max(),
                      .edge_density = support.edge_density_ratio(),
                      .cut_off = support.cut_off_probability()};
-  summary.frame = {.variables = problem.system.left_wall() ? ExponentCoordinates::plane
-                                                           : ExponentCoordinates::physical,
-                   .coordinates = problem.frame,
-                   .log_constant = log_normalising_constant(support),
-                   .deviations = sigma};
+  summary.frame = {
+      .variables = has_wall ? ExponentCoordinates::plane : ExponentCoordinates::physical,
+      .coordinates = problem.frame,
+      .log_constant = log_normalising_constant(support),
+      .deviations = sigma};
 
-  const transform::SmoothDensity density = density_on_support(problem, q, support);
+  const transform::SmoothDensity density = density_on_support(q, support, has_wall);
   summary.support->y_min = density.y_min;
   const transform::QuadratureMarginals marginals =
       store_density(problem, ImpactCondition::delta, density, result);
   std::optional<double> distance_to_density_before;
   if (previous) {
     const DensitySupport before(*previous, sigma);
-    auto before_density = density_on_support(problem, *previous, before);
+    auto before_density = density_on_support(*previous, before, has_wall);
     // the densities of order n and n-2 then have equal panels
     before_density.y_min = density.y_min;
     summary.distance_to_previous = distance(

@@ -338,7 +338,7 @@ class Evolution {
                                      const DensityOfClosure& density_of,
                                      bool stops_if_unresolved) const {
     ClosureEvolution evolution;
-    evolution.quadrature = size;
+    evolution.quadrature = fmt::format("{} x {}", size.s, size.t);
     const double level = level_containing_start(size);
     const double support = support_energy(level, options_.tail);
     QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);

@@ -1,45 +1,14 @@
 #pragma once
 
 #include <functional>
-#include <string>
-#include <vector>
 
+#include "epc/form/evolution.hpp"
 #include "epc/half_plane/root_search.hpp"
 #include "epc/options.hpp"
-#include "problem/initial_density.hpp"
 #include "problem/problem.hpp"
 #include "transform/density.hpp"
-#include "transform/solution.hpp"
 
 namespace fpkcheck::epc::half_plane {
-
-/// Density and moments of a closure at one time.
-struct ClosureSnapshot {
-  double time;
-  transform::SmoothDensity density;  ///< in the coordinates of the problem
-  transform::Moments moments;        ///< in physical coordinates
-};
-
-/// Densities of a closure over time, and the status of the integration.
-struct ClosureEvolution {
-  std::vector<ClosureSnapshot> snapshots;
-  transform::Status status = transform::Status::ok;
-  std::string reason;
-  long steps = 0;  ///< time steps of CVODE
-  QuadraturePointCounts quadrature{};
-  /// Largest change by more quadrature points: of the exponent Q_n, in standard deviations, or of
-  /// the rates of the moments, in units of the frequency
-  double quadrature_change = 0;
-};
-
-/// Initial density and times of an evolution.
-struct EvolutionRequest {
-  problem::InitialGaussian start;
-  std::vector<double> times;  ///< increasing times; the first is 0
-  /// Whether the densities are those of the periodic state, with the last time as period. The
-  /// search for the periodic state begins at `start`.
-  bool periodic = false;
-};
 
 /// Function that returns the density in y and v, with the factors of the formulation, of a closure.
 using DensityOfClosure = std::function<transform::SmoothDensity(const ClosureDensity&)>;

@@ -7,6 +7,7 @@
 #include "epc/formulations.hpp"
 #include "epc/half_plane/root_assessment.hpp"
 #include "epc/half_plane/root_search.hpp"
+#include "epc/half_plane/transient.hpp"
 #include "epc/moment/density.hpp"
 #include "epc/moment/root_search.hpp"
 #include "epc/summary.hpp"
@@ -84,9 +85,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
   return result;
 }
 
-half_plane::ClosureEvolution solve_evolution(const problem::Problem& problem,
-                                             const Options& options,
-                                             const half_plane::EvolutionRequest& request) {
+ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+                                 const EvolutionRequest& request) {
   return half_plane::solve_evolution(*make_formulation(problem, options), problem, options, request,
                                      [&](const ClosureDensity& closure) {
                                        return density_from_exponent(problem, closure, options.tail);

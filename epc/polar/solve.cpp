@@ -6,6 +6,7 @@
 #include "epc/half_plane/newton.hpp"
 #include "epc/half_plane/root_assessment.hpp"
 #include "epc/half_plane/root_search.hpp"
+#include "epc/half_plane/transient.hpp"
 #include "epc/polar/coordinates.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/marginal.hpp"
@@ -93,9 +94,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
   return result;
 }
 
-half_plane::ClosureEvolution solve_evolution(const problem::Problem& problem,
-                                             const Options& options,
-                                             const half_plane::EvolutionRequest& request) {
+ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+                                 const EvolutionRequest& request) {
   const Coordinates coordinates(problem);
   return half_plane::solve_evolution(make_formulation(problem, coordinates, options), problem,
                                      options, request, [&](const ClosureDensity& closure) {

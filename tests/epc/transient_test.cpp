@@ -49,10 +49,16 @@ Options closure_options(Formulation formulation, int order,
 TEST(ClosureOverTime, IsExactForALinearOscillatorAtAnElasticWallUnderWhiteNoise) {
   const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
   const double s_y = 0.6, s_v = 0.9;
-  for (const int order : {2, 4, 6}) {
+  for (const auto& [formulation, order] : {std::pair{Formulation::moment, 2},
+                                           {Formulation::moment, 4},
+                                           {Formulation::moment, 6},
+                                           {Formulation::gaussian, 2},
+                                           {Formulation::gaussian, 4},
+                                           {Formulation::gaussian, 6}}) {
+    SCOPED_TRACE(name(formulation));
     SCOPED_TRACE(order);
     const Transient result = solve_transient(
-        problem, closure_options(Formulation::moment, order, DensityEquation::white),
+        problem, closure_options(formulation, order, DensityEquation::white),
         transient_request(6, 6, {.displacement_deviation = s_y, .velocity_deviation = s_v}));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     ASSERT_EQ(result.snapshots.size(), 7u);
@@ -117,6 +123,47 @@ TEST(ClosureOverTime, HasTheExactMomentsUnderNoiseAndAForceThatChangeInTime) {
   }
 }
 
+// Without a wall the density stays Gaussian, with a moving mean.
+TEST(ClosureOverTime, OfThePaperIsExactForALinearOscillatorWithoutAWall) {
+  const auto problem = read_problem_text(
+      "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnone = true\n[noise]\nintensity = 0.1\n");
+  for (const int order : {2, 4}) {
+    SCOPED_TRACE(order);
+    const Transient result = solve_transient(problem, closure_options(Formulation::gaussian, order),
+                                             transient_request(3, 3,
+                                                               {.displacement_deviation = 0.5,
+                                                                .velocity_deviation = 0.6,
+                                                                .mean_displacement = 0.3,
+                                                                .mean_velocity = -0.2}));
+    ASSERT_EQ(result.status, Status::ok) << result.reason;
+    for (const auto& s : result.snapshots) {
+      SCOPED_TRACE(s.time);
+      const auto exact = exact::linear_moments_at(
+          problem, {.z = 0.3, .v = -0.2, .var_z = 0.25, .var_v = 0.36}, s.time);
+      EXPECT_NEAR(s.moments.y1, exact.z, 1e-6);
+      EXPECT_NEAR(s.moments.v1, exact.v, 1e-6);
+      EXPECT_NEAR(s.moments.y2, exact.zz, 1e-6);
+      EXPECT_NEAR(s.moments.v2, exact.vv, 1e-6);
+    }
+  }
+}
+
+// The projected equations of order 4 under the truncated Kramers-Moyal series have a density with a
+// positive leading coefficient. A density that is wider than the weights makes them singular.
+TEST(ClosureOverTime, OfThePaperStatesWhyItHasNoDensity) {
+  const auto problem = tests::paper_case(1);
+  const Transient rising =
+      solve_transient(problem, closure_options(Formulation::gaussian, 4), transient_request(6, 1));
+  EXPECT_EQ(rising.status, Status::inadmissible);
+  EXPECT_NE(rising.reason.find("edge of its support"), std::string::npos) << rising.reason;
+  const Transient wide = solve_transient(
+      problem, closure_options(Formulation::gaussian, 2),
+      transient_request(1, 1, {.displacement_deviation = 1.2, .velocity_deviation = 1.2}));
+  EXPECT_EQ(wide.status, Status::not_converged);
+  EXPECT_NE(wide.reason.find("wider than the Gaussian weights"), std::string::npos) << wide.reason;
+  EXPECT_TRUE(wide.snapshots.empty());
+}
+
 TEST(ClosureOverTime, FindsThePeriodicState) {
   auto problem = read_problem_text(
       "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnone = true\n[noise]\nintensity = 0.1\n");
@@ -171,8 +218,10 @@ TEST(ClosureOverTime, SatisfiesTheBalanceOfPower) {
 TEST(ClosureOverTime, RelaxesToTheStationaryClosure) {
   const auto problem = tests::paper_case(1);
   for (const auto& options :
-       {closure_options(Formulation::moment, 2), closure_options(Formulation::polar, 4)}) {
-    SCOPED_TRACE(name(options.formulation));
+       {closure_options(Formulation::moment, 2), closure_options(Formulation::polar, 4),
+        closure_options(Formulation::gaussian, 2),
+        closure_options(Formulation::gaussian, 4, DensityEquation::white)}) {
+    SCOPED_TRACE(id(options));
     const Result stationary = solve(problem, options);
     ASSERT_EQ(stationary.solution.status, Status::ok) << stationary.solution.reason;
     const Transient result = solve_transient(problem, options, transient_request(120, 12));
@@ -240,7 +289,14 @@ TEST(ClosureOverTime, RefusesWhatNoClosureApproximates) {
   const auto polar = closure_options(Formulation::polar, 4);
   EXPECT_EQ(status(polar, {.displacement_deviation = 0.1}).status, Status::not_offered);
   EXPECT_EQ(status(polar, {.velocity_deviation = 0.1}).status, Status::not_offered);
-  EXPECT_EQ(status(closure_options(Formulation::gaussian, 4), {}).status, Status::not_offered);
+  const auto gaussian = closure_options(Formulation::gaussian, 4, DensityEquation::white);
+  EXPECT_EQ(status(gaussian, {.mean_displacement = 0.5}).status, Status::not_offered);
+  EXPECT_EQ(status(gaussian, {.mean_velocity = 0.5}).status, Status::not_offered);
+  EXPECT_EQ(status(closure_options(Formulation::gaussian, 4, DensityEquation::kf), {}).status,
+            Status::not_offered);
+  auto forced = problem;
+  forced.time = problem::TimeDependence({.force = "cos(t)"}, {});
+  EXPECT_EQ(solve_transient(forced, gaussian, transient_request(1, 1)).status, Status::not_offered);
   EXPECT_FALSE(status(polar, {.velocity_deviation = 0.1}).reason.empty());
   EXPECT_THROW(status(polar, {.mean_displacement = -1}), InputError);
 }

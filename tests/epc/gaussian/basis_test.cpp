@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "numerics/quadrature/gauss_rule.hpp"
+
 namespace fpkcheck::epc::gaussian {
 namespace {
 
@@ -48,6 +50,25 @@ TEST(Basis, DerivativesAgreeWithDifferencesOfTheValues) {
         (at(0, 2) - 4 * at(0, 1) + 6 * at(0, 0) - 4 * at(0, -1) + at(0, -2)) / std::pow(h, 4),
         4e-3);
   }
+}
+
+TEST(Basis, HasTheMeansAndTheGramMatrixOfTheWeights) {
+  const StandardDeviations sigma{0.5, 2};
+  const Basis basis(4, MonomialSet::general, sigma);
+  const auto rule = numerics::gauss_hermite_rule(8);
+  Eigen::VectorXd means = Eigen::VectorXd::Zero(basis.size());
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(basis.size(), basis.size());
+  for (std::size_t i = 0; i < rule.points.size(); ++i) {
+    for (std::size_t j = 0; j < rule.points.size(); ++j) {
+      const Eigen::RowVectorXd values =
+          basis_values_at_point(basis, sigma.x1 * rule.points[i], sigma.x2 * rule.points[j]);
+      const double weight = rule.weights[i] * rule.weights[j];
+      means += weight * values.transpose();
+      gram += weight * values.transpose() * values;
+    }
+  }
+  EXPECT_LT((basis.weighted_means() - means).lpNorm<Eigen::Infinity>(), 1e-13);
+  EXPECT_LT((basis.weighted_gram_matrix() - gram).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
 TEST(Basis, MonomialsHaveUnitNormUnderTheWeights) {
