@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <variant>
 
 #include "base/process/parallel_for.hpp"
 #include "base/process/stopwatch.hpp"
@@ -32,9 +34,8 @@ constexpr double kGoal = 0.01, kMostPeriods = 2e6, kMostPassageEvents = 6e7;
 // kGoal: stays are correlated, and a standard error computed from few stays may be accidentally
 // small.
 constexpr double kFewestStays = 100, kFewestStaysAtGoal = 1000;
-// Largest number of samples of a stream in a round, since all samples of a round are stored
-constexpr double kMostSamples = 1e5;
-constexpr int kRounds = 50;  // number of rounds of the longest simulation
+constexpr double kMostRecords = 1e5;  // largest number of stored records of a stream in a round
+constexpr int kRounds = 50;           // number of rounds of the longest simulation
 // Time, in decay times of the slowest mode, after which the hazard is treated as constant
 constexpr double kDecayTimes = 3;
 
@@ -42,13 +43,17 @@ constexpr double kDecayTimes = 3;
 // A parabola through three samples finds excursions above the level between samples.
 class CrossingDetector {
  public:
-  CrossingDetector(double level, double interval) : level_(level), interval_(interval) {}
+  /// @param starts_below whether the state before the first sample is below the level
+  CrossingDetector(double level, double interval, bool starts_below = false)
+      : level_(level), interval_(interval), starts_below_(starts_below) {}
 
   /// Calls `on_upcrossing` and `on_downcrossing` with the times of the level crossings between the
   /// previous sample and the sample y.
   template <class Up, class Down>
   void add_sample(double y, const Up& on_upcrossing, const Down& on_downcrossing) {
-    if (count_ >= 1 && y >= level_ && last_ < level_) {
+    if (count_ == 0 && y >= level_ && starts_below_) {
+      on_upcrossing(0);
+    } else if (count_ >= 1 && y >= level_ && last_ < level_) {
       on_upcrossing(crossing_time(y));
     } else if (count_ >= 1 && y < level_ && last_ >= level_) {
       on_downcrossing(crossing_time(y));
@@ -69,8 +74,6 @@ class CrossingDetector {
   }
 
   bool is_above() const { return count_ > 0 && last_ >= level_; }
-  /// Returns whether the detector has exactly one sample, which is above the level.
-  bool starts_above() const { return count_ == 1 && is_above(); }
   double elapsed_time() const { return static_cast<double>(count_) * interval_; }
 
  private:
@@ -79,8 +82,167 @@ class CrossingDetector {
   }
 
   double level_, interval_;
+  bool starts_below_;
   double before_ = 0, last_ = 0;
   std::uint64_t count_ = 0;
+};
+
+// Values of the potential of the spring. The potential of a formula is interpolated in a table,
+// since each value takes ten evaluations of the formula.
+class FastPotential {
+ public:
+  FastPotential(const problem::Problem& problem, const problem::MotionScales& scales)
+      : potential_(problem.system), low_(scales.y_low) {
+    if (potential_.polynomial() != nullptr) return;
+    step_ = (scales.y_high - scales.y_low) / kIntervals;
+    for (int n = 0; n <= kIntervals; ++n) {
+      const double y = low_ + n * step_;
+      values_.push_back(potential_(y));
+      slopes_.push_back(potential_.slope(y));
+    }
+  }
+
+  double operator()(double y) const {
+    if (potential_.polynomial() != nullptr) return (*potential_.polynomial())(y);
+    const double node = (y - low_) / step_;
+    if (!(node >= 0 && node < kIntervals)) return potential_(y);
+    const auto n = static_cast<std::size_t>(node);
+    // Cubic Hermite interpolation
+    const double t = node - static_cast<double>(n), u = 1 - t;
+    return u * u * (1 + 2 * t) * values_[n] + t * t * (1 + 2 * u) * values_[n + 1] +
+           t * u * step_ * (u * slopes_[n] - t * slopes_[n + 1]);
+  }
+
+ private:
+  static constexpr int kIntervals = 4096;
+
+  problem::EffectivePotential potential_;
+  double low_, step_ = 0;
+  std::vector<double> values_, slopes_;
+};
+
+// An energy level in wall coordinates.
+struct EnergyLevel {
+  FastPotential potential;
+  double level;
+  /// Variance of the velocity change by an impulse, if evenly spaced impulses replace white noise
+  double impulse_variance;
+  bool has_noise;  ///< whether noise kicks or evenly spaced impulses change the energy
+};
+
+// Finds the crossings of an energy level in the recorded states of a stream.
+class EnergyCrossingDetector {
+ public:
+  /// @param energy must outlive this object
+  /// @param starts_below whether the state before the first recorded state is below the level
+  EnergyCrossingDetector(const EnergyLevel& energy, double round_time, double sampling_interval,
+                         bool starts_below = false)
+      : energy_(&energy), round_time_(round_time), sampling_interval_(sampling_interval) {
+    if (starts_below) last_ = -1;
+  }
+
+  template <class Up, class Down>
+  void add_round(const std::vector<RecordedState>& states, const Up& on_upcrossing,
+                 const Down& on_downcrossing) {
+    elapsed_ += round_time_;
+    for (const RecordedState& state : states) {
+      const double excess = energy(state) - energy_->level;
+      if (state.event == RecordedState::Event::sample) {
+        time_below_ += excess < 0 ? sampling_interval_ : 0;
+        // Under noise only the states after kicks count, with the shifted barrier.
+        if (energy_->has_noise) continue;
+      }
+      add_excess(excess + barrier_shift(state), elapsed_ - state.time_to_end, on_upcrossing,
+                 on_downcrossing);
+    }
+  }
+
+  bool is_above() const { return last_ && *last_ >= 0; }
+  double elapsed_time() const { return elapsed_; }
+  double time_below() const { return time_below_; }
+
+ private:
+  double energy(const RecordedState& state) const {
+    return state.v * state.v / 2 + energy_->potential(state.y);
+  }
+
+  // Returns the distance by which the barrier is lower for a state after a noise kick.
+  double barrier_shift(const RecordedState& state) const {
+    constexpr double kShift = 0.5826;  // -zeta(1/2) / sqrt(2 pi)
+    const double variance = state.event == RecordedState::Event::after_impulse
+                                ? energy_->impulse_variance
+                                : state.kick_variance;
+    return kShift * std::abs(state.v) * std::sqrt(variance);
+  }
+
+  template <class Up, class Down>
+  void add_excess(double excess, double time, const Up& on_upcrossing,
+                  const Down& on_downcrossing) {
+    if (last_ && (excess >= 0) != (*last_ >= 0)) {
+      const double at = std::lerp(time, last_time_, excess / (excess - *last_));
+      excess >= 0 ? on_upcrossing(energy_->has_noise ? time : at) : on_downcrossing(at);
+    }
+    last_ = excess;
+    last_time_ = time;
+  }
+
+  const EnergyLevel* energy_;
+  double round_time_, sampling_interval_;
+  double elapsed_ = 0, time_below_ = 0;
+  std::optional<double> last_ = {};  // excess of the last state; empty before the first state
+  double last_time_ = 0;
+};
+
+// A barrier in wall coordinates: a displacement or an energy level.
+using PassageLevel = std::variant<double, EnergyLevel>;
+
+// Finds the crossings of a barrier in the rounds of one stream.
+class StreamCrossings {
+ public:
+  /// @param starts_below whether the stream starts below the barrier
+  StreamCrossings(const PassageLevel& level, const SimulationPlan& plan, bool starts_below)
+      : detector_(make_detector(level, plan, starts_below)) {}
+
+  /// Calls `on_upcrossing` and `on_downcrossing` with the times of the crossings in a round, and
+  /// removes the records of the round.
+  template <class Up, class Down>
+  void add_round(Simulation& simulation, std::size_t stream, const Up& on_upcrossing,
+                 const Down& on_downcrossing) {
+    std::vector<double>& series = simulation.y_series(stream);
+    std::vector<RecordedState>& states = simulation.recorded_states(stream);
+    if (auto* displacement = std::get_if<CrossingDetector>(&detector_)) {
+      for (const double y : series) displacement->add_sample(y, on_upcrossing, on_downcrossing);
+    } else {
+      std::get<EnergyCrossingDetector>(detector_).add_round(states, on_upcrossing, on_downcrossing);
+    }
+    series.clear();
+    states.clear();
+  }
+
+  bool is_above() const {
+    return std::visit([](const auto& detector) { return detector.is_above(); }, detector_);
+  }
+  double elapsed_time() const {
+    return std::visit([](const auto& detector) { return detector.elapsed_time(); }, detector_);
+  }
+  /// Returns the time below an energy level; empty for a displacement.
+  std::optional<double> time_below_energy() const {
+    const auto* energy = std::get_if<EnergyCrossingDetector>(&detector_);
+    return energy != nullptr ? std::optional(energy->time_below()) : std::nullopt;
+  }
+
+ private:
+  using Detector = std::variant<CrossingDetector, EnergyCrossingDetector>;
+  static Detector make_detector(const PassageLevel& level, const SimulationPlan& plan,
+                                bool starts_below) {
+    if (const auto* energy = std::get_if<EnergyLevel>(&level)) {
+      return EnergyCrossingDetector(*energy, plan.round_time(), plan.sampling_interval,
+                                    starts_below);
+    }
+    return CrossingDetector(std::get<double>(level), plan.sampling_interval, starts_below);
+  }
+
+  Detector detector_;
 };
 
 // Sums over the stays of one stream below the barrier. A stay lasts from a downcrossing to the next
@@ -113,24 +275,32 @@ ValueWithError mean_time_from_stationary(const std::vector<StaySums>& streams) {
       [](const StaySums& s) { return s.length; });
 }
 
+// Returns the largest number of samples of a stream in a round, since all samples, impulses and
+// kicks of a round are stored.
+double most_samples_per_round(const SimulationPlan& plan) {
+  return kMostRecords / (1 + plan.event_rate * plan.sampling_interval);
+}
+
 SimulationPlan make_passage_plan(const problem::Problem& problem, const Options& options,
-                                 const problem::MotionScales& scales, double barrier) {
+                                 const problem::MotionScales& scales,
+                                 const std::optional<double>& displacement_barrier) {
   SimulationPlan plan = make_simulation_plan(problem, options);
   const double period = 2 * std::numbers::pi / scales.frequency;
   plan.sampling_interval = period / kSamplesPerPeriod;
   // An excursion above the barrier that hits the right wall may be shorter than the sampling
   // interval, and has a kink, which the parabola of CrossingDetector does not follow.
   constexpr double kSamplesToWall = 8;
-  if (const auto& right = problem.system.right_wall()) {
-    const double time_to_wall = (right->position - barrier) / scales.velocity_deviation;
+  if (const auto& right = problem.system.right_wall(); right && displacement_barrier) {
+    const double time_to_wall =
+        (right->position - *displacement_barrier) / scales.velocity_deviation;
     plan.sampling_interval = std::min(plan.sampling_interval, time_to_wall / kSamplesToWall);
   }
   const double most_samples = kMostPeriods * kSamplesPerPeriod;
   const double time = options.time.value_or(
       std::min(most_samples * plan.sampling_interval, kMostPassageEvents / plan.event_rate));
   const double samples = time / plan.streams / plan.sampling_interval;
-  plan.samples_per_round =
-      static_cast<std::uint64_t>(std::ceil(std::min(samples / kRounds, kMostSamples)));
+  plan.samples_per_round = static_cast<std::uint64_t>(
+      std::ceil(std::min(samples / kRounds, most_samples_per_round(plan))));
   plan.rounds =
       static_cast<std::uint64_t>(std::ceil(samples / static_cast<double>(plan.samples_per_round)));
   return plan;
@@ -139,17 +309,18 @@ SimulationPlan make_passage_plan(const problem::Problem& problem, const Options&
 // Measures the stays of one stream below the barrier.
 class StayCounter {
  public:
-  StayCounter(double barrier, double interval, double hazard_time, const std::vector<double>& times)
-      : detector_(barrier, interval), hazard_time_(hazard_time), times_(times) {
+  StayCounter(const PassageLevel& level, const SimulationPlan& plan, double hazard_time,
+              const std::vector<double>& times)
+      : crossings_(level, plan, false), hazard_time_(hazard_time), times_(times) {
     sums_.excess.resize(times.size());
   }
 
-  void add_series(const std::vector<double>& series) {
-    for (const double y : series) {
-      detector_.add_sample(
-          y, [this](double time) { end_stay(time); }, [this](double time) { begin_stay(time); });
-    }
-    if (!closing_) sums_.whole = detector_.elapsed_time();
+  /// Adds a round of a stream.
+  void add_round(Simulation& simulation, std::size_t stream) {
+    crossings_.add_round(
+        simulation, stream, [this](double time) { end_stay(time); },
+        [this](double time) { begin_stay(time); });
+    if (!closing_) sums_.whole = crossings_.elapsed_time();
   }
 
   /// Ends the counting of new stays. Further samples only complete a stay that has begun: the stays
@@ -157,7 +328,8 @@ class StayCounter {
   /// them.
   void stop_counting() {
     closing_ = true;
-    if (!detector_.is_above()) sums_.below += sums_.whole - entered_;
+    if (!crossings_.is_above()) sums_.below += sums_.whole - entered_;
+    if (const auto time_below = crossings_.time_below_energy()) sums_.below = *time_below;
   }
   bool has_open_stay() const { return begin_.has_value(); }
 
@@ -191,7 +363,7 @@ class StayCounter {
     entered_ = time;
   }
 
-  CrossingDetector detector_;
+  StreamCrossings crossings_;
   double hazard_time_;
   const std::vector<double>& times_;
   StaySums sums_;
@@ -208,19 +380,17 @@ double stay_count(const std::vector<StaySums>& streams) {
 
 // Simulates the stationary process until the standard error is at most kGoal, and returns the sums
 // of all streams; empty if a stay lasts as long as the simulation.
-std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, double barrier,
-                                                    double hazard_time,
+std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation,
+                                                    const PassageLevel& level, double hazard_time,
                                                     const std::vector<double>& times,
                                                     const Options& options) {
   const SimulationPlan& plan = simulation.plan();
   const auto streams = static_cast<std::size_t>(plan.streams);
-  std::vector<StayCounter> counters(streams, {barrier, plan.sampling_interval, hazard_time, times});
+  std::vector<StayCounter> counters(streams, {level, plan, hazard_time, times});
   const auto run_round = [&] {
     simulation.run_round();
-    base::parallel_for(streams, plan.threads, [&](std::size_t s) {
-      counters[s].add_series(simulation.y_series(s));
-      simulation.y_series(s).clear();
-    });
+    base::parallel_for(streams, plan.threads,
+                       [&](std::size_t s) { counters[s].add_round(simulation, s); });
   };
   const auto all_sums = [&] {
     std::vector<StaySums> sums;
@@ -253,12 +423,10 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation, doub
 // Simulates passages from a state in wall coordinates, to which each stream returns in the round
 // after a passage. Every stream makes the same number of passages, since a limit of the simulated
 // time would favour short passages.
-std::optional<ValueWithError> simulate_passages_from_point(Simulation& simulation, double barrier,
-                                                           const transform::StartState& start,
-                                                           double mean, double most_time,
-                                                           const std::vector<double>& times,
-                                                           std::vector<ValueWithError>& survival,
-                                                           const Options& options) {
+std::optional<ValueWithError> simulate_passages_from_point(
+    Simulation& simulation, const PassageLevel& level, const transform::StartState& start,
+    double mean, double most_time, const std::vector<double>& times,
+    std::vector<ValueWithError>& survival, const Options& options) {
   constexpr double kMostPassages = 5e3, kFewestPerStream = 4;
   const SimulationPlan& plan = simulation.plan();
   const auto streams = static_cast<std::size_t>(plan.streams);
@@ -267,13 +435,16 @@ std::optional<ValueWithError> simulate_passages_from_point(Simulation& simulatio
   if (per_stream < kFewestPerStream) return std::nullopt;
   const auto passages = static_cast<std::size_t>(per_stream);
   std::vector<std::vector<double>> found(streams);
-  std::vector<CrossingDetector> detectors(streams, {barrier, plan.sampling_interval});
+  const StreamCrossings at_start(level, plan, true);
+  std::vector<StreamCrossings> crossings(streams, at_start);
   for (std::size_t s = 0; s < streams; ++s) simulation.restart_stream(s, start.y, start.ydot);
   // The mean passage time from a point may be far longer than from the stationary law.
   constexpr double kMostRepetitions = 4;
   const double most_rounds =
       kMostRepetitions * most_time / static_cast<double>(streams) / plan.round_time();
   double rounds = 0;
+  // The first sample is half an interval after the start.
+  const double offset = std::holds_alternative<double>(level) ? plan.sampling_interval / 2 : 0;
   for (std::size_t finished = 0; finished < streams;) {
     if (++rounds > most_rounds) {
       survival.clear();
@@ -282,20 +453,13 @@ std::optional<ValueWithError> simulate_passages_from_point(Simulation& simulatio
     simulation.run_round();
     finished = 0;
     for (std::size_t s = 0; s < streams; ++s) {
-      std::vector<double>& series = simulation.y_series(s);
-      // The first sample is half an interval after the start.
-      const double offset = plan.sampling_interval / 2;
       std::optional<double> passage;
-      for (const double y : series) {
-        if (passage) break;
-        detectors[s].add_sample(
-            y, [&](double time) { passage = time + offset; }, [](double) {});
-        if (detectors[s].starts_above()) passage = offset;
-      }
-      series.clear();
+      crossings[s].add_round(
+          simulation, s, [&](double time) { passage = passage.value_or(time + offset); },
+          [](double) {});
       if (passage) {
         if (found[s].size() < passages) found[s].push_back(*passage);
-        detectors[s] = {barrier, plan.sampling_interval};
+        crossings[s] = at_start;
         simulation.restart_stream(s, start.y, start.ydot);
       }
       finished += found[s].size() >= passages ? 1 : 0;
@@ -322,10 +486,36 @@ std::optional<ValueWithError> simulate_passages_from_point(Simulation& simulatio
   return mean_of([](double time) { return time; });
 }
 
+// Returns why the simulation does not treat a barrier; empty if it does.
+std::string unsupported_barrier_reason(const problem::Problem& transformed,
+                                       const transform::Barrier& barrier) {
+  if (!barrier.is_energy()) {
+    return problem::barrier_unsupported_reason(transformed,
+                                               transformed.frame.wall_x(barrier.level));
+  }
+  return transformed.noise_factor
+             ? "an energy barrier does not support noise.factor; use --displacement"
+             : "";
+}
+
+EnergyLevel energy_passage_level(const problem::Problem& transformed, const SimulationPlan& plan,
+                                 const problem::MotionScales& scales, double energy) {
+  const bool even = plan.excitation.arrivals == Excitation::Arrivals::even;
+  return {.potential = {transformed, scales},
+          .level = transform::energy_level_in_wall_coordinates(transformed, energy),
+          .impulse_variance = even ? plan.excitation.width * plan.excitation.width : 0,
+          .has_noise = even || plan.kicks.is_present()};
+}
+
+bool is_below(const transform::StartState& state, const EnergyLevel& energy) {
+  return state.ydot * state.ydot / 2 + energy.potential(state.y) < energy.level;
+}
+
 }  // namespace
 
 transform::Passage estimate_passage(const problem::Problem& problem, const Options& options,
-                                    double barrier, const std::vector<double>& times,
+                                    const transform::Barrier& barrier,
+                                    const std::vector<double>& times,
                                     std::optional<transform::StartState> start) {
   const base::Stopwatch stopwatch;
   transform::Passage passage{.id = id(options)};
@@ -333,17 +523,24 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
   passage.reason = unsupported_functional_reason(transformed, options);
-  const double level = transformed.frame.wall_x(barrier);
-  if (passage.reason.empty())
-    passage.reason = problem::barrier_unsupported_reason(transformed, level);
+  if (passage.reason.empty()) passage.reason = unsupported_barrier_reason(transformed, barrier);
   if (!passage.reason.empty()) {
     passage.status = Status::not_offered;
     return passage;
   }
   const problem::MotionScales scales = problem::motion_scales(transformed);
-  const SimulationPlan plan = make_passage_plan(transformed, options, scales, level);
+  const bool is_energy = barrier.is_energy();
+  const double displacement = transformed.frame.wall_x(barrier.level);
+  const SimulationPlan plan = make_passage_plan(
+      transformed, options, scales, is_energy ? std::nullopt : std::optional(displacement));
+  const PassageLevel level = is_energy
+                                 ? energy_passage_level(transformed, plan, scales, barrier.level)
+                                 : PassageLevel(displacement);
+  const auto enable_records = [&](Simulation& simulation) {
+    is_energy ? simulation.enable_states() : simulation.enable_series();
+  };
   Simulation stationary(transformed, plan);
-  stationary.enable_series();
+  enable_records(stationary);
   const auto found =
       simulate_stays(stationary, level, kDecayTimes / scales.slowest_decay_rate, times, options);
   const double stays = found ? stay_count(*found) : 0;
@@ -356,9 +553,14 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
     return passage;
   }
   const std::vector<StaySums>& sums = *found;
-  const auto length = [](const StaySums& s) { return s.length; };
+  // Under noise the barrier of the stays is shifted. The mean time from a state between the shifted
+  // and the given barrier is 0, so that the means refer to the time below the given barrier.
+  const bool is_shifted =
+      std::holds_alternative<EnergyLevel>(level) && std::get<EnergyLevel>(level).has_noise;
+  const auto length = [is_shifted](const StaySums& s) { return is_shifted ? s.below : s.length; };
   const auto whole = [](const StaySums& s) { return s.whole; };
-  passage.mean_from_stationary = mean_time_from_stationary(sums);
+  passage.mean_from_stationary = ratio_of_sums(
+      sums, [](const StaySums& s) { return s.square / 2; }, length);
   double long_stays = 0;
   for (const StaySums& s : sums) long_stays += s.long_stays;
   if (long_stays >= kFewestStays) {
@@ -366,8 +568,10 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
         sums, [](const StaySums& s) { return s.long_stays; },
         [](const StaySums& s) { return s.longer; });
   }
-  passage.rice_rate = ratio_of_sums(
-      sums, [](const StaySums& s) { return s.crossings; }, whole);
+  if (!is_energy) {
+    passage.rice_rate = ratio_of_sums(
+        sums, [](const StaySums& s) { return s.crossings; }, whole);
+  }
   passage.probability_below = ratio_of_sums(
       sums, [](const StaySums& s) { return s.below; }, whole);
   passage.times = times;
@@ -376,14 +580,16 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
         sums, [k](const StaySums& s) { return s.excess[k]; }, length));
   }
 
-  start = transform::passage_start(transformed, level, start);
+  start = transform::passage_start(
+      transformed, is_energy ? std::numeric_limits<double>::infinity() : displacement, start);
+  if (start && is_energy && !is_below(*start, std::get<EnergyLevel>(level))) start.reset();
   if (start) {
     SimulationPlan from_point = plan;
     const double mean = passage.mean_from_stationary->value;
     from_point.samples_per_round = static_cast<std::uint64_t>(
-        std::ceil(std::min(mean / 10 / plan.sampling_interval, kMostSamples)));
+        std::ceil(std::min(mean / 10 / plan.sampling_interval, most_samples_per_round(plan))));
     Simulation restarted(transformed, from_point);
-    restarted.enable_series();
+    enable_records(restarted);
     passage.mean_from_point = simulate_passages_from_point(restarted, level, *start, mean,
                                                            sums.front().whole * plan.streams, times,
                                                            passage.survival_from_point, options);

@@ -9,20 +9,27 @@
 
 namespace fpkcheck::mcs {
 
-/// Estimates the first passage of y above a barrier b. For a stationary start, one long simulation
-/// measures the lengths l of the stays of y below the barrier, at the upcrossing rate nu:
+/// Estimates the first passage above a barrier. For a stationary start, one long simulation
+/// measures the lengths l of the stays below the barrier, at the upcrossing rate nu:
 ///
-///     E tau = E[l^2] / (2 E[l]),   P(tau > t) = E[(l - t)^+] / E[l],   E[l] = P(y < b) / nu,
+///     E tau = E[l^2] / (2 E[l]),   P(tau > t) = E[(l - t)^+] / E[l],   E[l] = P(below) / nu,
 ///
 /// and the hazard is P(l > t) / E[(l - t)^+] at a time t after the slowest mode has decayed. A
 /// second simulation returns each stream to the state `start` after each passage. The standard
 /// errors are computed from the differences between streams.
-/// @param barrier barrier b in physical coordinates
+///
+/// The passage of an energy barrier is detected at impulses and noise kicks. Noise kicks at the
+/// interval h miss passages between the kicks. Therefore the barrier is lower by 0.5826 times the
+/// standard deviation of the energy change by a kick, which reduces the error from order sqrt(h) to
+/// higher order (Gobet, Menozzi, Stochastic Processes and their Applications 120 (2010) 130). The
+/// result for an energy barrier has no rate of upcrossings.
+/// @param barrier barrier in physical coordinates
 /// @param times times of the survival probabilities
 /// @param start start of Passage::mean_from_point; empty for a start at rest
 /// @throws InputError as make_simulation_plan()
 transform::Passage estimate_passage(const problem::Problem& problem, const Options& options,
-                                    double barrier, const std::vector<double>& times,
+                                    const transform::Barrier& barrier,
+                                    const std::vector<double>& times,
                                     std::optional<transform::StartState> start = {});
 
 }  // namespace fpkcheck::mcs

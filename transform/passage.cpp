@@ -14,4 +14,8 @@ std::optional<StartState> passage_start(const problem::Problem& transformed, dou
   return rest ? std::optional(StartState{*rest, 0}) : std::nullopt;
 }
 
+double energy_level_in_wall_coordinates(const problem::Problem& transformed, double energy) {
+  return energy + problem::EffectivePotential(transformed.system)(transformed.frame.wall_x(0));
+}
+
 }  // namespace fpkcheck::transform

@@ -15,6 +15,16 @@ struct ValueWithError {
   double error = 0;
 };
 
+/// Barrier of a first passage: a displacement, tau = inf {t : y(t) >= level}, or an energy, tau =
+/// inf {t : v^2/2 + U(y) >= level}, with the potential U of the spring, U(0) = 0.
+struct Barrier {
+  enum class Quantity { displacement, energy };
+  Quantity quantity = Quantity::displacement;
+  double level = 0;
+
+  bool is_energy() const { return quantity == Quantity::energy; }
+};
+
 /// Initial state of a passage.
 struct StartState {
   double y = 0, ydot = 0;
@@ -29,13 +39,19 @@ struct StartState {
 std::optional<StartState> passage_start(const problem::Problem& transformed, double barrier,
                                         const std::optional<StartState>& given);
 
+/// Returns the level of an energy barrier in wall coordinates, in which the potential is 0 at the
+/// origin of the wall coordinates.
+/// @param transformed problem in wall coordinates
+/// @param energy level in physical coordinates
+double energy_level_in_wall_coordinates(const problem::Problem& transformed, double energy);
+
 /// Mean passage times T(y, y') of the starts below a barrier, as averages over cells.
 struct MeanTimeMap {
   std::vector<double> y_edges, v_edges;  ///< increasing
   std::vector<double> averages;          ///< row-major, shape (ny, nv)
 };
 
-/// First passage of the displacement above a barrier b: tau = inf {t : y(t) >= b}. Passage times
+/// First passage above a Barrier. Passage times
 /// `from_point` start in a StartState, or at rest on the wall or at the equilibrium. Passage times
 /// `from_stationary` start from the stationary distribution below the barrier. A value is absent if
 /// the method does not compute this value.
@@ -47,9 +63,10 @@ struct Passage {
   /// Rate of passages g in the limit of long times: P(tau > t) ~ C exp(-g t)
   std::optional<ValueWithError> hazard = {};
   std::optional<ValueWithError> mean_from_point = {}, mean_from_stationary = {};
-  /// Rate of upward crossings of the barrier in the stationary process (Rice)
+  /// Rate of upward crossings of a displacement barrier in the stationary process (Rice)
   std::optional<ValueWithError> rice_rate = {};
-  std::optional<ValueWithError> probability_below = {};  ///< stationary probability of y < b
+  /// Stationary probability of the states below the barrier
+  std::optional<ValueWithError> probability_below = {};
   std::vector<double> times = {};
   /// Probabilities P(tau > t) at the times; empty if not computed
   std::vector<ValueWithError> survival_from_point = {}, survival_from_stationary = {};

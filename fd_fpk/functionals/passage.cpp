@@ -6,14 +6,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <complex>
-#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "fd_fpk/applicability.hpp"
-#include "fd_fpk/functionals/grid_sequence.hpp"
-#include "fd_fpk/functionals/reduced_resolvent.hpp"
+#include "fd_fpk/functionals/passage_values.hpp"
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
@@ -27,26 +24,6 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 using transform::Status;
-using transform::ValueWithError;
-
-// Error, as a fraction of Options::accuracy, at which no finer grid is tried
-constexpr double kPassageTargetFraction = 0.5;
-
-// The survival probability jumps across the orbit that grazes the barrier, which limits the order
-// of convergence.
-constexpr int kObservedOrder = 2;
-
-// Indices of the values in the vector of a grid. After the values with indices below kValueCount
-// the vector contains the survival probabilities from the initial state and from the stationary
-// law.
-enum PassageValue {
-  kHazard,
-  kFromPoint,
-  kFromStationary,
-  kRiceRate,
-  kProbabilityBelow,
-  kValueCount
-};
 
 // Data of a first-passage problem.
 struct PassageProblem {
@@ -166,67 +143,6 @@ Eigen::VectorXd start_value_functional(const PassageProblem& passage, const Grid
   return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
 }
 
-// Returns the survival probabilities at the given times, as sums over the modes of the Krylov
-// space. From rest, no passage occurs before the first impulse, which arrives at the rate
-// `waiting_rate`.
-Eigen::VectorXd survival_probabilities(const ReducedResolvent::Modes& modes,
-                                       const std::vector<double>& times, double waiting_rate) {
-  Eigen::VectorXd values(times.size());
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    const double t = times[k];
-    const double waiting = waiting_rate > 0 ? std::exp(-waiting_rate * t) : 0;
-    std::complex<double> sum = waiting;
-    for (Eigen::Index j = 0; j < modes.rates.size(); ++j) {
-      const std::complex<double> a = modes.rates(j), decayed = std::exp(a * t);
-      sum += modes.coefficients(j) *
-             (waiting_rate > 0 ? waiting_rate * (decayed - waiting) / (a + waiting_rate) : decayed);
-    }
-    values(static_cast<Eigen::Index>(k)) = sum.real();
-  }
-  return values;
-}
-
-Eigen::VectorXd passage_values(ReducedResolvent& model, const Eigen::VectorXd& from_point,
-                               const Eigen::VectorXd& from_stationary,
-                               const std::vector<double>& times, double waiting_rate) {
-  const Eigen::VectorXcd origin = Eigen::VectorXcd::Zero(1);
-  const auto of_point = model.reduced_model_modes(from_point),
-             of_stationary = model.reduced_model_modes(from_stationary);
-  const auto n = static_cast<Eigen::Index>(times.size());
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(kValueCount + 2 * n);
-  // Modes with negligible coefficients may be artefacts of the Krylov space.
-  constexpr double kSmallestCoefficient = 1e-6;
-  values(kHazard) = HUGE_VAL;
-  for (Eigen::Index j = 0; j < of_stationary.rates.size(); ++j) {
-    if (std::abs(of_stationary.coefficients(j)) < kSmallestCoefficient) continue;
-    values(kHazard) = std::min(values(kHazard), -of_stationary.rates(j).real());
-  }
-  values(kFromStationary) = model.transfer_function_values(from_stationary, origin)(0).real();
-  values(kFromPoint) = model.transfer_function_values(from_point, origin)(0).real() +
-                       (waiting_rate > 0 ? 1 / waiting_rate : 0);
-  values.segment(kValueCount, n) = survival_probabilities(of_point, times, waiting_rate);
-  values.segment(kValueCount + n, n) = survival_probabilities(of_stationary, times, 0);
-  return values;
-}
-
-// Returns the magnitudes to which errors are relative: the values, and 1 for the survival
-// probabilities, since small probabilities have large relative errors.
-Eigen::VectorXd passage_magnitudes(const Eigen::VectorXd& values) {
-  Eigen::VectorXd magnitudes = values.cwiseAbs();
-  if (magnitudes(kFromPoint) == 0) magnitudes(kFromPoint) = 1;  // without an initial state
-  magnitudes.tail(values.size() - kValueCount).setOnes();
-  return magnitudes;
-}
-
-// Returns the largest accepted differences between the values of two successive Krylov spaces. The
-// survival probability at short times, to which many modes contribute, converges last.
-Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
-  constexpr double kOfValues = 1e-5, kOfSurvival = 1e-3;
-  Eigen::VectorXd errors = kOfValues * values.cwiseAbs();
-  errors.tail(values.size() - kValueCount).setConstant(kOfSurvival);
-  return errors;
-}
-
 // Returns the mean times from the starts in all cells below the barrier, in physical coordinates.
 // @pre the wall frame is not mirrored
 transform::MeanTimeMap mean_time_map(const PassageProblem& passage, const Grid& below,
@@ -242,18 +158,9 @@ transform::MeanTimeMap mean_time_map(const PassageProblem& passage, const Grid& 
   return map;
 }
 
-// Values on one grid, and the mean times in its cells.
-struct PassageResultOnGrid {
-  ValuesOnGrid values_on_grid;
-  transform::MeanTimeMap mean_times;
-};
-
-// Returns the values on one grid. The Krylov space grows until the values of two successive spaces
-// agree.
 PassageResultOnGrid passage_on_grid(const PassageProblem& passage, double refinement,
                                     const std::vector<double>& times, double shift,
                                     const base::Deadline& deadline) {
-  constexpr int kStep = 10, kMost = 120;
   const problem::Problem& problem = passage.problem;
   const Options options = with_refined_cells(passage.options, refinement);
   const int order = transport_order(options);
@@ -294,40 +201,15 @@ PassageResultOnGrid passage_on_grid(const PassageProblem& passage, double refine
   Preconditioner preconditioner(problem.system, passage.scales.slowest_decay_rate,
                                 of_below.excitation, options.impact, below, order);
   // The vector exp(L^T t) areas is the survival probability times the cell areas.
-  const ShiftedSystem system(op, preconditioner, below.nv(), order, shift, Transposed::yes);
+  const ShiftedSystem system(op, &preconditioner, below.nv(), order, shift, Transposed::yes);
   ReducedResolvent model(system, areas);
-  const Eigen::VectorXd from_point =
-      passage.start
-          ? Eigen::VectorXd(start_value_functional(passage, below, order).cwiseQuotient(areas))
-          : Eigen::VectorXd(Eigen::VectorXd::Zero(areas.size()));
-  const Eigen::VectorXd from_stationary = p / probability;
-  Eigen::VectorXd last;
-  bool agree = false;
-  while (!agree && model.size() < kMost) {
-    if (!model.add_basis_vectors(kStep, deadline)) {
-      level.failure = model.failure_reason();
-      return result;
-    }
-    Eigen::VectorXd values =
-        passage_values(model, from_point, from_stationary, times, passage.waiting_rate);
-    agree =
-        last.size() > 0 && ((values - last).array().abs() <= krylov_errors(values).array()).all();
-    last = values;
+  PassageStarts starts{
+      .from_point = {}, .from_stationary = p / probability, .waiting_rate = passage.waiting_rate};
+  if (passage.start) {
+    starts.from_point = start_value_functional(passage, below, order).cwiseQuotient(areas);
   }
-  if (!agree) {
-    level.failure = fmt::format(
-        "the Krylov space of {} vectors does not determine the passage; choose a barrier that is "
-        "crossed more often, or omit short times",
-        kMost);
-    return result;
-  }
-  const bool is_from_point_valid = !passage.start || last(kFromPoint) > 0;
-  if (!(last(kHazard) > 0 && last(kFromStationary) > 0 && is_from_point_valid)) {
-    level.failure =
-        "the operator below the barrier has a growing mode: the cells do not resolve the motion "
-        "there; choose a barrier farther from the wall, or use mcs";
-    return result;
-  }
+  Eigen::VectorXd last = compute_passage_values(model, starts, times, deadline, level.failure);
+  if (last.size() == 0) return result;
   // Rice's rate is the flux of the stationary density through the barrier.
   last(kRiceRate) = wall_speed_moment(below, p, order, 1, AxisEnd::right);
   last(kProbabilityBelow) = probability;
@@ -373,17 +255,6 @@ Box passage_box(const problem::Problem& problem, const problem::MotionScales& sc
   return box;
 }
 
-// Returns ten times up to three mean times, rounded to two digits.
-std::vector<double> automatic_survival_times(double mean_passage_time) {
-  std::vector<double> times;
-  for (int k = 1; k <= 10; ++k) {
-    const double time = 0.3 * k * mean_passage_time,
-                 unit = std::pow(10, std::floor(std::log10(time)) - 1);
-    times.push_back(std::round(time / unit) * unit);
-  }
-  return times;
-}
-
 }  // namespace
 
 transform::Passage solve_passage(const problem::Problem& problem, const Options& options,
@@ -427,63 +298,13 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
     passage.reason = "the stationary probability below the barrier is negligible";
     return passage;
   }
-  // Smaller shifts slow down the convergence of the survival probability at short times; larger
-  // shifts slow down the convergence of the hazard.
-  constexpr double kShift = 4;
-  const double shift = kShift * scales.velocity_deviation / scales.displacement_deviation;
-  if (times.empty()) {
-    constexpr double kCoarse = 0.5;
-    const ValuesOnGrid coarse = passage_on_grid(below, kCoarse, {}, shift, deadline).values_on_grid;
-    if (coarse.values.size() == 0) {
-      passage.reason = coarse.failure;
-      return passage;
-    }
-    times = automatic_survival_times(coarse.values(kFromStationary));
-  }
-  const double target = kPassageTargetFraction * options.accuracy;
-  // The map of the finest grid; two threads evaluate the first two grids.
-  std::mutex map_mutex;
-  double finest = 0;
-  const auto evaluate = [&](double refinement) {
-    PassageResultOnGrid result = passage_on_grid(below, refinement, times, shift, deadline);
-    const std::lock_guard lock(map_mutex);
-    if (result.values_on_grid.values.size() > 0 && refinement > finest) {
-      finest = refinement;
-      passage.mean_times = std::move(result.mean_times);
-    }
-    return std::move(result.values_on_grid);
-  };
-  const ConvergedValues converged =
-      converge_on_grids(evaluate, kObservedOrder, target, passage_magnitudes, deadline);
+  const double shift = passage_shift(scales);
+  solve_passage_on_grids(
+      [&](double refinement, const std::vector<double>& at) {
+        return passage_on_grid(below, refinement, at, shift, deadline);
+      },
+      options, std::move(times), start.has_value(), "cells", deadline, passage);
   passage.seconds = stopwatch.seconds();
-  if (converged.values.size() == 0) {
-    passage.mean_times.reset();
-    passage.reason = converged.failure;
-    return passage;
-  }
-  const Eigen::VectorXd errors = converged.errors + krylov_errors(converged.values);
-  const auto at = [&](Eigen::Index k) -> ValueWithError {
-    return {converged.values(k), errors(k)};
-  };
-  passage.hazard = at(kHazard);
-  if (start) passage.mean_from_point = at(kFromPoint);
-  passage.mean_from_stationary = at(kFromStationary);
-  passage.rice_rate = at(kRiceRate);
-  passage.probability_below = at(kProbabilityBelow);
-  passage.times = times;
-  const auto n = static_cast<Eigen::Index>(times.size());
-  for (Eigen::Index k = 0; k < n; ++k) {
-    if (start) passage.survival_from_point.push_back(at(kValueCount + k));
-    passage.survival_from_stationary.push_back(at(kValueCount + n + k));
-  }
-  passage.details = fmt::format("{} x {} cells", converged.nx, converged.nv);
-  const double error = (errors.array() / passage_magnitudes(converged.values).array()).maxCoeff();
-  passage.status = Status::ok;
-  if (!(error <= options.accuracy)) {
-    passage.status = Status::inaccurate;
-    passage.reason = fmt::format("estimated relative error {:.2g}, above the accuracy {:g}; {}",
-                                 error, options.accuracy, converged.failure);
-  }
   return passage;
 }
 

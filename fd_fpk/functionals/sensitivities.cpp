@@ -44,7 +44,7 @@ Eigen::VectorXd sensitivities_on_grid(const problem::Problem& problem, const Opt
   values.head(kMomentCount) = differentiated_moment_values(problem, grid, p, order);
   // The factors of s - L with a small shift s solve the singular systems of L in a few iterations.
   constexpr double kSmallShift = 1e-3;  // in decay rates of the slowest mode
-  const ShiftedSystem system(direct_solution.op, *direct_solution.preconditioner, grid.nv(), order,
+  const ShiftedSystem system(direct_solution.op, &*direct_solution.preconditioner, grid.nv(), order,
                              kSmallShift * direct_solution.scales.slowest_decay_rate);
   const numerics::BlockBandedLu* factors = system.direct_factors();
   if (factors == nullptr && !direct_solution.preconditioner->factorise_stationary()) {

@@ -4,7 +4,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-ShiftedSystem::ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner& preconditioner, int nv,
+ShiftedSystem::ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner* preconditioner, int nv,
                              int order, double shift, Transposed transposed)
     : op_(op), preconditioner_(preconditioner), shift_(shift), transposed_(transposed) {
   // Largest number of elements of the factors, 400 MB. With factors `fpkcheck spectrum case1
@@ -19,8 +19,11 @@ ShiftedSystem::ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner& pre
     if (factors_->is_finite()) return;
     factors_.reset();
   }
-  if (!preconditioner.factorise_newton_matrix(1 / shift))
-    failure_ = preconditioner.failure_reason();
+  if (preconditioner == nullptr) {
+    failure_ = "the factors of the matrix need too much memory; use fewer cells";
+  } else if (!preconditioner->factorise_newton_matrix(1 / shift)) {
+    failure_ = preconditioner->failure_reason();
+  }
 }
 
 std::optional<Eigen::VectorXd> ShiftedSystem::solve(const Eigen::VectorXd& right_hand_side,
@@ -45,8 +48,8 @@ std::optional<Eigen::VectorXd> ShiftedSystem::solve(const Eigen::VectorXd& right
     return x - (is_transposed ? op_.transposed_product(x) : op_ * x) / shift_;
   };
   const auto approximate_solve = [&](Eigen::Ref<Eigen::VectorXd> x) {
-    is_transposed ? preconditioner_.solve_transposed_in_place(x)
-                  : preconditioner_.solve_in_place(x);
+    is_transposed ? preconditioner_->solve_transposed_in_place(x)
+                  : preconditioner_->solve_in_place(x);
   };
   const Eigen::VectorXd weights = is_transposed ? op_.areas.cwiseInverse() : op_.areas;
   auto [solution, iterations, reason] = solve_by_gmres(

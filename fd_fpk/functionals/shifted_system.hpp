@@ -20,9 +20,10 @@ enum class Transposed { no, yes };
 class ShiftedSystem {
  public:
   /// @param op,preconditioner must outlive this object
+  /// @param preconditioner preconditioner of GMRES; null if only the factors solve the systems
   /// @param nv number of cells of x2
   /// @param order order of the scheme
-  ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner& preconditioner, int nv, int order,
+  ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner* preconditioner, int nv, int order,
                 double shift, Transposed transposed = Transposed::no);
 
   double shift() const { return shift_; }
@@ -37,7 +38,7 @@ class ShiftedSystem {
 
  private:
   const FokkerPlanckOperator& op_;
-  const Preconditioner& preconditioner_;
+  const Preconditioner* preconditioner_;
   double shift_;
   Transposed transposed_;
   std::optional<numerics::BlockBandedLu> factors_ = {};

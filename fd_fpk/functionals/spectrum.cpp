@@ -82,7 +82,7 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
   const Eigen::VectorXd functional = coordinate_functional(grid, variable, order);
   const double mean = functional.dot(p) / direct_solution.op.total_mass(p);
   const Eigen::VectorXd b = multiply_by_coordinate(grid, p, variable, order) - mean * p;
-  const ShiftedSystem system(direct_solution.op, *direct_solution.preconditioner, grid.nv(), order,
+  const ShiftedSystem system(direct_solution.op, &*direct_solution.preconditioner, grid.nv(), order,
                              shift);
   ReducedResolvent model(system, b, p);
   Eigen::VectorXcd points(frequencies.size());

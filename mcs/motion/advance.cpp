@@ -13,8 +13,8 @@ namespace fpkcheck::mcs {
 
 void advance_all_streams(const MotionParameters& motion, std::span<Stream* const> streams,
                          double duration, const simd::SimdVariant& simd_variant) {
-  assert(motion.records || (!motion.splitting && !motion.deposit));
-  assert(!motion.keeps_series || !motion.splitting);
+  assert(motion.records || (!motion.splitting && !motion.deposit && !motion.keeps_states));
+  assert(!(motion.keeps_series || motion.keeps_states) || !motion.splitting);
   assert(!motion.kicks.is_present() || !motion.oscillator.is_duffing_at_wall());
   assert(!motion.deposit || motion.oscillator.is_duffing_at_wall());
   for (Stream* stream : streams) {

@@ -21,6 +21,9 @@ struct MotionParameters {
   const ImportanceSplitting* splitting = nullptr;  ///< importance splitting; null if disabled
   double shift = 0;           ///< shift of the velocity impulses, Excitation::shift
   bool keeps_series = false;  ///< whether samples of y are appended to Stream::series
+  /// Whether the states at samples, impulses and noise kicks are appended to Stream::states; not
+  /// supported for kicks of multiplicative noise
+  bool keeps_states = false;
   /// Plan of the deposition of samples, null if samples are not deposited. Samples can be deposited
   /// only with Oscillator::Kind::duffing_at_wall.
   const DepositPlan* deposit = nullptr;
@@ -45,7 +48,8 @@ bool accept_impulse_by_thinning(const MotionParameters& motion, Stream& stream);
 /// The result of a stream does not depend on other streams, on the number of streams or on the
 /// instruction set.
 /// @param streams any number of streams; each SIMD lane advances one stream
-/// @pre `splitting` and `deposit` require `records`; `splitting` excludes `keeps_series`
+/// @pre `splitting`, `deposit` and `keeps_states` require `records`; `splitting` excludes
+/// `keeps_series` and `keeps_states`
 void advance_all_streams(const MotionParameters& motion, std::span<Stream* const> streams,
                          double duration, const simd::SimdVariant& simd_variant);
 

@@ -278,6 +278,7 @@ struct LaneState {
         add_sample(at, due, due);
       }
       if (motion.keeps_series) append_to_series(at.y, due);
+      if (motion.keeps_states) append_to_states(at, remaining - time, due);
       if constexpr (Motion::kDeposits) {
         if (motion.deposit) deposit_due_samples(at, flight.polynomial_acceleration(time), due);
       }
@@ -290,6 +291,15 @@ struct LaneState {
   FPKCHECK_INLINE void append_to_series(const Real& y_value, const Mask& due) const {
     for (int i = 0; i < W; ++i) {
       if (simd::lane_value(due, i) != 0) streams[i]->series.push_back(simd::lane_value(y_value, i));
+    }
+  }
+
+  FPKCHECK_INLINE void append_to_states(const PhaseState<Real>& at, const Real& time_to_end,
+                                        const Mask& due) const {
+    for (int i = 0; i < W; ++i) {
+      if (simd::lane_value(due, i) == 0) continue;
+      streams[i]->states.push_back(
+          {simd::lane_value(time_to_end, i), simd::lane_value(at.y, i), simd::lane_value(at.v, i)});
     }
   }
 

@@ -25,13 +25,23 @@ inline void count_turning_point(const MotionParameters& motion, Stream& stream, 
     stream.record.troughs[(*motion.y_bins)(y)] += event_weight;
 }
 
+/// Appends the present state of a stream to Stream::states, if MotionParameters::keeps_states.
+inline void record_state(const MotionParameters& motion, Stream& stream, RecordedState::Event event,
+                         double kick_variance = 0) {
+  if (!motion.keeps_states) return;
+  const TrajectoryBranch& b = stream.branch;
+  stream.states.push_back({b.remaining, b.y, b.v, event, kick_variance});
+}
+
 /// Applies one impulse, paper (3), and draws the next impulse.
 inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
   TrajectoryBranch& b = stream.branch;
   const double before = b.v;
+  record_state(motion, stream, RecordedState::Event::before_impulse);
   if (!accept_impulse_by_thinning(motion, stream)) b.amplitude = 0;
   const double factor = impulse_factor(motion.oscillator, b.y);
   b.v += factor * b.amplitude;
+  record_state(motion, stream, RecordedState::Event::after_impulse);
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
@@ -65,16 +75,17 @@ inline void apply_noise_kick(const MotionParameters& motion, Stream& stream) {
   // (1 - exp(-2x)) / (2x), from a series where the difference would lose digits
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
-  const double kick =
-      simd::square_root(2 * diffusion * time * mean_decay) * stream.noise.next_normal();
+  const double variance = 2 * diffusion * time * mean_decay;
+  const double kick = simd::square_root(variance) * stream.noise.next_normal();
   const double before = b.v;
   const double damped = decay * b.v;
   b.v = damped + kick;
+  record_state(motion, stream, RecordedState::Event::after_kick, variance);
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
     // The recorded work of a kick has the expectation 0 for any motion.
-    stream.record.work += damped * kick + (kick * kick - 2 * diffusion * time * mean_decay) / 2;
+    stream.record.work += damped * kick + (kick * kick - variance) / 2;
   }
   b.time_to_kick = next;
   b.kick_interval = next;

@@ -90,6 +90,11 @@ void Simulation::enable_series() {
   motion_.keeps_series = true;
 }
 
+void Simulation::enable_states() {
+  assert(motion_.splitting == nullptr && motion_.kicks.factor == nullptr);
+  motion_.keeps_states = true;
+}
+
 void Simulation::restart_stream(std::size_t stream, double y, double v) {
   TrajectoryBranch& branch = streams_[stream].branch;
   branch.y = y;
@@ -175,6 +180,7 @@ void Simulation::advance_streams(bool recorded, double time) {
   MotionParameters motion = motion_;
   if (!recorded) {
     motion.records = false;
+    motion.keeps_states = false;
     motion.splitting = nullptr;
     motion.deposit = nullptr;
   }

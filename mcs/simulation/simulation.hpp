@@ -33,6 +33,9 @@ class Simulation {
   /// From now on, run_round() appends the samples of y to Stream::series.
   /// @pre no splitting
   void enable_series();
+  /// From now on, run_round() appends states to Stream::states.
+  /// @pre no splitting, and no multiplicative noise
+  void enable_states();
 
   /// Advances all streams by the burn-in time, without statistics.
   void run_burn_in();
@@ -59,6 +62,10 @@ class Simulation {
   const std::vector<Stream>& streams() const { return streams_; }
   /// Returns the samples of y of a stream; the caller removes samples after use.
   std::vector<double>& y_series(std::size_t stream) { return streams_[stream].series; }
+  /// Returns the recorded states of a stream; the caller removes states after use.
+  std::vector<RecordedState>& recorded_states(std::size_t stream) {
+    return streams_[stream].states;
+  }
 
   /// Writes the complete state of the simulation between two rounds.
   void save_state(std::ostream& out) const;

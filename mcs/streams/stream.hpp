@@ -122,6 +122,15 @@ struct PendingBranch {
   bool at_impulse = false;  ///< whether each copy also draws the time of its next impulse
 };
 
+/// A state of a stream at a sample, or at an impulse or noise kick.
+struct RecordedState {
+  enum class Event { sample, before_impulse, after_impulse, after_kick };
+  double time_to_end;  ///< time until the end of the round
+  double y, v;
+  Event event = Event::sample;
+  double kick_variance = 0;  ///< variance of the velocity change by a noise kick
+};
+
 struct Stream {
   TrajectoryBranch branch;
   ImpulseSource source;
@@ -131,6 +140,8 @@ struct Stream {
   NoiseSource noise{0, 0};
   /// Samples of y in the order of time, if MotionParameters::keeps_series
   std::vector<double> series{};
+  /// States in the order of time, if MotionParameters::keeps_states
+  std::vector<RecordedState> states{};
 
   bool is_on_main_branch() const { return pending_branches.empty(); }
 };

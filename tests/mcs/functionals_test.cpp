@@ -78,7 +78,7 @@ TEST(SimulatedSensitivities, AreThoseOfTheLinearOscillator) {
 
 // Values of an independent method, as in tests/fd_fpk/functionals/passage_test.cpp
 TEST(SimulatedPassage, HasTheValuesOfAnIndependentMethodInCase1) {
-  const auto passage = estimate_passage(tests::paper_case(1), {.time = 6e5}, 1.5, {100});
+  const auto passage = estimate_passage(tests::paper_case(1), {.time = 6e5}, {.level = 1.5}, {100});
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   const auto expect = [](const std::optional<transform::ValueWithError>& found, double exact) {
     ASSERT_TRUE(found);
@@ -92,8 +92,35 @@ TEST(SimulatedPassage, HasTheValuesOfAnIndependentMethodInCase1) {
   expect(passage.survival_from_stationary[0], 0.96522 * std::exp(-0.945683));
 }
 
+// Values of finite differences below the level (tests/fd_fpk/functionals/energy_passage_test.cpp,
+// and `fpkcheck passage CASE --energy 0.5 --methods fd-white` for the linear oscillator)
+TEST(SimulatedPassage, HasTheValuesOfAnIndependentMethodForAnEnergyBarrier) {
+  const auto expect = [](const std::optional<transform::ValueWithError>& found, double exact) {
+    ASSERT_TRUE(found);
+    EXPECT_LE(std::abs(found->value - exact), kMost * found->error) << exact;
+    EXPECT_LE(found->error, 0.05 * exact);
+  };
+  const auto energy = [](double level) {
+    return transform::Barrier{transform::Barrier::Quantity::energy, level};
+  };
+  const auto passage = estimate_passage(tests::paper_case(1), {.time = 4e5}, energy(1), {10});
+  ASSERT_EQ(passage.status, Status::ok) << passage.reason;
+  EXPECT_FALSE(passage.rice_rate);
+  expect(passage.hazard, 0.0226652);
+  expect(passage.mean_from_point, 49.684);
+  expect(passage.mean_from_stationary, 42.142);
+  expect(passage.probability_below, 0.89904);
+  expect(passage.survival_from_stationary[0], 0.76107);
+  // Under noise the barrier is shifted for passages between kicks.
+  const problem::Problem noisy =
+      tests::with_noise(System({.damping = 0.1, .stiffness = 1}, {.none = true}), 0.1 / 1.7);
+  const auto under_noise = estimate_passage(noisy, {.time = 2e5}, energy(0.5), {10});
+  ASSERT_EQ(under_noise.status, Status::ok) << under_noise.reason;
+  expect(under_noise.mean_from_point, 28.1915);
+}
+
 TEST(SimulatedPassage, SaysThatABarrierIsTooHigh) {
-  const auto passage = estimate_passage(tests::paper_case(1), {.time = 1e4}, 5, {100});
+  const auto passage = estimate_passage(tests::paper_case(1), {.time = 1e4}, {.level = 5}, {100});
   EXPECT_EQ(passage.status, Status::not_converged);
   EXPECT_FALSE(passage.mean_from_stationary);
 }

@@ -59,6 +59,23 @@ TEST(LagrangeWeights, ReproducePolynomialsOfADegreeBelowTheNumberOfNodes) {
   }
 }
 
+TEST(LagrangeDerivativeWeights, DifferentiatePolynomialsOfADegreeBelowTheNumberOfNodes) {
+  const std::vector<double> nodes{-1, 2, -0.3, 0.5, 0.9};
+  for (const double x : {-1.0, 0.1, 2.5}) {
+    for (int order = 0; order <= 3; ++order) {
+      const auto weights = lagrange_derivative_weights(nodes, x, order);
+      for (int power = 0; power < 5; ++power) {
+        double sum = 0, exact = std::pow(x, power - order);
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+          sum += weights[n] * std::pow(nodes[n], power);
+        for (int k = 0; k < order; ++k) exact *= power - k;
+        if (power < order) exact = 0;
+        EXPECT_NEAR(sum, exact, 1e-11) << x << " " << order << " " << power;
+      }
+    }
+  }
+}
+
 TEST(BracketedRoot, HasTheRequestedNumberOfBits) {
   EXPECT_NEAR(bracketed_root([](double x) { return x * x - 2; }, 0, 2), std::sqrt(2.0), 1e-15);
   EXPECT_NEAR(bracketed_root([](double x) { return std::cos(x); }, 0, 3, 20), std::acos(0), 1e-5);

@@ -224,6 +224,68 @@ TEST(PassageFromAPoint, AgreesWithTheSimulation) {
   EXPECT_TRUE(passage.at("solutions").at(0).at("survival").at(0).contains("from_start"));
 }
 
+// The energy refers to the potential of physical coordinates, with the wall at y = -0.5.
+TEST(PassageOfTheEnergy, AgreesWithTheSimulationAtAWallBesideTheEquilibrium) {
+  std::istringstream ini(R"([system]
+damping = 0.1
+stiffness = 1
+[wall]
+left = -0.5
+left_restitution = 0.9
+[impulse]
+rate = 1
+law = gaussian
+intensity = 0.1
+)");
+  const problem::Problem problem = problem::read_case(ini, "test", "test.ini");
+  PassageOptions options;
+  options.energy = 1;
+  options.start = "0.8,-0.4";
+  options.methods = "fd-kf,mcs,characteristics";
+  options.times = "10,50";
+  options.time = 4e5;
+  options.accuracy = 0.02;
+  options.max_seconds = 60;
+  const PassageStudy study = study_passage(problem, options, {});
+  ASSERT_EQ(study.passages.size(), 4u);
+  const auto &fd = study.passages[0], &simulated = study.passages[1];
+  ASSERT_EQ(fd.status, Status::ok) << fd.reason;
+  ASSERT_EQ(simulated.status, Status::ok) << simulated.reason;
+  EXPECT_EQ(study.passages[2].status, Status::not_offered);
+  EXPECT_EQ(study.passages[3].status, Status::not_offered);
+  EXPECT_TRUE(has_converged(study));
+  const auto expect_agreement = [](const transform::ValueWithError& a,
+                                   const transform::ValueWithError& b) {
+    EXPECT_NEAR(a.value, b.value, 3.5 * b.error + a.error);
+    EXPECT_LT(3.5 * b.error + a.error, 0.1 * a.value);
+  };
+  for (const auto quantity :
+       {&transform::Passage::hazard, &transform::Passage::mean_from_point,
+        &transform::Passage::mean_from_stationary, &transform::Passage::probability_below}) {
+    expect_agreement(*(fd.*quantity), *(simulated.*quantity));
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    expect_agreement(fd.survival_from_point.at(k), simulated.survival_from_point.at(k));
+    expect_agreement(fd.survival_from_stationary.at(k), simulated.survival_from_stationary.at(k));
+  }
+  const Json found = Json::parse(study::study_json_text(study, "fpkcheck passage"));
+  const Json& passage = found.at("cases").at(0).at("passage");
+  EXPECT_EQ(passage.at("barrier"), Json({{"energy", 1.0}}));
+  EXPECT_TRUE(passage.at("solutions").at(0).at("rice_rate").is_null());
+}
+
+TEST(PassageOfTheEnergy, RefusesAStartAboveTheBarrierAndASecondBarrier) {
+  PassageOptions options;
+  options.energy = 1;
+  for (const char* start : {"0.5,1.5", "1.4,0", "-0.1,0"}) {
+    options.start = start;
+    EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError) << start;
+  }
+  options.start = {};
+  options.displacement = 1;
+  EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError);
+}
+
 // A negative factor of skewed impulses, and a restitution coefficient that decreases with the
 // speed: the mean time from rest would change with a wrong sign, factor or speed of the first
 // impulse.

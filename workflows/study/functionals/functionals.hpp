@@ -17,9 +17,9 @@
 /// The commands `passage`, `spectrum` and `sensitivity`: functionals of the motion.
 namespace fpkcheck::study {
 
-/// First passage of the displacement above a barrier.
+/// First passage of the displacement or of the energy above a barrier; one of the two is given.
 struct PassageOptions : FunctionalOptions {
-  std::optional<double> displacement{};
+  std::optional<double> displacement{}, energy{};
   /// Initial state "Y,V"; empty for a start at rest.
   std::optional<std::string> start{};
   /// Comma-separated times of the survival probabilities.

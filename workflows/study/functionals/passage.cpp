@@ -12,8 +12,10 @@
 #include "backward/passage/passage.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
+#include "fd_fpk/functionals/energy_passage.hpp"
 #include "fd_fpk/functionals/passage.hpp"
 #include "mcs/passage.hpp"
+#include "problem/effective_potential.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
 #include "report/terminal_tables.hpp"
@@ -50,6 +52,24 @@ std::vector<NamedQuantity> passage_quantities(const PassageOptions& options) {
           {"probability_below", "probability below the barrier", &Passage::probability_below}};
 }
 
+// Returns the barrier of the options.
+// @throws InputError unless exactly one barrier is given
+transform::Barrier parse_barrier(const PassageOptions& options) {
+  if (options.displacement.has_value() == options.energy.has_value()) {
+    throw InputError(options.energy
+                         ? "two barriers; give either --displacement or --energy"
+                         : "no barrier; give one, e.g. --displacement 1.5 or --energy 1");
+  }
+  return options.energy ? transform::Barrier{transform::Barrier::Quantity::energy, *options.energy}
+                        : transform::Barrier{transform::Barrier::Quantity::displacement,
+                                             *options.displacement};
+}
+
+// Returns the text of the quantity that passes the barrier.
+std::string barrier_quantity_text(const transform::Barrier& barrier) {
+  return barrier.is_energy() ? "the energy" : "y";
+}
+
 std::vector<double> parse_survival_times(const PassageOptions& options) {
   std::vector<double> times;
   if (!options.times) return times;
@@ -65,9 +85,10 @@ std::vector<double> parse_survival_times(const PassageOptions& options) {
 }
 
 // Returns the start Y,V of the options.
-// @throws InputError unless Y is below the barrier and between the walls
+// @throws InputError unless the start is below the barrier and between the walls
 std::optional<transform::StartState> parse_start(const problem::Problem& problem,
-                                                 const PassageOptions& options) {
+                                                 const PassageOptions& options,
+                                                 const transform::Barrier& barrier) {
   if (!options.start) return std::nullopt;
   const auto refuse = [&](const std::string& requirement) {
     throw InputError(fmt::format("--start {} ({})", base::in_quotes(*options.start), requirement));
@@ -79,12 +100,21 @@ std::optional<transform::StartState> parse_start(const problem::Problem& problem
     ydot = parse_finite_number(parts[1]);
   }
   if (!y || !ydot) refuse("must be the displacement and the velocity Y,V, as 0.5,-1");
-  if (!(*y < *options.displacement)) {
-    refuse(fmt::format("Y must be below the barrier {:g}", *options.displacement));
+  const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
+  if (left && *y < left->position) {
+    refuse(fmt::format("Y must not be behind the wall at {:g}", left->position));
   }
-  const auto& wall = problem.system.left_wall();
-  if (wall && *y < wall->position) {
-    refuse(fmt::format("Y must not be behind the wall at {:g}", wall->position));
+  if (right && *y > right->position) {
+    refuse(fmt::format("Y must not be behind the wall at {:g}", right->position));
+  }
+  if (!barrier.is_energy() && !(*y < barrier.level)) {
+    refuse(fmt::format("Y must be below the barrier {:g}", barrier.level));
+  }
+  if (barrier.is_energy()) {
+    const double energy = *ydot * *ydot / 2 + problem::EffectivePotential(problem.system)(*y);
+    if (!(energy < barrier.level)) {
+      refuse(fmt::format("the energy {:g} must be below the barrier {:g}", energy, barrier.level));
+    }
   }
   return transform::StartState{*y, *ydot};
 }
@@ -103,6 +133,26 @@ Passage rice_approximation(const Passage& of) {
   return rice;
 }
 
+// Returns the passage by one method.
+Passage solve_passage(const problem::Problem& problem, const SelectedMethod& method,
+                      const transform::Barrier& barrier, const std::vector<double>& times,
+                      const std::optional<transform::StartState>& start) {
+  if (method.mcs) return mcs::estimate_passage(problem, *method.mcs, barrier, times, start);
+  if (method.fd) {
+    return barrier.is_energy()
+               ? fd_fpk::solve_energy_passage(problem, *method.fd, barrier.level, times, start)
+               : fd_fpk::solve_passage(problem, *method.fd, barrier.level, times, start);
+  }
+  if (barrier.is_energy()) {
+    return {.id = method.identity.id,
+            .status = Status::not_offered,
+            .reason =
+                "the collocation ends the motion at a barrier of the displacement; use fd or "
+                "mcs for an energy barrier"};
+  }
+  return backward::solve_passage(problem, *method.characteristics, barrier.level, start);
+}
+
 bool is_rice_approximation(const Passage& passage) { return passage.id == "rice"; }
 
 }  // namespace
@@ -112,6 +162,9 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
       base::Description<PassageOptions>("passage ")
           .add("displacement", &PassageOptions::displacement,
                {"B", "barrier: first passage of y above B"}, base::finite_numbers())
+          .add("energy", &PassageOptions::energy,
+               {"H", "in place of --displacement: first passage of y'^2/2 + U(y) above H"},
+               base::finite_numbers())
           .add("start", &PassageOptions::start,
                {"Y,V", "start at the displacement Y with the velocity V (default: at rest)"})
           .add(
@@ -128,21 +181,14 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
 
 PassageStudy study_passage(const problem::Problem& problem, const PassageOptions& options,
                            const methods::ProgressListener& listener) {
-  if (!options.displacement) {
-    throw InputError("no barrier; give one, e.g. --displacement 1.5");
-  }
-  const double barrier = *options.displacement;
+  const transform::Barrier barrier = parse_barrier(options);
   std::vector<double> times = parse_survival_times(options);
-  const auto start = parse_start(problem, options);
+  const auto start = parse_start(problem, options, barrier);
   PassageStudy study{problem, options, {}};
   for_each_selected_method(
       problem, options, listener,
       [&](const SelectedMethod& method) {
-        study.passages.push_back(
-            method.fd ? fd_fpk::solve_passage(problem, *method.fd, barrier, times, start)
-            : method.characteristics
-                ? backward::solve_passage(problem, *method.characteristics, barrier, start)
-                : mcs::estimate_passage(problem, *method.mcs, barrier, times, start));
+        study.passages.push_back(solve_passage(problem, method, barrier, times, start));
         // The simulation uses the automatic times of the finite volumes.
         if (times.empty()) times = study.passages.back().times;
       },
@@ -150,6 +196,13 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
   const auto with_rate = std::ranges::find_if(
       study.passages, [](const Passage& p) { return p.rice_rate && p.probability_below; });
   if (with_rate != study.passages.end()) study.passages.push_back(rice_approximation(*with_rate));
+  if (barrier.is_energy()) {
+    study.passages.push_back(
+        {.id = "rice",
+         .status = Status::not_offered,
+         .reason = "the energy has no derivative at impulses and under noise, which Rice's formula "
+                   "needs; use fd or mcs"});
+  }
   return study;
 }
 
@@ -196,9 +249,10 @@ std::string study_json_text(const PassageStudy& study, const std::string& comman
         is_rice_approximation(p) ? Json() : Json(error_kind_text(p.has_standard_errors));
     solutions.push_back(std::move(one));
   }
-  Json passage{{"barrier", {{"displacement", *study.options.displacement}}},
+  const transform::Barrier barrier = parse_barrier(study.options);
+  Json passage{{"barrier", {{barrier.is_energy() ? "energy" : "displacement", barrier.level}}},
                {"solutions", std::move(solutions)}};
-  if (const auto start = parse_start(study.problem, study.options)) {
+  if (const auto start = parse_start(study.problem, study.options, barrier)) {
     passage["start"] = {{"y", start->y}, {"ydot", start->ydot}};
   }
   return functional_json(study.problem, "passage", passage, command);
@@ -233,10 +287,12 @@ std::string study_csv_text(const PassageStudy& study) {
 }
 
 std::string study_table_text(const PassageStudy& study, const report::TextFormat& format) {
+  const transform::Barrier barrier = parse_barrier(study.options);
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
-      fmt::format("first passage of y above {:g}; survival: probability that y has stayed below",
-                  *study.options.displacement),
+      fmt::format(
+          "first passage of {0} above {1:g}; survival: probability that {0} has stayed below",
+          barrier_quantity_text(barrier), barrier.level),
       format.width);
   const auto quantities = passage_quantities(study.options);
   std::vector<TableColumn> columns{{"", "", "what", "", report::kAlwaysShown, true}};
@@ -355,9 +411,10 @@ report::Figure study_figure(const PassageStudy& study) {
     series.push_back(std::move(one));
   }
   if (series.empty()) return {};
+  const transform::Barrier barrier = parse_barrier(study.options);
   report::FigurePanel panel{
-      .title = fmt::format("probability that y stays below {:g}, stationary start",
-                           *study.options.displacement),
+      .title = fmt::format("probability that {} stays below {:g}, stationary start",
+                           barrier_quantity_text(barrier), barrier.level),
       .x = report::linear_axis("{/:Italic t}", series, &report::FigurePoint::x),
       .y = report::logarithmic_axis("survival probability", series, &report::FigurePoint::y),
       .series = series};
