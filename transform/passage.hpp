@@ -72,7 +72,9 @@ struct Passage {
   std::vector<ValueWithError> survival_from_point = {}, survival_from_stationary = {};
   std::optional<MeanTimeMap> mean_times = {};  ///< mean times from all starts below the barrier
   bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
-  std::string details = {};          ///< grid or simulated time, for tables
+  /// Whether each exact value is guaranteed to differ from its value by at most its error
+  bool has_guaranteed_errors = false;
+  std::string details = {};  ///< grid or simulated time, for tables
 };
 
 }  // namespace fpkcheck::transform

@@ -48,9 +48,13 @@ std::vector<SelectedMethod> select_methods(const FunctionalOptions& options,
       method.identity.id = id;
       method.identity.plot_style = methods::density_equation_style(method.identity);
       method.characteristics = {.accuracy = options.accuracy, .max_seconds = options.max_seconds};
+    } else if (has_characteristics && id == "bounds") {
+      method.identity.id = id;
+      method.identity.plot_style = methods::density_equation_style(method.identity);
+      method.bounds = {.accuracy = options.accuracy, .max_seconds = options.max_seconds};
     } else {
       const char* others = has_closures          ? "epc-polar-n6, epc-moment-n6, "
-                           : has_characteristics ? "characteristics, "
+                           : has_characteristics ? "characteristics, bounds, "
                                                  : "";
       throw InputError(fmt::format(
           "--methods: {} is no method of this command; use fd-kf, fd-white, fd-km4, {}mcs or "

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "backward/passage/passage.hpp"
+#include "backward/passage/passage_bounds.hpp"
 #include "base/options/description.hpp"
 #include "epc/options.hpp"
 #include "fd_fpk/options.hpp"
@@ -62,7 +63,7 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
       .add(
           "max_seconds", member(&FunctionalOptions::max_seconds),
           {"S",
-           "time limit in seconds of the finite volumes, of the method characteristics, and of each root of a "
+           "time limit in seconds of the finite volumes, of the methods characteristics and bounds, and of each root of a "
            "closure or its density over time"},
           positive_numbers())
       .with_default(defaults.max_seconds)
@@ -75,12 +76,13 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
            closed_interval(1, 4096));
 }
 
-/// A method that computes a functional. Exactly one of the members `fd`, `characteristics`, `epc`
-/// and `mcs` has a value, the options of the method.
+/// A method that computes a functional. Exactly one of the members `fd`, `characteristics`,
+/// `bounds`, `epc` and `mcs` has a value, the options of the method.
 struct SelectedMethod {
   transform::SolutionIdentity identity;  ///< with the plot style of the method
   std::optional<fd_fpk::Options> fd = {};
   std::optional<backward::PassageCollocationOptions> characteristics = {};
+  std::optional<backward::PassageBoundsOptions> bounds = {};
   std::optional<epc::Options> epc = {};
   std::optional<mcs::Options> mcs = {};
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "backward/passage/passage.hpp"
+#include "backward/passage/passage_bounds.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "fd_fpk/functionals/energy_passage.hpp"
@@ -147,9 +148,10 @@ Passage solve_passage(const problem::Problem& problem, const SelectedMethod& met
     return {.id = method.identity.id,
             .status = Status::not_offered,
             .reason =
-                "the collocation ends the motion at a barrier of the displacement; use fd or "
-                "mcs for an energy barrier"};
+                "the method ends the motion at a barrier of the displacement; use fd or mcs for an "
+                "energy barrier"};
   }
+  if (method.bounds) return backward::bound_passage(problem, *method.bounds, barrier.level, start);
   return backward::solve_passage(problem, *method.characteristics, barrier.level, start);
 }
 
@@ -172,10 +174,10 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
               {"LIST",
                "times of the survival probabilities (default: ten times up to three mean times, from "
                "the finite volumes)"}),
-      "largest relative error of finite volumes and characteristics, for status ok",
+      "largest relative error of finite volumes, characteristics and bounds, for status ok",
       "simulated time of the stationary process (default: until the standard error of the mean is "
       "1 %, at most about 10 s of computing)",
-      "ids of methods: fd-kf, fd-white, fd-km4, .., characteristics, mcs, mcs-white");
+      "ids of methods: fd-kf, fd-white, fd-km4, .., characteristics, bounds, mcs, mcs-white");
   return description;
 }
 
@@ -228,6 +230,11 @@ std::string study_json_text(const PassageStudy& study, const std::string& comman
       one[key] = value ? Json(value->value) : Json();
       error[key] = value && !is_rice_approximation(p) ? Json(value->error) : Json();
     }
+    if (p.has_guaranteed_errors && p.mean_from_point) {
+      const auto [middle, half_width] = *p.mean_from_point;
+      one["mean_" + from_point + "_bounds"] = {{"lower", middle - half_width},
+                                               {"upper", middle + half_width}};
+    }
     Json survival = Json::array(), survival_error = Json::array();
     for (std::size_t k = 0; k < p.times.size(); ++k) {
       const auto at = [&](const std::vector<ValueWithError>& all, double ValueWithError::*part) {
@@ -245,8 +252,9 @@ std::string study_json_text(const PassageStudy& study, const std::string& comman
     one["survival"] = std::move(survival);
     if (!is_rice_approximation(p)) error["survival"] = std::move(survival_error);
     one["error"] = std::move(error);
-    one["error_is"] =
-        is_rice_approximation(p) ? Json() : Json(error_kind_text(p.has_standard_errors));
+    one["error_is"] = is_rice_approximation(p)  ? Json()
+                      : p.has_guaranteed_errors ? Json("guaranteed bound")
+                                                : Json(error_kind_text(p.has_standard_errors));
     solutions.push_back(std::move(one));
   }
   const transform::Barrier barrier = parse_barrier(study.options);
@@ -308,7 +316,7 @@ std::string study_table_text(const PassageStudy& study, const report::TextFormat
     }
   }
   for (const Passage& p : study.passages) {
-    if (!p.hazard && !p.mean_from_stationary) continue;
+    if (!p.hazard && !p.mean_from_stationary && !p.mean_from_point) continue;
     constexpr double kSmallError = 1e-5;  // a relative error that six digits do not show
     const bool is_precise =
         !is_rice_approximation(p) && p.hazard && p.hazard->error < kSmallError * p.hazard->value;
