@@ -1,6 +1,7 @@
 #include "transform/richardson.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -27,6 +28,28 @@ Marginal richardson_limit(const Marginal& middle, const Marginal& fine, double f
 
 double error_from_differences(double before, double last, double reduction_ratio, double factor) {
   return factor * std::max(std::abs(last), std::abs(before) / reduction_ratio);
+}
+
+std::vector<double> errors_with_common_order(std::span<const double> before,
+                                             std::span<const double> last,
+                                             std::span<const double> scales, double ratio,
+                                             int scheme_order) {
+  assert(before.size() == last.size() && last.size() == scales.size());
+  double sum_before = 0, sum_last = 0;
+  for (std::size_t k = 0; k < last.size(); ++k) {
+    sum_before += before[k] / scales[k];
+    sum_last += last[k] / scales[k];
+  }
+  const double observed = std::log(sum_before / sum_last) / std::log(ratio);
+  const double order =
+      std::isfinite(observed) ? credible_convergence_order(observed, scheme_order) : scheme_order;
+  const double reduction = std::pow(ratio, order);
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < last.size(); ++k) {
+    errors.push_back(kErrorSafetyFactor *
+                     error_from_differences(before[k], last[k], reduction, 1 / (reduction - 1)));
+  }
+  return errors;
 }
 
 GridLevel make_grid_level(const Solution& solution, std::span<const double> y_edges,

@@ -47,6 +47,19 @@ bool has_richardson_limit(double observed, int scheme_order);
 /// @param factor ratio of the error to the last difference, about 1 / (R - 1)
 double error_from_differences(double before, double last, double reduction_ratio, double factor);
 
+/// Returns error estimates of quantities on the finest of three grids, with the factor of safety
+/// kErrorSafetyFactor. All quantities have the order of convergence that is observed in the sum of
+/// their differences.
+/// @param before,last absolute differences of the quantities between consecutive grids
+/// @param scales magnitudes of the quantities; a quantity with an infinite magnitude does not
+///   contribute to the observed order
+/// @param ratio ratio q > 1 of the cell widths of consecutive grids
+/// @pre before, last and scales have the same size
+std::vector<double> errors_with_common_order(std::span<const double> before,
+                                             std::span<const double> last,
+                                             std::span<const double> scales, double ratio,
+                                             int scheme_order);
+
 /// The converging quantities of a solution on one grid level: marginals, moments, probabilities of
 /// the atoms at rest, and impact rate.
 struct GridLevel {

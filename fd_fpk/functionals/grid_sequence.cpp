@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,35 +22,34 @@ struct TimedValuesOnGrid : ValuesOnGrid {
   double seconds = 0;
 };
 
-// Sets the error estimates from the differences between the last three grids. From two grids the
-// error estimates follow with the assumed order of convergence 1.
+// Sets the differences between the last grids, and the error estimates.
 void estimate_errors(const std::vector<TimedValuesOnGrid>& levels, const Eigen::VectorXd& scales,
                      int order, ConvergedValues& result) {
   const std::size_t n = levels.size();
-  const double q = transform::kRefinementRatio;
-  const Eigen::VectorXd last = (levels[n - 1].values - levels[n - 2].values).cwiseAbs();
-  if (n == 2) {
-    result.errors = last * (transform::kErrorSafetyFactor / (q - 1));
-    return;
+  result.last_difference = (levels[n - 1].values - levels[n - 2].values).cwiseAbs();
+  if (n >= 3) {
+    result.previous_difference = (levels[n - 2].values - levels[n - 3].values).cwiseAbs();
   }
-  const Eigen::VectorXd before = (levels[n - 2].values - levels[n - 3].values).cwiseAbs();
-  const auto total = [&](const Eigen::VectorXd& difference) {
-    return difference.cwiseQuotient(scales).sum();
-  };
-  result.observed_order = std::log(total(before) / total(last)) / std::log(q);
-  const double credible = std::isfinite(result.observed_order)
-                              ? transform::credible_convergence_order(result.observed_order, order)
-                              : 1.0 * order;
-  const double reduction = std::pow(q, credible);
-  result.errors.resize(last.size());
-  for (Eigen::Index k = 0; k < last.size(); ++k) {
-    result.errors(k) =
-        transform::kErrorSafetyFactor *
-        transform::error_from_differences(before(k), last(k), reduction, 1 / (reduction - 1));
-  }
+  result.errors =
+      error_estimates(result.previous_difference, result.last_difference, scales, order);
 }
 
 }  // namespace
+
+Eigen::VectorXd error_estimates(const Eigen::VectorXd& previous_difference,
+                                const Eigen::VectorXd& last_difference,
+                                const Eigen::VectorXd& scales, int order) {
+  const double q = transform::kRefinementRatio;
+  if (previous_difference.size() == 0) {
+    return last_difference * (transform::kErrorSafetyFactor / (q - 1));
+  }
+  const auto span = [](const Eigen::VectorXd& values) {
+    return std::span(values.data(), static_cast<std::size_t>(values.size()));
+  };
+  const std::vector<double> errors = transform::errors_with_common_order(
+      span(previous_difference), span(last_difference), span(scales), q, order);
+  return Eigen::Map<const Eigen::VectorXd>(errors.data(), std::ssize(errors));
+}
 
 ConvergedValues converge_on_grids(
     const std::function<ValuesOnGrid(double refinement)>& evaluate_on_grid, int order,

@@ -17,11 +17,21 @@ namespace fpkcheck::fd_fpk {
 struct ConvergedValues {
   Eigen::VectorXd values = {};  ///< values on the finest grid; empty without a solution
   Eigen::VectorXd errors = {};  ///< estimated discretisation errors of the values
-  double observed_order = 0;
+  /// Absolute difference of the values on the last two grids, and on the two grids before the last
+  /// grid; the latter is empty for two grids
+  Eigen::VectorXd last_difference = {}, previous_difference = {};
   int nx = 0, nv = 0;        ///< numbers of cells of the finest grid
   bool reached = false;      ///< whether all errors are within the tolerance
   std::string failure = {};  ///< reason why there are no values, or why the tolerance is missed
 };
+
+/// Returns error estimates from the absolute differences between the last three grids, by
+/// transform::errors_with_common_order(). If `previous_difference` is empty, the error estimates
+/// follow from the last two grids, with the order 1.
+/// @param order order of the scheme
+Eigen::VectorXd error_estimates(const Eigen::VectorXd& previous_difference,
+                                const Eigen::VectorXd& last_difference,
+                                const Eigen::VectorXd& scales, int order);
 
 /// Values on one grid.
 struct ValuesOnGrid {

@@ -151,5 +151,16 @@ TEST(Richardson, GridLevelIsTakenFromASolution) {
   EXPECT_EQ(of.rest_probabilities, std::vector<double>{0.25});
 }
 
+// The differences of the first two quantities decrease by the factor 2^3. The third quantity has an
+// infinite magnitude and therefore no effect on the common order.
+TEST(Richardson, ErrorsWithACommonOrderFollowFromTheSumOfTheDifferences) {
+  const double last[] = {0.01, 0.2, 1}, before[] = {0.08, 1.6, 1}, scales[] = {1, 10, HUGE_VAL};
+  const auto errors = errors_with_common_order(before, last, scales, 2, 5);
+  ASSERT_EQ(errors.size(), 3u);
+  EXPECT_NEAR(errors[0], kErrorSafetyFactor * 0.01 / 7, 1e-12);
+  EXPECT_NEAR(errors[1], kErrorSafetyFactor * 0.2 / 7, 1e-12);
+  EXPECT_NEAR(errors[2], kErrorSafetyFactor * 1.0 / 7, 1e-12);
+}
+
 }  // namespace
 }  // namespace fpkcheck::transform
