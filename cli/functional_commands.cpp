@@ -27,12 +27,14 @@ examples:
 
 constexpr const char* kSensitivityUsage = R"(usage: fpkcheck sensitivity CASE [options]
 
-Derivatives of the stationary moments with respect to each parameter of the case, with all other
-parameters fixed; impulse.rate changes at a fixed intensity. Finite volumes differentiate the equation
-L p = 0 on three or more grids, whose differences give the error. The simulation uses common random
-numbers for the changed problems and states standard errors. Closures, such as epc-polar-n6, are
-solved for the changed problems; their errors are the differences from order n-2.
-Exit code 0 when the estimated errors of all elasticities by finite volumes are below --accuracy.
+Derivatives of the stationary moments and densities with respect to each parameter of the case, with
+all other parameters fixed; impulse.rate changes at a fixed intensity. Finite volumes differentiate
+the equation L p = 0 on three or more grids, whose differences give the error. Finite volumes also
+give the derivatives dp/dtheta of the densities p(y) and p(y') with respect to each parameter theta;
+--out writes these derivatives. The simulation uses common random numbers for the changed problems
+and states standard errors. Closures, such as epc-polar-n6, are solved for the changed problems;
+their errors are the differences from order n-2. Exit code 0 when the estimated errors by finite
+volumes are below --accuracy: errors of elasticities, and L1 errors of theta dp/dtheta.
 
 examples:
   fpkcheck sensitivity case1

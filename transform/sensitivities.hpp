@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "transform/density.hpp"
+#include "transform/marginal.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::transform {
@@ -28,7 +31,27 @@ struct ExpectationDerivatives {
   std::vector<double> errors = {};       ///< estimated discretisation errors, or standard errors
 };
 
-/// Derivatives of stationary moments with respect to parameters of the problem.
+/// Derivatives of the marginal density p(y) or p(y') with respect to the parameters of the problem.
+struct MarginalDerivatives {
+  StateVariable variable;
+  std::vector<double> edges;  ///< n + 1 increasing bin edges
+  /// Averages over bins of the derivative with respect to each parameter, shape (parameters, n)
+  std::vector<std::vector<double>> derivatives = {};
+  std::vector<std::vector<double>> errors = {};  ///< estimated errors, shape (parameters, n)
+
+  double centre(std::size_t b) const { return (edges[b] + edges[b + 1]) / 2; }
+  /// Returns the L1 norm of bin averages, int |f| dy.
+  double l1_norm(const std::vector<double>& bin_averages) const {
+    double sum = 0;
+    for (std::size_t b = 0; b < bin_averages.size(); ++b) {
+      sum += std::abs(bin_averages[b]) * (edges[b + 1] - edges[b]);
+    }
+    return sum;
+  }
+};
+
+/// Derivatives of stationary moments, and of marginal densities if the method computes these
+/// derivatives, with respect to parameters of the problem.
 struct Sensitivities {
   std::string id;  ///< id of the solution, such as "fd-kf" or "mcs"
   Status status = Status::failed;
@@ -37,7 +60,9 @@ struct Sensitivities {
   std::vector<std::string> parameters = {};  ///< keys such as "system.damping"
   std::vector<double> parameter_values = {};
   std::vector<ExpectationDerivatives> expectations =
-      {};                            ///< in the order of kDifferentiatedMoments
+      {};  ///< in the order of kDifferentiatedMoments
+  /// Derivatives of p(y) and p(y'); empty if the method computes only derivatives of moments
+  std::vector<MarginalDerivatives> marginals = {};
   bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
   std::string details = {};          ///< grid or simulated time, for tables
 };

@@ -4,24 +4,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
+#include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/solve.hpp"
+#include "fd_fpk/stationary/parameter_derivatives.hpp"
 #include "general_oscillators.hpp"
 #include "paper_cases.hpp"
+#include "problem/case_file.hpp"
+#include "uniform_edges.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
 using problem::System;
+using tests::uniform_edges;
 using transform::ExpectationDerivatives;
 using transform::Sensitivities;
 using transform::Status;
+
+const std::vector<double> kYEdges = uniform_edges(0, 4.4, 110),
+                          kVelocityEdges = uniform_edges(-4.6, 4.6, 116);
 
 Sensitivities sensitivities(const problem::Problem& p, const std::vector<std::string>& keys,
                             const Options& options = {}) {
   std::vector<problem::ParameterDerivative> parameters;
   for (const auto& key : keys) parameters.push_back(problem::parameter_derivative(p, key, 1e-4));
-  return solve_sensitivities(p, options, parameters);
+  return solve_sensitivities(p, options, parameters, kYEdges, kVelocityEdges);
 }
 
 const ExpectationDerivatives& of(const Sensitivities& s, const std::string& expectation) {
@@ -95,6 +105,166 @@ TEST(Sensitivities, ToTheRestitutionAreThoseOfDifferencesOnTheSameGrid) {
       sensitivities(tests::make_problem({.restitution = 0.9}), {"system.restitution"});
   ASSERT_EQ(s.status, Status::ok) << s.reason;
   EXPECT_NEAR(of(s, "E[y^2]").derivatives[0], expected, 1e-3 * expected);
+}
+
+// Solution on a coarse grid, with preconditioners of L and of the transposed operator.
+struct CoarseSolution {
+  explicit CoarseSolution(const problem::Problem& p)
+      : problem(problem::to_wall_coordinates(problem::wall_frame(p.system), p)),
+        direct(compute_direct_solution(problem, {.scales = problem::motion_scales(problem)},
+                                       options, base::Deadline::unlimited())) {}
+
+  Options options{.order = 5, .nx = 30, .nv = 64, .x1_max = 4, .x2_max = 4.5};
+  problem::Problem problem;
+  DirectSolution direct;
+  ApproximateSolve solve = [this](Eigen::Ref<Eigen::VectorXd> x) {
+    direct.preconditioner->solve_in_place(x);
+  };
+  ApproximateSolve solve_transposed = [this](Eigen::Ref<Eigen::VectorXd> x) {
+    direct.preconditioner->solve_transposed_in_place(x);
+  };
+  Eigen::VectorXd derivative_of_generator_product(const std::string& key) const {
+    return generator_derivative_product(problem, options,
+                                        problem::parameter_derivative(problem, key, 1e-4), direct);
+  }
+};
+
+// <f, dp> = <h, dL p> for every function f, with the solution h of L* h = -(f - <f, p>).
+TEST(DensityDerivative, AgreesWithTheAdjointEquation) {
+  constexpr double kTolerance = 1e-12;
+  const CoarseSolution coarse(tests::make_problem({.restitution = 0.9}));
+  const FokkerPlanckOperator& op = coarse.direct.op;
+  const Grid& grid = coarse.direct.discretisation.grid;
+  Eigen::VectorXd f(op.areas.size());
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.nv(); ++j) {
+      const double y = grid.x1.cell_centre(i), v = grid.x2.cell_centre(j);
+      f(i * grid.nv() + j) = (y * y + 0.5 * v * v + 0.1 * y * v) * op.areas(i * grid.nv() + j);
+    }
+  }
+  const auto adjoint =
+      solve_by_gmres([&](const Eigen::VectorXd& x) { return op.transposed_product(x); },
+                     coarse.solve_transposed, f.dot(*coarse.direct.averages) * op.areas - f,
+                     op.areas.cwiseInverse(), kTolerance)
+          .solution;
+  ASSERT_TRUE(adjoint);
+  for (const char* key : {"system.damping", "system.restitution", "impulse.rate"}) {
+    const Eigen::VectorXd product = coarse.derivative_of_generator_product(key);
+    const auto derivative =
+        solve_density_derivative(coarse.direct, product, coarse.solve, base::Deadline::unlimited())
+            .solution;
+    ASSERT_TRUE(derivative);
+    const double forward = f.dot(*derivative);
+    EXPECT_GT(std::abs(forward), 1e-4) << key;
+    EXPECT_NEAR(adjoint->dot(product), forward, 1e-10 * std::max(1.0, std::abs(forward))) << key;
+  }
+}
+
+TEST(DensityDerivative, IsTheLimitOfDifferencesOfDensitiesOnTheSameGrid) {
+  CoarseSolution middle(tests::make_problem({.restitution = 0.9}));
+  // Returns the density of a changed problem on the grid of `middle`.
+  const auto density = [&](double restitution, double rate) -> Eigen::VectorXd {
+    const auto changed = tests::make_problem({.restitution = restitution, .rate = rate});
+    const auto op = fokker_planck_operator(
+        changed, middle.options,
+        with_excitation_of(changed, middle.options, middle.direct.discretisation));
+    return *find_null_vector(op, *middle.direct.preconditioner, *middle.direct.averages,
+                             base::Deadline::unlimited())
+                .averages;
+  };
+  constexpr double kStep = 1e-3;
+  const auto extrapolated = [&](const auto& at) -> Eigen::VectorXd {
+    const auto difference = [&](double h) -> Eigen::VectorXd { return (at(h) - at(-h)) / (2 * h); };
+    return (4 * difference(kStep) - difference(2 * kStep)) / 3;
+  };
+  const std::pair<const char*, Eigen::VectorXd> expected[] = {
+      {"system.restitution", extrapolated([&](double h) { return density(0.9 + h, 1); })},
+      {"impulse.rate", extrapolated([&](double h) { return density(0.9, 1 + h); })}};
+  for (const auto& [key, difference] : expected) {
+    const auto found =
+        solve_density_derivative(middle.direct, middle.derivative_of_generator_product(key),
+                                 middle.solve, base::Deadline::unlimited())
+            .solution;
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(middle.direct.op.total_mass(*found), 0, 1e-12);
+    EXPECT_LT((*found - difference).cwiseAbs().maxCoeff(), 1e-3 * difference.cwiseAbs().maxCoeff())
+        << key;
+  }
+}
+
+// int dp = 0, int y^2 dp = dE[y^2], and the same of y'. In a bin of the width w with the average p
+// and the centre y, the integral of y^2 p is (y^2 + w^2/12) w p up to terms whose sum is a multiple
+// of int dp = 0.
+TEST(MarginalDerivatives, HaveNoMassAndTheDerivativesOfTheMoments) {
+  const auto mirrored = [] {
+    std::istringstream ini(R"([system]
+damping = 0.2
+stiffness = 1
+cubic = 0.1
+[wall]
+right = 0.3
+right_restitution = 0.9
+[impulse]
+rate = 1
+law = gaussian
+intensity = 0.1
+)");
+    return problem::read_case(ini, "test", "test.ini");
+  }();
+  const std::pair<problem::Problem, std::vector<double>> problems[] = {
+      {tests::make_problem({.damping = 0.2, .restitution = 0.9}), kYEdges},
+      {mirrored, uniform_edges(-4.1, 0.3, 110)}};
+  for (const auto& [problem, y_edges] : problems) {
+    std::vector<problem::ParameterDerivative> parameters;
+    for (const char* key : {"system.damping", "impulse.intensity"}) {
+      parameters.push_back(problem::parameter_derivative(problem, key, 1e-4));
+    }
+    const Sensitivities s = solve_sensitivities(problem, {}, parameters, y_edges, kVelocityEdges);
+    ASSERT_EQ(s.status, Status::ok) << s.reason;
+    ASSERT_EQ(s.marginals.size(), 2u);
+    for (std::size_t m = 0; m < 2; ++m) {
+      const transform::MarginalDerivatives& marginal = s.marginals[m];
+      const auto& moment = of(s, m == 0 ? "E[y^2]" : "E[y'^2]");
+      for (std::size_t k = 0; k < parameters.size(); ++k) {
+        double mass = 0, second = 0, first = 0;
+        for (std::size_t b = 0; b < marginal.derivatives[k].size(); ++b) {
+          const double width = marginal.edges[b + 1] - marginal.edges[b], at = marginal.centre(b);
+          mass += width * marginal.derivatives[k][b];
+          first += width * at * marginal.derivatives[k][b];
+          second += width * (at * at + width * width / 12) * marginal.derivatives[k][b];
+        }
+        // The sum over bins of the slope of dp is its change between the ends.
+        const double width = marginal.edges[1] - marginal.edges[0];
+        first +=
+            width * width / 12 * (marginal.derivatives[k].back() - marginal.derivatives[k].front());
+        const double scale = std::abs(moment.derivatives[k]);
+        EXPECT_NEAR(mass, 0, 1e-5 * scale) << m << k;
+        EXPECT_NEAR(second, moment.derivatives[k], 1e-4 * scale) << m << k;
+        if (m == 0) {
+          EXPECT_NEAR(first, of(s, "E[y]").derivatives[k], 1e-4 * scale) << k;
+        }
+        EXPECT_LT(marginal.l1_norm(marginal.errors[k]),
+                  0.01 * marginal.l1_norm(marginal.derivatives[k]));
+      }
+    }
+  }
+}
+
+// The error estimates on coarse grids are compared with the difference from finer grids.
+TEST(MarginalDerivatives, HaveCredibleErrorEstimates) {
+  const auto p = tests::make_problem({.damping = 0.2, .restitution = 0.9});
+  const Sensitivities coarse = sensitivities(p, {"system.restitution"}, {.accuracy = 1}),
+                      fine = sensitivities(p, {"system.restitution"}, {.accuracy = 1e-3});
+  ASSERT_NE(coarse.details.substr(0, 8), fine.details.substr(0, 8));
+  for (std::size_t m = 0; m < 2; ++m) {
+    const auto &of_coarse = coarse.marginals[m], &of_fine = fine.marginals[m];
+    std::vector<double> difference = of_coarse.derivatives[0];
+    for (std::size_t b = 0; b < difference.size(); ++b) difference[b] -= of_fine.derivatives[0][b];
+    const double stated = of_coarse.l1_norm(of_coarse.errors[0]);
+    EXPECT_LT(of_coarse.l1_norm(difference), 1.5 * stated);
+    EXPECT_GT(of_coarse.l1_norm(difference), 0.05 * stated);
+    EXPECT_LT(of_fine.l1_norm(of_fine.errors[0]), 0.5 * stated);
+  }
 }
 
 }  // namespace

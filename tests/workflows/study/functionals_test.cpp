@@ -96,6 +96,41 @@ TEST(SensitivityReport, HasDerivativesElasticitiesAndErrorsByParameter) {
   EXPECT_EQ(one.at("error").at("system.damping"), 0.01);
 }
 
+TEST(SensitivityReport, HasDerivativesOfMarginalDensities) {
+  SensitivityStudy study{tests::paper_case(1), {}, {}};
+  const auto moment = [](const char* symbol) {
+    return transform::ExpectationDerivatives{
+        .expectation = symbol, .value = 0.5, .derivatives = {-2, 1}, .errors = {0.01, 0.02}};
+  };
+  study.solutions = {{.id = "fd-kf",
+                      .status = Status::ok,
+                      .parameters = {"system.damping", "impulse.rate"},
+                      .parameter_values = {0.1, 2},
+                      .expectations = {moment("E[y^2]"), moment("E[y'^2]")},
+                      .marginals = {{.variable = transform::StateVariable::ydot,
+                                     .edges = {-1, 0, 2},
+                                     .derivatives = {{0.5, -0.25}, {-3, 1.5}},
+                                     .errors = {{0.01, 0.02}, {0.03, 0.04}}}}}};
+  const Json found = Json::parse(study::study_json_text(study, "fpkcheck sensitivity"));
+  const Json& list = found.at("cases").at(0).at("sensitivities");
+  ASSERT_EQ(list.size(), 3u);
+  const Json& one = list.at(2);
+  EXPECT_EQ(one.at("of"), "p(y')");
+  EXPECT_DOUBLE_EQ(one.at("l1_norm").at("system.damping"), 1);
+  EXPECT_DOUBLE_EQ(one.at("l1_norm").at("impulse.rate"), 6);
+  EXPECT_DOUBLE_EQ(one.at("error").at("impulse.rate"), 0.11);
+  const std::string csv = study_csv_text(study);
+  EXPECT_NE(csv.find("fd-kf,p(y'),system.damping,0.5,,0.01,-0.5\n"), csv.npos) << csv;
+  EXPECT_NE(csv.find("fd-kf,p(y'),impulse.rate,1.5,,0.04,1\n"), csv.npos) << csv;
+  const report::Figure figure = study_figure(study);
+  ASSERT_EQ(figure.panels.size(), 3u);
+  ASSERT_EQ(figure.panels.back().series.size(), 2u);
+  const report::FigureSeries& rate = figure.panels.back().series.back();
+  EXPECT_EQ(rate.name, "impulse.rate");
+  EXPECT_DOUBLE_EQ(rate.points.at(1).x, 1);
+  EXPECT_DOUBLE_EQ(rate.points.at(1).y, 3);
+}
+
 TEST(PassageReport, HasTheKeysOfTheContract) {
   PassageStudy study{tests::paper_case(1), {}, {}};
   study.options.displacement = 1.5;

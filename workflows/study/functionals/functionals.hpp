@@ -80,7 +80,7 @@ std::string study_csv_text(const SpectrumStudy& study);
 std::string study_table_text(const SpectrumStudy& study, const report::TextFormat& format);
 report::Figure study_figure(const SpectrumStudy& study);
 
-/// Derivatives of the stationary moments with respect to parameters.
+/// Derivatives of the stationary moments and densities with respect to parameters.
 struct SensitivityOptions : FunctionalOptions {
   /// Comma-separated keys of the parameters; empty for all of differentiable_parameters().
   std::optional<std::string> parameters{};
@@ -106,7 +106,8 @@ bool has_converged(const SensitivityStudy& study);
 std::string study_json_text(const SensitivityStudy& study, const std::string& command);
 std::string study_csv_text(const SensitivityStudy& study);
 std::string study_table_text(const SensitivityStudy& study, const report::TextFormat& format);
-/// Returns a figure with the elasticities as bars.
+/// Returns a figure with the elasticities, and with the derivatives of the marginal densities if a
+/// method computes them.
 report::Figure study_figure(const SensitivityStudy& study);
 
 }  // namespace fpkcheck::study

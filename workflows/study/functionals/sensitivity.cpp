@@ -4,16 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "compare/comparison_axes.hpp"
 #include "epc/sensitivities.hpp"
 #include "fd_fpk/functionals/sensitivities.hpp"
 #include "mcs/sensitivities.hpp"
 #include "problem/parameter_derivative.hpp"
+#include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
+#include "report/figure/script_text.hpp"
 #include "report/terminal_tables.hpp"
 #include "report/text/text_layout.hpp"
 #include "results/json.hpp"
@@ -22,6 +26,7 @@ namespace fpkcheck::study {
 namespace {
 
 using transform::ExpectationDerivatives;
+using transform::MarginalDerivatives;
 using transform::Sensitivities;
 
 // Steps of the difference quotients, relative to the parameter. The quotients of the matrix of the
@@ -50,6 +55,10 @@ double elasticity(const Sensitivities& s, const ExpectationDerivatives& one, std
 double elasticity_error_estimate(const Sensitivities& s, const ExpectationDerivatives& one,
                                  std::size_t k) {
   return std::abs(one.errors[k] * s.parameter_values[k] / one.value);
+}
+
+std::string density_symbol(transform::StateVariable variable) {
+  return variable == transform::StateVariable::y ? "p(y)" : "p(y')";
 }
 
 bool has_derivatives(const Sensitivities& s) { return !s.expectations.empty(); }
@@ -81,7 +90,8 @@ const base::Description<SensitivityOptions>& sensitivity_option_descriptions() {
                {"LIST",
                 "keys of parameters, such as system.damping,impulse.rate (default: all numbers of "
                 "the case)"}),
-      "largest error of an elasticity by finite volumes or a closure, for status ok",
+      "largest error of an elasticity by finite volumes or a closure, and largest L1 error of "
+      "theta dp/dtheta by finite volumes, for status ok",
       "simulated time of each changed problem (default: a sixteenth of that of `fpkcheck mcs`, at "
       "most about 10 s of computing for all problems)",
       "ids of methods: fd-kf, fd-white, .., epc-polar-n6, epc-moment-n8, .., mcs");
@@ -93,6 +103,7 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
                                    const methods::ProgressListener& listener) {
   const auto keys = selected_parameters(problem, options);
   SensitivityStudy study{problem, options, {}};
+  const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
   for_each_selected_method(
       problem, options, listener,
       [&](const SelectedMethod& method) {
@@ -104,7 +115,8 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
                                                                           : kSimulationStep));
         }
         study.solutions.push_back(
-            method.fd    ? fd_fpk::solve_sensitivities(problem, *method.fd, parameters)
+            method.fd ? fd_fpk::solve_sensitivities(problem, *method.fd, parameters, axes.y_edges,
+                                                    axes.v_edges)
             : method.epc ? epc::solve_sensitivities(problem, *method.epc, parameters)
                          : mcs::estimate_sensitivities(problem, *method.mcs, parameters));
         if (method.epc) require_accurate(options.accuracy, study.solutions.back());
@@ -138,6 +150,16 @@ std::string study_json_text(const SensitivityStudy& study, const std::string& co
       entry["error_is"] = error_kind_text(s.has_standard_errors);
       list.push_back(std::move(entry));
     }
+    for (const MarginalDerivatives& marginal : s.marginals) {
+      Json entry = of_solution;
+      entry["of"] = density_symbol(marginal.variable);
+      for (std::size_t k = 0; k < s.parameters.size(); ++k) {
+        entry["l1_norm"][s.parameters[k]] = marginal.l1_norm(marginal.derivatives[k]);
+        entry["error"][s.parameters[k]] = marginal.l1_norm(marginal.errors[k]);
+      }
+      entry["error_is"] = error_kind_text(s.has_standard_errors);
+      list.push_back(std::move(entry));
+    }
   }
   return functional_json(study.problem, "sensitivities", list, command);
 }
@@ -156,8 +178,21 @@ std::string study_csv_text(const SensitivityStudy& study) {
                         {"error", one.errors[k]}});
       }
     }
+    for (const MarginalDerivatives& marginal : s.marginals) {
+      for (std::size_t k = 0; k < s.parameters.size(); ++k) {
+        for (std::size_t b = 0; b < marginal.derivatives[k].size(); ++b) {
+          rows.push_back({{"case", study.problem.name},
+                          {"solution", s.id},
+                          {"of", density_symbol(marginal.variable)},
+                          {"parameter", s.parameters[k]},
+                          {"derivative", marginal.derivatives[k][b]},
+                          {"error", marginal.errors[k][b]},
+                          {"abscissa", marginal.centre(b)}});
+        }
+      }
+    }
   }
-  return records_csv_text(rows, "case solution of parameter derivative elasticity error");
+  return records_csv_text(rows, "case solution of parameter derivative elasticity error abscissa");
 }
 
 std::string study_table_text(const SensitivityStudy& study, const report::TextFormat& format) {
@@ -200,6 +235,42 @@ std::string study_table_text(const SensitivityStudy& study, const report::TextFo
   return text;
 }
 
+namespace {
+
+// Returns the panels of theta dp/dtheta over y and over y', with a series for each parameter theta.
+std::vector<report::FigurePanel> density_panels(const Sensitivities& s) {
+  // Palette of Okabe and Ito, which colour-blind readers can distinguish
+  constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                      "#E69F00", "#000000", "#882E72"};
+  std::vector<report::FigurePanel> panels;
+  for (const MarginalDerivatives& marginal : s.marginals) {
+    const bool is_y = marginal.variable == transform::StateVariable::y;
+    std::vector<report::FigureSeries> series;
+    for (std::size_t k = 0; k < s.parameters.size(); ++k) {
+      report::FigureSeries curve{.name = s.parameters[k],
+                                 .colour = kColours[k % std::size(kColours)],
+                                 .dash = k < std::size(kColours) ? "solid" : "(8,4)"};
+      for (std::size_t b = 0; b < marginal.derivatives[k].size(); ++b) {
+        curve.points.push_back(
+            {.x = marginal.centre(b), .y = s.parameter_values[k] * marginal.derivatives[k][b]});
+      }
+      series.push_back(std::move(curve));
+    }
+    panels.push_back(
+        {.title = fmt::format("derivatives of {} for relative changes of parameters, {}",
+                              report::density_in_enhanced_text(marginal.variable),
+                              report::escape_enhanced_text(s.id)),
+         .x = {is_y ? "{/:Italic y}" : "{/:Italic y}'", marginal.edges.front(),
+               marginal.edges.back()},
+         .y = report::linear_axis("{/Symbol q} d{/:Italic p}/d{/Symbol q}", series,
+                                  &report::FigurePoint::y),
+         .series = series});
+  }
+  return panels;
+}
+
+}  // namespace
+
 report::Figure study_figure(const SensitivityStudy& study) {
   report::Figure figure{.title = report::problem_title_parts(study.problem), .columns = 1};
   const auto with_values = std::ranges::find_if(study.solutions, has_derivatives);
@@ -241,6 +312,11 @@ report::Figure study_figure(const SensitivityStudy& study) {
          .x = parameters,
          .y = report::linear_axis("elasticity", series, &report::FigurePoint::y),
          .series = series});
+  }
+  const auto with_densities = std::ranges::find_if(
+      study.solutions, [](const Sensitivities& s) { return !s.marginals.empty(); });
+  if (with_densities != study.solutions.end()) {
+    std::ranges::move(density_panels(*with_densities), std::back_inserter(figure.panels));
   }
   return figure;
 }
