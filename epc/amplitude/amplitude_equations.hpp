@@ -195,7 +195,7 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
   }
   half_plane::GalerkinTables tables{
       .weight = points.weight,
-      .basis_functions = values,
+      .basis_functions = half_plane::BasisAtPoints(basis, points.s, points.t),
       .generator_terms = directional_derivative(s_rate, t_rate) + impulse_terms,
       .time_dependent_terms = std::move(time_dependent_terms),
       .confinement_terms = points.energy.unaryExpr(confinement),

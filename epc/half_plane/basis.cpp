@@ -77,6 +77,75 @@ Eigen::MatrixXd Basis::basis_values(const Eigen::VectorXd& s, const Eigen::Vecto
   return products_of_columns(members_, of_s_.polynomial_values(s), of_t_.polynomial_values(t));
 }
 
+BasisAtPoints::BasisAtPoints(const Basis& basis, const Eigen::VectorXd& s, const Eigen::VectorXd& t)
+    : members_(basis.basis_functions()), g_(basis.polynomials_in_t().polynomial_values(t)) {
+  members_.insert(members_.begin(), {0, 0});
+  std::vector<double> s_of_lines;
+  for (Eigen::Index i = 0; i < s.size(); ++i) {
+    if (i > 0 && s[i] == s_of_lines.back()) continue;
+    line_begins_.push_back(i);
+    s_of_lines.push_back(s[i]);
+  }
+  line_begins_.push_back(s.size());
+  h_ = basis.polynomials_in_s().polynomial_values(
+      Eigen::Map<const Eigen::VectorXd>(s_of_lines.data(), std::ssize(s_of_lines)));
+}
+
+Eigen::VectorXd BasisAtPoints::linear_combination(const Eigen::VectorXd& a) const {
+  Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(g_.cols(), h_.cols());
+  for (Eigen::Index k = 0; k < size(); ++k)
+    coefficients(members_[k + 1].q, members_[k + 1].p) = a[k];
+  const Eigen::MatrixXd of_lines = coefficients * h_.transpose();
+  Eigen::VectorXd result(g_.rows());
+  for (Eigen::Index line = 0; line < line_count(); ++line) {
+    result.segment(line_begins_[line], line_size(line)).noalias() =
+        g_on_line(line) * of_lines.col(line);
+  }
+  return result;
+}
+
+Eigen::VectorXd BasisAtPoints::means(const Eigen::VectorXd& mass) const {
+  Eigen::MatrixXd g_means(g_.cols(), line_count());
+  for (Eigen::Index line = 0; line < line_count(); ++line) {
+    g_means.col(line).noalias() = g_on_line(line).transpose() * on_line(mass, line);
+  }
+  const Eigen::MatrixXd all = g_means * h_;
+  Eigen::VectorXd result(size());
+  for (Eigen::Index k = 0; k < size(); ++k) result[k] = all(members_[k + 1].q, members_[k + 1].p);
+  return result;
+}
+
+Eigen::MatrixXd BasisAtPoints::second_moments(const Eigen::VectorXd& mass) const {
+  const auto count = static_cast<Eigen::Index>(members_.size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, count);
+  Eigen::MatrixXd g_products(g_.cols(), g_.cols()), weighted;
+  for (Eigen::Index line = 0; line < line_count(); ++line) {
+    weighted = on_line(mass, line).asDiagonal() * g_on_line(line);
+    g_products.noalias() = g_on_line(line).transpose() * weighted;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const double h_k = h_(line, members_[k].p);
+      const double* const g_k = g_products.col(members_[k].q).data();
+      for (Eigen::Index j = k; j < count; ++j)
+        result(j, k) += h_k * h_(line, members_[j].p) * g_k[members_[j].q];
+    }
+  }
+  return result.selfadjointView<Eigen::Lower>();
+}
+
+Eigen::MatrixXd BasisAtPoints::mean_products(const Eigen::MatrixXd& values,
+                                             const Eigen::VectorXd& mass) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(values.cols(), size());
+  Eigen::MatrixXd g_products(values.cols(), g_.cols()), weighted;
+  for (Eigen::Index line = 0; line < line_count(); ++line) {
+    weighted = on_line(mass, line).asDiagonal() * g_on_line(line);
+    g_products.noalias() =
+        values.middleRows(line_begins_[line], line_size(line)).transpose() * weighted;
+    for (Eigen::Index k = 0; k < size(); ++k)
+      result.col(k) += h_(line, members_[k + 1].p) * g_products.col(members_[k + 1].q);
+  }
+  return result;
+}
+
 Polynomial Basis::exponent_polynomial(const Eigen::VectorXd& a) const {
   Eigen::MatrixXd basis_functions = Eigen::MatrixXd::Zero(order_ + 1, order_ + 1);
   for (Eigen::Index k = 0; k < size(); ++k) basis_functions(members_[k].p, members_[k].q) = a[k];

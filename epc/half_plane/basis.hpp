@@ -88,6 +88,48 @@ class Basis {
   OrthonormalPolynomials of_s_, of_t_;
 };
 
+/// Values of the basis functions at quadrature points. Consecutive points of equal s form a line, on
+/// which h_p(s) is constant. The sums over the points of a line contain only the n + 1 polynomials
+/// g_q(t) instead of the (n + 1)(n + 2)/2 - 1 basis functions (sum factorisation). For lines of at
+/// least n points the number of operations of second_moments() is thereby about n^2/4 times
+/// smaller than with a table of the basis functions.
+class BasisAtPoints {
+ public:
+  /// @param s,t coordinates of the points; points of equal s are consecutive
+  BasisAtPoints(const Basis& basis, const Eigen::VectorXd& s, const Eigen::VectorXd& t);
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()) - 1; }
+
+  /// Returns the values of sum_k a_k phi_k at the points.
+  Eigen::VectorXd linear_combination(const Eigen::VectorXd& a) const;
+  /// Returns the sums over the points of mass phi_k.
+  Eigen::VectorXd means(const Eigen::VectorXd& mass) const;
+  /// Returns the sums over the points of mass phi_j phi_k in row j and column k. Row 0 and column 0
+  /// belong to the function 1; the basis functions follow.
+  Eigen::MatrixXd second_moments(const Eigen::VectorXd& mass) const;
+  /// Returns the sums over the points of values_j mass phi_k in row j and column k.
+  /// @param values shape (points, any number of columns)
+  Eigen::MatrixXd mean_products(const Eigen::MatrixXd& values, const Eigen::VectorXd& mass) const;
+
+ private:
+  Eigen::Index line_count() const { return h_.rows(); }
+  Eigen::Index line_size(Eigen::Index line) const {
+    return line_begins_[line + 1] - line_begins_[line];
+  }
+  // Returns the values of g_q at the points of a line, of shape (points, degree + 1).
+  auto g_on_line(Eigen::Index line) const {
+    return g_.middleRows(line_begins_[line], line_size(line));
+  }
+  auto on_line(const Eigen::VectorXd& values, Eigen::Index line) const {
+    return values.segment(line_begins_[line], line_size(line));
+  }
+
+  std::vector<Basis::BasisFunction> members_;  // the function 1, then the basis functions
+  std::vector<Eigen::Index> line_begins_;      // first point of each line, then the point count
+  Eigen::MatrixXd h_;                          // h_p(s), of shape (lines, degree + 1)
+  Eigen::MatrixXd g_;                          // g_q(t), of shape (points, degree + 1)
+};
+
 /// Returns the products s_table.col(p_k) * t_table.col(q_k) for all basis functions k.
 Eigen::MatrixXd products_of_columns(const std::vector<Basis::BasisFunction>& basis_functions,
                                     const Eigen::MatrixXd& s_table, const Eigen::MatrixXd& t_table);

@@ -10,7 +10,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 GalerkinSystem::DensityAtPoints GalerkinSystem::evaluate_density(const VectorXd& a) const {
-  const ArrayXd exponent = tables_.basis_functions * a + tables_.confinement_terms;
+  const ArrayXd exponent =
+      tables_.basis_functions.linear_combination(a) + tables_.confinement_terms;
   const ArrayXd wall_exponent = tables_.wall_basis_functions * a + tables_.wall_confinement_terms;
   DensityAtPoints density;
   density.peak = exponent.maxCoeff();
@@ -25,7 +26,7 @@ GalerkinSystem::DensityAtPoints GalerkinSystem::evaluate_density(const VectorXd&
 }
 
 VectorXd GalerkinSystem::basis_means(const VectorXd& mass) const {
-  return tables_.basis_functions.transpose() * mass;
+  return tables_.basis_functions.means(mass);
 }
 
 VectorXd GalerkinSystem::residual(const DensityAtPoints& density, std::optional<double> t) const {
@@ -38,45 +39,35 @@ VectorXd GalerkinSystem::residual(const DensityAtPoints& density, std::optional<
   return rate;
 }
 
-MatrixXd GalerkinSystem::centred_basis_functions(const MatrixXd& basis_functions,
-                                                 const DensityAtPoints& density) const {
-  const Eigen::RowVectorXd mean = density.mass.transpose() * tables_.basis_functions;
-  return basis_functions.rowwise() - mean;
-}
-
 MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density, std::optional<double> t) const {
-  // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall.
-  const MatrixXd change =
-      density.mass.asDiagonal() * centred_basis_functions(tables_.basis_functions, density);
-  const MatrixXd wall_change = density.wall_mass.asDiagonal() *
-                               centred_basis_functions(tables_.wall_basis_functions, density);
-  MatrixXd result(size(), size());
-  result.noalias() = tables_.generator_terms.transpose() * change;
+  // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall. The
+  // part with E[phi_k] is the residual times E[phi_k], which vanishes at a root.
+  const BasisAtPoints& phi = tables_.basis_functions;
+  MatrixXd result = phi.mean_products(tables_.generator_terms, density.mass);
+  const MatrixXd wall_change = density.wall_mass.asDiagonal() * tables_.wall_basis_functions;
   result.noalias() += tables_.impact_terms.transpose() * wall_change;
-  if (!t) return result;
-  for (const TimeDependentTerm& term : tables_.time_dependent_terms) {
-    result.noalias() += term.factor(*t) * (term.values.transpose() * change);
+  if (t) {
+    for (const TimeDependentTerm& term : tables_.time_dependent_terms) {
+      result += term.factor(*t) * phi.mean_products(term.values, density.mass);
+    }
   }
+  result.noalias() -= residual(density, t) * phi.means(density.mass).transpose();
   return result;
 }
 
 MatrixXd GalerkinSystem::covariance(const DensityAtPoints& density) const {
-  const MatrixXd basis_functions = density.mass.cwiseSqrt().asDiagonal() *
-                                   centred_basis_functions(tables_.basis_functions, density);
-  MatrixXd result = MatrixXd::Zero(size(), size());
-  result.selfadjointView<Eigen::Lower>().rankUpdate(basis_functions.transpose());
-  return result.selfadjointView<Eigen::Lower>();
+  const MatrixXd moments = tables_.basis_functions.second_moments(density.mass);
+  const VectorXd mean = moments.col(0).tail(size());
+  return moments.bottomRightCorner(size(), size()) - mean * mean.transpose();
 }
 
 VectorXd GalerkinSystem::fit_coefficients(const VectorXd& exponent, const VectorXd& mass) const {
-  // The column of ones represents the constant term of the exponent, since Q_n has no constant
+  // The first function, 1, represents the constant term of the exponent, since Q_n has no constant
   // term.
-  MatrixXd columns(tables_.basis_functions.rows(), tables_.basis_functions.cols() + 1);
-  columns << VectorXd::Ones(tables_.basis_functions.rows()), tables_.basis_functions;
-  const MatrixXd weighted = mass.asDiagonal() * columns;
-  const VectorXd solution =
-      (columns.transpose() * weighted).ldlt().solve(weighted.transpose() * exponent);
-  return solution.tail(size());
+  const VectorXd weighted = mass.cwiseProduct(exponent);
+  VectorXd right_hand_side(size() + 1);
+  right_hand_side << weighted.sum(), basis_means(weighted);
+  return tables_.basis_functions.second_moments(mass).ldlt().solve(right_hand_side).tail(size());
 }
 
 ClosureDensity make_closure_density(const ClosureEquations& equations, const VectorXd& a,

@@ -22,8 +22,9 @@ struct TimeDependentTerm {
 /// phi_k, at quadrature points on the half-plane y >= 0.
 struct GalerkinTables {
   Eigen::VectorXd weight;
-  Eigen::MatrixXd basis_functions;  ///< values of phi_k, of shape (points, basis functions)
-  Eigen::MatrixXd generator_terms;  ///< L*phi_k, the mean rate of change of phi_k between impacts
+  BasisAtPoints basis_functions;
+  /// L*phi_k, the mean rate of change of phi_k between impacts, of shape (points, basis functions)
+  Eigen::MatrixXd generator_terms;
   /// Terms of L*phi_k whose factors change in time; empty for a constant excitation
   std::vector<TimeDependentTerm> time_dependent_terms = {};
   Eigen::VectorXd confinement_terms;
@@ -46,7 +47,7 @@ class GalerkinSystem {
  public:
   explicit GalerkinSystem(GalerkinTables tables) : tables_(std::move(tables)) {}
 
-  Eigen::Index size() const { return tables_.basis_functions.cols(); }
+  Eigen::Index size() const { return tables_.basis_functions.size(); }
 
   struct DensityAtPoints {
     Eigen::VectorXd mass;          ///< probability at the interior points; the sum is 1
@@ -80,9 +81,6 @@ class GalerkinSystem {
                                    const Eigen::VectorXd& mass) const;
 
  private:
-  Eigen::MatrixXd centred_basis_functions(const Eigen::MatrixXd& basis_functions,
-                                          const DensityAtPoints& density) const;
-
   GalerkinTables tables_;
 };
 

@@ -1,7 +1,9 @@
 #include "epc/moment/equations.hpp"
 
+#include <algorithm>
 #include <boost/math/special_functions/factorials.hpp>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "problem/problem.hpp"
@@ -63,51 +65,65 @@ half_plane::ClosureEquations closure_equations(
     half_plane::QuadraturePoints points, int wall_points) {
   const auto& system = problem.system;
   const int n = basis.order();
-  const VectorXd &y = points.y, &v = points.v;
-  const auto y_tables = basis.polynomials_in_s().derivative_tables(y, 1);
-  const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
+  const Eigen::Index point_count = points.size();
 
   // A term with a time-dependent coefficient has two parts: the generator contains the term at the
   // largest excitation, and time_dependent_terms contains the difference from the largest
   // excitation.
   const problem::TimeDependence& time = problem.time;
   std::vector<half_plane::TimeDependentTerm> time_dependent_terms;
-  const auto add_term = [&](std::function<double(double)> factor, const MatrixXd& of_v) {
-    time_dependent_terms.push_back(
-        {std::move(factor), products_of_columns(basis.basis_functions(), y_tables[0], of_v)});
+  const auto add_term = [&](std::function<double(double)> factor) {
+    time_dependent_terms.push_back({std::move(factor), MatrixXd(point_count, basis.size())});
   };
+  const bool has_variable_noise = problem.noise.is_present() && time.has_intensity_factor();
+  if (time.has_rate_factor()) add_term([time](double t) { return time.rate_factor(t) - 1; });
+  if (has_variable_noise) add_term([time](double t) { return time.intensity_factor(t) - 1; });
+  if (time.has_external_force()) add_term([time](double t) { return time.force(t); });
 
   // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + D G g_q'' + sum_j .. g_q^(j) ]. White
-  // noise adds the term of its diffusion coefficient D G.
-  MatrixXd impulses = MatrixXd::Zero(v.size(), n + 1);
-  for (int j = 1; j <= n; ++j) {
-    const double factor =
-        rate_times_moment[j] / boost::math::factorial<double>(static_cast<unsigned>(j));
-    if (factor != 0) impulses += factor * v_tables[j];
-  }
-  if (time.has_rate_factor())
-    add_term([time](double t) { return time.rate_factor(t) - 1; }, impulses);
-  if (problem.noise.is_present()) {
-    const VectorXd diffusion = VectorXd::NullaryExpr(
-        v.size(), [&](Eigen::Index i) { return noise_diffusion_coefficient(problem, y[i], v[i]); });
-    const MatrixXd noise = diffusion.asDiagonal() * v_tables[2];
-    impulses += noise;
-    if (time.has_intensity_factor()) {
-      add_term([time](double t) { return time.intensity_factor(t) - 1; }, noise);
+  // noise adds the term of its diffusion coefficient D G. The derivatives are computed for blocks
+  // of points, since tables for all points would take up to 90 MB.
+  constexpr Eigen::Index kBlockSize = 256;
+  MatrixXd generator_terms(point_count, basis.size());
+  for (Eigen::Index begin = 0; begin < point_count; begin += kBlockSize) {
+    const Eigen::Index rows = std::min(kBlockSize, point_count - begin);
+    const VectorXd y = points.y.segment(begin, rows), v = points.v.segment(begin, rows);
+    const auto y_tables = basis.polynomials_in_s().derivative_tables(y, 1);
+    const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
+    const auto products = [&](const MatrixXd& of_y, const MatrixXd& of_v) {
+      return products_of_columns(basis.basis_functions(), of_y, of_v);
+    };
+    auto next_term = time_dependent_terms.begin();
+    const auto store_term = [&](const MatrixXd& of_v) {
+      (next_term++)->values.middleRows(begin, rows) = products(y_tables[0], of_v);
+    };
+    MatrixXd impulses = MatrixXd::Zero(rows, n + 1);
+    for (int j = 1; j <= n; ++j) {
+      const double factor =
+          rate_times_moment[j] / boost::math::factorial<double>(static_cast<unsigned>(j));
+      if (factor != 0) impulses += factor * v_tables[j];
     }
+    if (time.has_rate_factor()) store_term(impulses);
+    if (problem.noise.is_present()) {
+      const VectorXd diffusion = VectorXd::NullaryExpr(
+          rows, [&](Eigen::Index i) { return noise_diffusion_coefficient(problem, y[i], v[i]); });
+      const MatrixXd noise = diffusion.asDiagonal() * v_tables[2];
+      impulses += noise;
+      if (has_variable_noise) store_term(noise);
+    }
+    if (time.has_external_force()) store_term(v_tables[1]);
+    const VectorXd force = total_force(system, y, v);
+    generator_terms.middleRows(begin, rows) =
+        products(v.asDiagonal() * y_tables[1], v_tables[0]) +
+        products(y_tables[0], impulses - force.asDiagonal() * v_tables[1]);
   }
-  if (time.has_external_force()) add_term([time](double t) { return time.force(t); }, v_tables[1]);
-  const VectorXd force = total_force(system, y, v);
 
   const IncomingWallPoints wall = incoming_wall_points(system, domain, wall_points);
   const MatrixXd wall_basis_functions = basis.basis_values(wall.y, wall.before);
   half_plane::GalerkinTables tables{
       .weight = points.weight,
-      .basis_functions = products_of_columns(basis.basis_functions(), y_tables[0], v_tables[0]),
-      .generator_terms =
-          products_of_columns(basis.basis_functions(), v.asDiagonal() * y_tables[1], v_tables[0]) +
-          products_of_columns(basis.basis_functions(), y_tables[0],
-                              impulses - force.asDiagonal() * v_tables[1]),
+      .basis_functions = half_plane::BasisAtPoints(basis, points.s, points.t),
+      .generator_terms = std::move(generator_terms),
       .time_dependent_terms = std::move(time_dependent_terms),
       .confinement_terms = points.energy.unaryExpr(confinement),
       .wall_weight = wall.weight,

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "epc/half_plane/basis.hpp"
 
@@ -44,6 +46,49 @@ TEST(OrthonormalPolynomials, DerivativesAreThoseOfTheMonomials) {
       }
     }
   }
+}
+
+// Points on lines of constant s, with different numbers of points; two lines have one point each.
+QuadraturePoints points_on_lines() {
+  const std::vector<std::pair<double, int>> lines{
+      {0.1, 9}, {0.7, 14}, {1.2, 1}, {1.9, 11}, {2.3, 1}};
+  std::vector<double> s, t;
+  for (const auto& [at, count] : lines) {
+    for (int j = 0; j < count; ++j) {
+      s.push_back(at);
+      t.push_back(std::sin(1.3 * j + at));
+    }
+  }
+  QuadraturePoints points = QuadraturePoints::zeros(std::ssize(s));
+  points.s = VectorXd::Map(s.data(), std::ssize(s));
+  points.t = VectorXd::Map(t.data(), std::ssize(t));
+  return points;
+}
+
+TEST(BasisAtPoints, SumsAreThoseOfTheTableOfBasisFunctions) {
+  const QuadraturePoints points = points_on_lines();
+  VectorXd mass = (VectorXd::LinSpaced(points.size(), 0, 3).array().cos() + 1.5).matrix();
+  mass /= mass.sum();
+  const Basis basis(4, points, mass);
+  const BasisAtPoints at_points(basis, points.s, points.t);
+  const MatrixXd table = basis.basis_values(points.s, points.t);
+  ASSERT_EQ(at_points.size(), table.cols());
+
+  const VectorXd a = VectorXd::LinSpaced(basis.size(), -1, 2);
+  EXPECT_LT((at_points.linear_combination(a) - table * a).norm(), 1e-12 * (table * a).norm());
+
+  const VectorXd means = table.transpose() * mass;
+  EXPECT_LT((at_points.means(mass) - means).norm(), 1e-12 * (1 + means.norm()));
+
+  MatrixXd with_one(points.size(), basis.size() + 1);
+  with_one << VectorXd::Ones(points.size()), table;
+  const MatrixXd moments = with_one.transpose() * mass.asDiagonal() * with_one;
+  EXPECT_LT((at_points.second_moments(mass) - moments).norm(), 1e-12 * moments.norm());
+
+  MatrixXd values(points.size(), 3);
+  values << points.t, points.s.cwiseProduct(points.t), points.t.array().exp().matrix();
+  const MatrixXd products = values.transpose() * mass.asDiagonal() * table;
+  EXPECT_LT((at_points.mean_products(values, mass) - products).norm(), 1e-12 * products.norm());
 }
 
 }  // namespace
