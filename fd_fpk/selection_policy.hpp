@@ -56,6 +56,12 @@ struct ResolutionLimits {
 /// (stationary/status_checks.hpp), and leave a margin.
 inline constexpr ResolutionLimits kAutomaticGridLimits{.min_density = -1e-5, .power = 5e-4};
 
+/// Returns whether the densities of all grids are expected to be as negative as the density of a
+/// grid, since the impact to first order in 1-r has no nonnegative density. No finer grid is then
+/// solved to make the density nonnegative.
+/// @param min_density smallest density on the grid, relative to the peak
+bool has_negative_limit(const Options& options, double min_density);
+
 /// L1 error estimate down to which an automatic grid is refined, if the time limit permits.
 inline constexpr double kTargetAccuracy = 1e-4;
 

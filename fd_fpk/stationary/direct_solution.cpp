@@ -170,7 +170,8 @@ DirectSolution compute_direct_solution(const problem::Problem& problem,
     if (!direct.averages || !direct.converged || !automatic || refinement == kRefinements ||
         direct.discretisation.grid.size() > kMostCellsRefined ||
         !deadline.has_time_for(kTimeRatio * stopwatch.seconds()) ||
-        is_resolved(problem, options, direct)) {
+        is_resolved(problem, options, direct) ||
+        has_negative_limit(options, direct.averages->minCoeff() / direct.averages->maxCoeff())) {
       return direct;
     }
     // If the density has a spike at the origin, the first refinement refines only the cells at the

@@ -348,8 +348,8 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
          (largest_l1_error(*best.summary.error) > kTargetAccuracy ||
           (goal == RefinementGoal::accurate_and_ok && !best.solution.is_ok()))) {
     // If kTargetAccuracy is not attainable in time, the grid is refined only until the status is
-    // `ok`.
-    if (best.solution.is_ok() &&
+    // `ok`, unless no grid has this status.
+    if ((best.solution.is_ok() || has_negative_limit(options, best.solution.min_density)) &&
         !is_target_accuracy_attainable(*best.summary.error, middle.summary, options, deadline)) {
       break;
     }

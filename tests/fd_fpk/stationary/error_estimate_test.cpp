@@ -314,6 +314,31 @@ TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
   EXPECT_EQ(levels_from(5000, TransportScheme::characteristics), 2);
 }
 
+// The target accuracy is not attainable in time. Only densities that a finer grid might make
+// nonnegative are refined further.
+TEST(ErrorEstimate, ADensityWithANegativeLimitIsNotRefinedForTheStatus) {
+  const auto refinement_of = [](problem::ImpactCondition impact, double min_density) {
+    const auto solve_one = [min_density](const Options& options) {
+      constexpr double kMaxRefinement = 3;
+      Result result;
+      if (options.refinement > kMaxRefinement) return result;
+      result.summary.refinement = options.refinement;
+      result.summary.nx = static_cast<int>(5000 * options.refinement * options.refinement);
+      result.summary.nv = 1;
+      result.solution = wave(1.8e-4 * std::pow(options.refinement, -4));
+      result.solution.min_density = min_density;
+      result.solution.status = Status::inadmissible;
+      return result;
+    };
+    return refine_until_deadline(solve_one, {.impact = impact, .order = 5}, base::Deadline(10),
+                                 RefinementGoal::accurate)
+        .summary.refinement;
+  };
+  EXPECT_EQ(refinement_of(problem::ImpactCondition::delta, -2e-3), 1);
+  EXPECT_GT(refinement_of(problem::ImpactCondition::delta, -5e-4), 1);
+  EXPECT_GT(refinement_of(problem::ImpactCondition::map, -2e-3), 1);
+}
+
 // The first graded grid gives no density: the result of the uniform grids is returned.
 TEST(ErrorEstimate, ResultsBeforeTheGradingAreKept) {
   const auto solve_one = [](const Options& options) {
