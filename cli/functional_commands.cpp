@@ -51,9 +51,9 @@ H, with the potential U of the force, U(0) = 0: probability of survival over tim
 rest (or from --start) and from the stationary law below the barrier, hazard (rate of passages in
 the limit of long times). Finite volumes solve the backward equation below the barrier on three or
 more grids, whose differences give the error. The method characteristics, for displacements without
-noise, computes hazard and mean time from a point to more digits, along the motion between impulses.
-The simulation measures the stays below the barrier and states standard errors. The column rice is
-the usual approximation by independent upward crossings of a displacement at Rice's rate.
+noise, computes the same quantities to more digits, along the motion between impulses. The
+simulation measures the stays below the barrier and states standard errors. The column rice is the
+usual approximation by independent upward crossings of a displacement at Rice's rate.
 Exit code 0 when the estimated errors are below --accuracy: relative errors, and absolute errors of
 survival probabilities.
 

@@ -1,5 +1,7 @@
 #include "transform/passage.hpp"
 
+#include <cmath>
+
 #include "problem/effective_potential.hpp"
 
 namespace fpkcheck::transform {
@@ -16,6 +18,16 @@ std::optional<StartState> passage_start(const problem::Problem& transformed, dou
 
 double energy_level_in_wall_coordinates(const problem::Problem& transformed, double energy) {
   return energy + problem::EffectivePotential(transformed.system)(transformed.frame.wall_x(0));
+}
+
+std::vector<double> automatic_survival_times(double mean_passage_time) {
+  std::vector<double> times;
+  for (int k = 1; k <= 10; ++k) {
+    const double time = 0.3 * k * mean_passage_time,
+                 unit = std::pow(10, std::floor(std::log10(time)) - 1);
+    times.push_back(std::round(time / unit) * unit);
+  }
+  return times;
 }
 
 }  // namespace fpkcheck::transform

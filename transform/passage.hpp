@@ -45,6 +45,9 @@ std::optional<StartState> passage_start(const problem::Problem& transformed, dou
 /// @param energy level in physical coordinates
 double energy_level_in_wall_coordinates(const problem::Problem& transformed, double energy);
 
+/// Returns ten times up to three mean passage times, rounded to two digits.
+std::vector<double> automatic_survival_times(double mean_passage_time);
+
 /// Mean passage times T(y, y') of the starts below a barrier, as averages over cells.
 struct MeanTimeMap {
   std::vector<double> y_edges, v_edges;  ///< increasing

@@ -10,8 +10,12 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "backward/passage/reduced_passage_model.hpp"
 #include "backward/passage/renewal_equation.hpp"
+#include "backward/passage/stationary_crossings.hpp"
 #include "base/process/stopwatch.hpp"
 #include "problem/effective_potential.hpp"
 #include "problem/motion_scales.hpp"
@@ -22,6 +26,7 @@ namespace {
 
 using transform::Passage;
 using transform::Status;
+using transform::ValueWithError;
 
 // The problem below the barrier, in wall coordinates.
 struct PassageProblem {
@@ -31,10 +36,11 @@ struct PassageProblem {
   std::optional<transform::StartState> start;
 };
 
-// Hazard and mean passage time from the initial state, computed on one grid. Without an initial
-// state the mean time is 0.
-using PassageValues = Eigen::Vector2d;
-enum PassageValueIndex { kHazard, kMeanFromPoint };
+// Values on one grid: the quantities of PassageValueIndex, then the survival probabilities at all
+// times from the initial state, then those from the stationary law. A value that is not computed
+// is 0.
+using PassageValues = Eigen::VectorXd;
+enum PassageValueIndex { kHazard, kMeanFromPoint, kMeanFromStationary, kPassageValueCount };
 
 std::string passage_unsupported_reason(const problem::Problem& problem, double barrier) {
   if (problem.noise.is_present()) {
@@ -116,29 +122,180 @@ std::array<double, 2> choose_node_counts(const PassageProblem& passage,
           std::ceil(nodes_per_deviation * 2 * v_max / deviation)};
 }
 
-// Solves the renewal equation on a grid. The result is empty if the deadline passes.
-// @param hazard approximate hazard; 0 if unknown
-// @param panel_refinement factor by which the panels of the quadrature rules are shorter
-std::optional<PassageValues> solve_on_grid(const PassageProblem& passage, const ChebyshevGrid& grid,
-                                           double panel_refinement, double hazard,
-                                           const base::Deadline& deadline) {
-  const double rate = passage.problem.impulses.arrival_rate();
-  const double shifted_rate = rate - hazard;
-  const RenewalEquation equation(passage.problem, grid, shifted_rate, panel_refinement);
-  auto operators =
-      equation.compute_operators({{rate}, {shifted_rate}, {shifted_rate, 1}}, deadline);
-  if (operators.empty()) return std::nullopt;
-  const auto factorise = [&](Eigen::MatrixXd& matrix) {
-    matrix *= -rate;
+// Stationary laws on two grids, whose difference is the error of the law
+struct StationaryLaws {
+  StationaryCrossings finer, coarser;
+};
+
+// The error of a value is this factor times the difference of the values on consecutive grids,
+// which have 1.25 times as many nodes in each direction. The factor is that of convergence of first
+// order, as under laws whose density jumps.
+constexpr double kNodeRatio = 1.25, kErrorFactor = 1 / (kNodeRatio - 1);
+// Refinement of the panels for one node per standard deviation. Twice as many panels change the
+// mean time of case 1 by a relative 1e-8.
+constexpr double kPanelRefinement = 0.3;
+// The dense matrices for this number of nodes take about 1 GB.
+constexpr double kMaxNodes = 5000;
+
+ValueWithError estimate_from_grids(double finer, double coarser) {
+  return {finer, kErrorFactor * std::abs(finer - coarser)};
+}
+
+// Computes the crossings of the barrier in the stationary process until the relative error of their
+// rate is below `tolerance`. The result is empty if the error is larger when the deadline passes, or
+// with the largest number of nodes.
+std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passage, double tolerance,
+                                                    const base::Deadline& deadline) {
+  if (passage.problem.system.right_wall()) return std::nullopt;
+  // Nodes per standard deviation of the amplitude on the first grid
+  constexpr double kFirstNodes = 0.96;
+  // Fraction of the distances to the points at which the stationary density is exp(-7^2/2) times
+  // its peak; beyond this fraction functions are constant.
+  constexpr double kFraction = 0.85, kMinDeviationsBeyond = 2;
+  const problem::MotionScales scales = problem::motion_scales(passage.problem);
+  const double deviation = passage.problem.impulses.amplitude_law().deviation();
+  PassageProblem whole = passage;
+  auto& [y_low, barrier, v_max] = whole.domain;
+  y_low = std::min(y_low, scales.y_low);
+  v_max = std::max(v_max, kFraction * scales.v_high);
+  const double y_high = std::max(std::lerp(scales.centre, scales.y_high, kFraction),
+                                 barrier + kMinDeviationsBeyond * scales.displacement_deviation);
+  std::optional<StationaryCrossings> last;
+  double seconds_of_last_grid = 0;
+  for (double nodes = kFirstNodes;; nodes *= kNodeRatio) {
+    const auto [n_y, n_v] = choose_node_counts(whole, nodes);
+    const double n_upper = std::ceil(
+        nodes * (kMinDeviationsBeyond + passage.frequency * (y_high - barrier) / deviation));
+    const double growth = std::pow(kNodeRatio, 5);
+    if ((n_y + n_upper) * n_v > kMaxNodes || !deadline.has_time_for(growth * seconds_of_last_grid))
+      return std::nullopt;
+    const base::Stopwatch stopwatch;
+    const ChebyshevGrid lower(whole.domain, static_cast<int>(n_y), static_cast<int>(n_v)),
+        upper({y_high, barrier, v_max}, static_cast<int>(n_upper), static_cast<int>(n_v));
+    auto crossings = compute_stationary_crossings(passage.problem, lower, upper,
+                                                  kPanelRefinement * nodes, deadline);
+    if (!crossings || !crossings->rates.allFinite()) return std::nullopt;
+    seconds_of_last_grid = stopwatch.seconds();
+    if (last) {
+      const auto [rate, error] = estimate_from_grids(crossings->rates.sum(), last->rates.sum());
+      if (error <= tolerance * rate) return StationaryLaws{*crossings, *last};
+    }
+    last = std::move(crossings);
+  }
+}
+
+// Linear functionals of the solutions of the renewal equation: the value at the initial state, and
+// the means over the downcrossings of two stationary laws, in units of the rate of downcrossings
+enum PassageFunctionalIndex { kOfPoint, kOfFinerLaw, kOfCoarserLaw, kFunctionalCount };
+
+// Solver of the renewal equation on one grid
+class PassageSolverOnGrid {
+ public:
+  PassageSolverOnGrid(const PassageProblem& passage, const ChebyshevGrid& grid,
+                      double panel_refinement, double hazard,
+                      const std::optional<StationaryLaws>& laws)
+      : passage_(passage),
+        laws_(laws),
+        rate_(passage.problem.impulses.arrival_rate()),
+        hazard_(hazard),
+        node_count_(grid.node_count()),
+        equation_(passage.problem, grid, rate_ - hazard, panel_refinement),
+        model_(grid.node_count(), kFunctionalCount) {}
+
+  // Computes hazard, mean times and survival probabilities. The result is empty if the deadline
+  // passes.
+  // @param[in,out] times times of the survival probabilities; if empty, automatic times
+  // @param tolerance error of the survival probabilities due to the reduced model
+  std::optional<PassageValues> solve(std::vector<double>& times, double tolerance,
+                                     const base::Deadline& deadline);
+
+  // Errors that do not follow from the values on two grids: those of the stationary law and of the
+  // reduced model
+  const PassageValues& other_errors() const { return other_errors_; }
+
+ private:
+  using Functionals = Eigen::VectorXd;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factorise(Eigen::MatrixXd& matrix) const {
+    matrix *= -rate_;
     matrix.diagonal().array() += 1;
     return Eigen::PartialPivLU<Eigen::MatrixXd>(matrix);
-  };
-  const Eigen::VectorXd h = factorise(operators[0].matrix).solve(operators[0].values_of_one);
+  }
+  // Evaluates the functionals of the function with the values `value_at(x)` at the states x.
+  template <class ValueAt>
+  Functionals evaluate(const ValueAt& value_at) const {
+    Functionals values = Functionals::Zero(kFunctionalCount);
+    if (passage_.start) values(kOfPoint) = value_at({passage_.start->y, passage_.start->ydot});
+    const auto add_law = [&](const StationaryCrossings& law, double& sum) {
+      for (std::size_t m = 0; m < law.velocities.size(); ++m) {
+        sum += law.rates(static_cast<Eigen::Index>(m)) *
+               value_at({passage_.domain.barrier, law.velocities[m]});
+      }
+    };
+    if (laws_) {
+      add_law(laws_->finer, values(kOfFinerLaw));
+      add_law(laws_->coarser, values(kOfCoarserLaw));
+    }
+    return values;
+  }
+  // Adds the solution u of L u = shift u - source to the reduced model, given the means of u over an
+  // impulse at the nodes. Returns the functionals of u.
+  Functionals add_to_model(const Eigen::VectorXd& node_values, double shift, double source) {
+    const Functionals values = evaluate([&](const PhaseState& state) {
+      const auto integral = equation_.integrate_from_state(state, {rate_ + shift});
+      return source * integral.integral_of_one + rate_ * integral.node_weights.dot(node_values);
+    });
+    model_.add({node_values, values, shift, source});
+    return values;
+  }
+  PassageValues survival_probabilities(const std::vector<double>& times,
+                                       PassageFunctionalIndex law) const;
+
+  const PassageProblem& passage_;
+  const std::optional<StationaryLaws>& laws_;
+  double rate_, hazard_;
+  Eigen::Index node_count_;
+  RenewalEquation equation_;
+  ReducedPassageModel model_;
+  PassageValues other_errors_;
+};
+
+// Returns the survival probabilities from the initial state, then from a stationary law. A stay
+// below the barrier has the length l. With the rate nu of downcrossings the stationary start has the
+// survival probability E(l - t)^+ / E l, which is the integral of nu P(l > t) from t to infinity,
+// divided by its value for t = 0.
+PassageValues PassageSolverOnGrid::survival_probabilities(const std::vector<double>& times,
+                                                          PassageFunctionalIndex law) const {
+  const auto n = static_cast<Eigen::Index>(times.size());
+  const ReducedPassageModel::Modes modes = model_.compute_modes();
+  const Eigen::VectorXcd of_point = modes.coefficients.row(kOfPoint),
+                         of_law = (modes.coefficients.row(law).array() /
+                                   -modes.rates.transpose().array());
+  const double of_law_at_0 = of_law.sum().real();
+  PassageValues values = PassageValues::Zero(2 * n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double t = times[static_cast<std::size_t>(k)];
+    const Eigen::VectorXcd decayed = (t * modes.rates).array().exp();
+    if (passage_.start) {
+      values(k) = t == 0 ? 1 : std::clamp(of_point.cwiseProduct(decayed).sum().real(), 0.0, 1.0);
+    }
+    if (laws_) values(n + k) = of_law.cwiseProduct(decayed).sum().real() / of_law_at_0;
+  }
+  return values;
+}
+
+std::optional<PassageValues> PassageSolverOnGrid::solve(std::vector<double>& times,
+                                                        double tolerance,
+                                                        const base::Deadline& deadline) {
+  auto operators = equation_.compute_operators(
+      {{rate_}, {rate_, 1}, {rate_ - hazard_}, {rate_ - hazard_, 1}}, deadline);
+  if (operators.empty()) return std::nullopt;
+  const auto lu_of_mean = factorise(operators[0].matrix);
+  const Eigen::VectorXd h = lu_of_mean.solve(operators[0].values_of_one);
   // Inverse iteration for the eigenvalue of lambda A that is nearest to 1, and for its right and
   // left eigenvectors
-  const auto lu = factorise(operators[1].matrix);
+  const auto lu = factorise(operators[2].matrix);
   constexpr int kIterations = 8;
-  Eigen::VectorXd right = h, left = Eigen::VectorXd::Ones(grid.node_count());
+  Eigen::VectorXd right = h, left = Eigen::VectorXd::Ones(node_count_);
   double distance = 0;  // distance of the eigenvalue from 1
   for (int n = 0; n < kIterations; ++n) {
     const Eigen::VectorXd next = lu.solve(right);
@@ -146,21 +303,72 @@ std::optional<PassageValues> solve_on_grid(const PassageProblem& passage, const 
     right = next.normalized();
     left = lu.transpose().solve(left).normalized();
   }
-  const double slope = rate * left.dot(operators[2].matrix * right) / left.dot(right);
-  PassageValues values = PassageValues::Zero();
-  values(kHazard) = hazard + distance / slope;
-  if (passage.start) {
-    const auto mean =
-        equation.integrate_from_state({passage.start->y, passage.start->ydot}, {rate});
-    values(kMeanFromPoint) = mean.integral_of_one + rate * mean.node_weights.dot(h);
+  const double slope = rate_ * left.dot(operators[3].matrix * right) / left.dot(right);
+  PassageValues values = PassageValues::Zero(kPassageValueCount);
+  values(kHazard) = hazard_ + distance / slope;
+  add_to_model(right, -values(kHazard), 0);
+  const Functionals mean = add_to_model(h, 0, 1);
+  values(kMeanFromPoint) = mean(kOfPoint);
+  // The derivative of the Laplace transform at 0 is -T2, where L T2 = -T and E tau^2 = 2 T2. The
+  // mean h2 of T2 over an impulse satisfies h2 = B (1 + lambda h) + lambda A h2, where B has the
+  // weight t exp(-lambda t).
+  const Eigen::VectorXd h2 =
+      lu_of_mean.solve(operators[1].values_of_one + rate_ * (operators[1].matrix * h));
+  const Functionals half_mean_square = evaluate([&](const PhaseState& state) {
+    const auto once = equation_.integrate_from_state(state, {rate_}),
+               twice = equation_.integrate_from_state(state, {rate_, 1});
+    return twice.integral_of_one + rate_ * (twice.node_weights.dot(h) + once.node_weights.dot(h2));
+  });
+  model_.add({h2, half_mean_square, 0, 0, true});
+  other_errors_ = PassageValues::Zero(kPassageValueCount);
+  if (laws_) {
+    // E[tau] = E[l^2] / (2 E[l]) for the lengths l of the stays below the barrier
+    const auto of_law = [&](PassageFunctionalIndex law) {
+      return half_mean_square(law) / mean(law);
+    };
+    const auto [value, error] = estimate_from_grids(of_law(kOfFinerLaw), of_law(kOfCoarserLaw));
+    values(kMeanFromStationary) = value;
+    other_errors_(kMeanFromStationary) = error;
   }
+  if (times.empty()) {
+    times =
+        transform::automatic_survival_times(values(laws_ ? kMeanFromStationary : kMeanFromPoint));
+  }
+
+  // Shifts of further Laplace transforms, in units of the slowest decay rate. From a stationary
+  // start, and after a few times the longest relaxation time from any start, few shifts suffice. At
+  // short times the inversion of Laplace transforms at real shifts is inaccurate.
+  constexpr std::array kShifts{2.0, 8.0, 0.5, 32.0, 128.0, 4.0, 16.0};
+  const double unit = problem::motion_scales(passage_.problem).slowest_decay_rate;
+  PassageValues survival = survival_probabilities(times, kOfFinerLaw);
+  PassageValues last_change = PassageValues::Constant(survival.size(), HUGE_VAL),
+                change = last_change;
+  for (const double factor : kShifts) {
+    const double shift = factor * unit;
+    auto shifted = equation_.compute_operators({{rate_ + shift}}, deadline);
+    if (shifted.empty()) return std::nullopt;
+    add_to_model(factorise(shifted[0].matrix).solve(shifted[0].values_of_one), shift, 1);
+    const PassageValues next = survival_probabilities(times, kOfFinerLaw);
+    last_change = change;
+    change = (next - survival).cwiseAbs();
+    survival = next;
+    if (change.cwiseMax(last_change).maxCoeff() <= tolerance) break;
+  }
+  const Eigen::Index size = survival.size();
+  values.conservativeResize(kPassageValueCount + size);
+  values.tail(size) = survival;
+  other_errors_.conservativeResize(kPassageValueCount + size);
+  other_errors_.tail(size) =
+      change.cwiseMax(last_change) +
+      kErrorFactor * (survival - survival_probabilities(times, kOfCoarserLaw)).cwiseAbs();
   return values;
 }
 
 }  // namespace
 
 Passage solve_passage(const problem::Problem& problem, const PassageCollocationOptions& options,
-                      double barrier, std::optional<transform::StartState> start) {
+                      double barrier, std::vector<double> times,
+                      std::optional<transform::StartState> start) {
   const base::Stopwatch stopwatch;
   const base::Deadline deadline(options.max_seconds);
   Passage passage{.id = "characteristics"};
@@ -175,42 +383,52 @@ Passage solve_passage(const problem::Problem& problem, const PassageCollocationO
   start = transform::passage_start(transformed, wall_barrier, start);
   const PassageProblem below = make_passage_problem(transformed, wall_barrier, start);
 
-  // The dense matrices for this number of nodes take about 1 GB.
-  constexpr double kMaxNodes = 5000;
-  // Nodes per standard deviation of the amplitude on the first grid, and ratio of consecutive grids
-  constexpr double kFirstNodes = 0.96, kRatio = 1.25;
-  // Refinement of the panels for one node per standard deviation. Twice as many panels change the
-  // mean time of case 1 by a relative 1e-8.
-  constexpr double kRefinement = 0.3;
+  // Nodes per standard deviation of the amplitude on the first grid
+  constexpr double kFirstNodes = 0.96;
   // The grids are refined until the error is a fraction of the required accuracy, since the errors
-  // decrease quickly. For convergence of first order, as under laws whose density jumps, the error
-  // is 1 / (kRatio - 1) times the difference from the previous grid.
-  constexpr double kTargetFraction = 1e-3, kErrorFactor = 1 / (kRatio - 1);
+  // decrease quickly. The errors of the stationary law decrease slowly.
+  constexpr double kTargetFraction = 1e-2, kTargetFractionOfLaw = 0.5, kTimeFractionOfLaw = 0.5;
+  const std::optional<StationaryLaws> laws =
+      solve_stationary_laws(below, kTargetFractionOfLaw * options.accuracy,
+                            base::Deadline(kTimeFractionOfLaw * options.max_seconds));
   std::optional<PassageValues> last;
-  PassageValues errors = PassageValues::Constant(HUGE_VAL);
+  PassageValues errors, other_errors;
   std::string limit;
   double seconds_of_last_grid = 0;
   const double rate = transformed.impulses.arrival_rate();
   double hazard = 0;
-  const auto error = [&] {
-    return (errors.array() / last->array().abs().max(std::numeric_limits<double>::min()))
-        .maxCoeff();
+  // Errors are relative, and absolute for survival probabilities. More nodes do not reduce an error
+  // of a survival probability that is due to the reduced model.
+  const double target = kTargetFraction * options.accuracy;
+  const auto largest_error = [&](const PassageValues& of, double max_model_error) {
+    double largest = 0;
+    for (Eigen::Index k = 0; k < of.size(); ++k) {
+      const bool is_relative = k < kPassageValueCount;
+      const double magnitude =
+          is_relative ? std::max(std::abs((*last)(k)), std::numeric_limits<double>::min()) : 1;
+      if (is_relative || other_errors(k) <= max_model_error) {
+        largest = std::max(largest, of(k) / magnitude);
+      }
+    }
+    return largest;
   };
-  for (double nodes = kFirstNodes; !last || error() > kTargetFraction * options.accuracy;
-       nodes *= kRatio) {
+  const bool has_automatic_times = times.empty();
+  for (double nodes = kFirstNodes; errors.size() == 0 || largest_error(errors, target) > target;
+       nodes *= kNodeRatio) {
     const auto [n_y, n_v] = choose_node_counts(below, nodes);
     if (n_y * n_v > kMaxNodes) {
       limit = fmt::format("more than {} nodes are needed", kMaxNodes);
       break;
     }
     const ChebyshevGrid grid(below.domain, static_cast<int>(n_y), static_cast<int>(n_v));
-    // The number of nodes grows by the factor kRatio^2, and the computing time of the integrals
-    // along all trajectories by kRatio^5.
-    const double growth = std::pow(kRatio, 5);
+    // The number of nodes grows by the factor kNodeRatio^2, and the computing time of the integrals
+    // along all trajectories by kNodeRatio^5.
+    const double growth = std::pow(kNodeRatio, 5);
     const base::Stopwatch grid_stopwatch;
+    PassageSolverOnGrid solver(below, grid, kPanelRefinement * nodes, hazard, laws);
     std::optional<PassageValues> values;
     if (deadline.has_time_for(growth * seconds_of_last_grid)) {
-      values = solve_on_grid(below, grid, kRefinement * nodes, hazard, deadline);
+      values = solver.solve(times, target, deadline);
     }
     if (!values) {
       limit = fmt::format("the time limit of {:g} s is reached; raise --max-seconds",
@@ -224,13 +442,14 @@ Passage solve_passage(const problem::Problem& problem, const PassageCollocationO
     seconds_of_last_grid = grid_stopwatch.seconds();
     if (last) errors = kErrorFactor * (*values - *last).cwiseAbs();
     last = values;
+    other_errors = solver.other_errors();
     // The next grid continues Newton's method for the hazard. The limit (hazard + rate) / 2
     // shortens a step that would exceed the rate of the impulses.
     hazard = std::clamp((*values)(kHazard), 0.0, (hazard + rate) / 2);
     passage.details = fmt::format("{} x {} nodes", grid.y_node_count(), grid.v_node_count());
   }
   passage.seconds = stopwatch.seconds();
-  if (!errors.allFinite()) {
+  if (errors.size() == 0) {
     passage.reason = limit;
     return passage;
   }
@@ -242,13 +461,39 @@ Passage solve_passage(const problem::Problem& problem, const PassageCollocationO
         found, rate);
     return passage;
   }
-  passage.hazard = {found, errors(kHazard)};
-  if (start) passage.mean_from_point = {(*last)(kMeanFromPoint), errors(kMeanFromPoint)};
+  const PassageValues total_errors = errors + other_errors;
+  const auto value_at = [&](Eigen::Index k) { return ValueWithError{(*last)(k), total_errors(k)}; };
+  const auto n = static_cast<Eigen::Index>(times.size());
+  passage.hazard = value_at(kHazard);
+  if (start) passage.mean_from_point = value_at(kMeanFromPoint);
+  double error = largest_error(total_errors.head(kPassageValueCount), HUGE_VAL);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const ValueWithError from_point = value_at(kPassageValueCount + k),
+                         from_stationary = value_at(kPassageValueCount + n + k);
+    const double error_at_time = std::max(from_point.error, from_stationary.error);
+    // Automatic times are those at which the survival probabilities are accurate.
+    if (has_automatic_times && error_at_time > options.accuracy) continue;
+    error = std::max(error, error_at_time);
+    passage.times.push_back(times[static_cast<std::size_t>(k)]);
+    if (start) passage.survival_from_point.push_back(from_point);
+    if (laws) passage.survival_from_stationary.push_back(from_stationary);
+  }
+  if (laws) {
+    passage.mean_from_stationary = value_at(kMeanFromStationary);
+    passage.rice_rate = estimate_from_grids(laws->finer.rates.sum(), laws->coarser.rates.sum());
+    passage.probability_below =
+        estimate_from_grids(laws->finer.probability_below, laws->coarser.probability_below);
+  } else {
+    passage.details += transformed.system.right_wall()
+                           ? ", no stationary law with a wall beyond the barrier"
+                           : ", no accurate stationary law within the time limit";
+  }
   passage.status = Status::ok;
-  if (!(error() <= options.accuracy)) {
+  if (!(error <= options.accuracy)) {
     passage.status = Status::inaccurate;
-    passage.reason = fmt::format("estimated relative error {:.2g}, above the accuracy {:g}; {}",
-                                 error(), options.accuracy, limit);
+    passage.reason = fmt::format(
+        "estimated relative error {:.2g}, above the accuracy {:g}; {}", error, options.accuracy,
+        limit.empty() ? "raise --max-seconds, or use fd or mcs for short times" : limit);
   }
   return passage;
 }

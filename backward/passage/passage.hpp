@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "problem/problem.hpp"
 #include "transform/passage.hpp"
@@ -13,9 +14,9 @@ struct PassageCollocationOptions {
   double max_seconds = 10;  ///< time limit in seconds (wall clock)
 };
 
-/// Computes the hazard and the mean time of the first passage of y above a barrier, by collocation
-/// of the renewal equation along the motion between impulses (RenewalEquation). The mean time T(y,
-/// v) to the passage from the state (y, v) satisfies
+/// Computes the first passage of y above a barrier, by collocation of the renewal equation along the
+/// motion between impulses (RenewalEquation). The mean time T(y, v) to the passage from the state
+/// (y, v) satisfies
 ///
 ///     T(y, v) = int_0^te exp(-lambda t) (1 + lambda h(X_t)) dt,   h(y, v) = E T(y, v + Y),
 ///
@@ -24,11 +25,18 @@ struct PassageCollocationOptions {
 /// barrier. The mean h after an impulse is smooth except at rest on the wall.
 ///
 /// The hazard is the least number g for which 1 is an eigenvalue of lambda A, where A is the
-/// operator of RenewalEquation with the weight w(t) = exp(-(lambda - g) t). The error estimate of a
-/// value is four times its difference from the value on the previous, coarser grid.
+/// operator of RenewalEquation with the weight w(t) = exp(-(lambda - g) t). A ReducedPassageModel
+/// gives the survival probabilities, and StationaryCrossings give the values of the stationary
+/// start. The values of the stationary start are absent if there is a right wall, or if the error
+/// of the stationary law is above half of the accuracy within half of the time limit. The error estimate of a value is four times its
+/// difference from the value on the previous, coarser grid, plus, for survival probabilities, the
+/// change by the last shifts of the reduced model.
+/// @param times times of the survival probabilities; if empty, those of
+/// transform::automatic_survival_times() at which the errors are below the accuracy
 /// @param start initial state of Passage::mean_from_point; if empty, the initial state is at rest
 transform::Passage solve_passage(const problem::Problem& problem,
                                  const PassageCollocationOptions& options, double barrier,
+                                 std::vector<double> times = {},
                                  std::optional<transform::StartState> start = {});
 
 }  // namespace fpkcheck::backward

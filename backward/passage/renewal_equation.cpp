@@ -45,14 +45,16 @@ void ChebyshevGrid::BarycentricInterpolation::evaluate_lagrange_polynomials(
 
 ChebyshevGrid::ChebyshevGrid(const Domain& domain, int y_node_count, int v_node_count)
     : domain_(domain),
-      y_interpolation_(0, std::sqrt(domain.barrier - domain.y_low), y_node_count),
+      y_interpolation_(0, std::sqrt(std::abs(domain.barrier - domain.y_end)), y_node_count),
       v_interpolation_(-domain.v_max, domain.v_max, v_node_count) {
-  assert(domain.y_low < domain.barrier && domain.v_max > 0 && y_node_count > 0 && v_node_count > 0);
+  assert(domain.y_end != domain.barrier && domain.v_max > 0 && y_node_count > 0 &&
+         v_node_count > 0);
 }
 
 void ChebyshevGrid::evaluate_y_polynomials(double y, Eigen::Ref<Eigen::VectorXd> values) const {
-  const double inside = std::clamp(y, domain_.y_low, domain_.barrier);
-  y_interpolation_.evaluate_lagrange_polynomials(std::sqrt(domain_.barrier - inside), values);
+  const double distance = std::clamp(domain_.side() * (domain_.barrier - y), 0.0,
+                                     domain_.side() * (domain_.barrier - domain_.y_end));
+  y_interpolation_.evaluate_lagrange_polynomials(std::sqrt(distance), values);
 }
 
 void ChebyshevGrid::evaluate_v_polynomials(double v, Eigen::Ref<Eigen::VectorXd> values) const {
@@ -74,12 +76,13 @@ std::array<double, 2> effective_amplitude_range(const problem::ImpulseLaw& law) 
 }
 
 RenewalEquation::RenewalEquation(const problem::Problem& problem, const ChebyshevGrid& grid,
-                                 double min_decay_rate, double panel_refinement)
+                                 double min_decay_rate, double panel_refinement,
+                                 BarrierKind barrier_kind)
     : problem_(problem),
       grid_(grid),
       panel_refinement_(panel_refinement),
       motion_solver_(problem.system, grid.domain().barrier,
-                     problem.impulses.amplitude_law().deviation(), panel_refinement),
+                     problem.impulses.amplitude_law().deviation(), panel_refinement, barrier_kind),
       max_duration_(kMaxExponent / min_decay_rate) {
   assert(problem.impulses.amplitude_law().atoms().empty() && !problem.impulse_factor);
   const auto [low, high] = effective_amplitude_range(problem.impulses.amplitude_law());
@@ -90,7 +93,8 @@ RenewalEquation::RenewalEquation(const problem::Problem& problem, const Chebyshe
 // Returns the velocities v at which integrals along the trajectory from (y, v) are not smooth in v.
 // The trajectories from these states graze the barrier or the wall.
 std::vector<double> RenewalEquation::find_non_smooth_velocities(double y) const {
-  const double max_speed = grid_.domain().v_max + std::max(-min_amplitude_, max_amplitude_);
+  const auto [low, high] = velocity_range();
+  const double max_speed = std::max(-low, high);
   std::vector<double> velocities{0};  // T(0, -u) = T(0, r u) at a wall has a kink at u = 0
   const auto add_velocities_of_grazing_trajectory = [&](double displacement) {
     for (const double v : motion_solver_.find_backward_crossing_velocities(
@@ -106,27 +110,25 @@ std::vector<double> RenewalEquation::find_non_smooth_velocities(double y) const 
   return velocities;
 }
 
+std::array<double, 2> RenewalEquation::velocity_range() const {
+  return {-grid_.domain().v_max + min_amplitude_, grid_.domain().v_max + max_amplitude_};
+}
+
+double VelocityMap::velocity(double x) const {
+  if (is_smooth_at_begin && is_smooth_at_end) return begin + length * x;
+  if (is_smooth_at_begin) return begin + length * x * (2 - x);
+  if (is_smooth_at_end) return begin + length * x * x;
+  return begin + length * x * x * (3 - 2 * x);
+}
+
+double VelocityMap::slope(double x) const {
+  if (is_smooth_at_begin && is_smooth_at_end) return length;
+  if (is_smooth_at_begin) return length * 2 * (1 - x);
+  if (is_smooth_at_end) return length * 2 * x;
+  return length * 6 * x * (1 - x);
+}
+
 namespace {
-
-// Map v(x) from x in [0, 1] to an interval of velocities. The slope v'(x) is 0 at the ends of the
-// interval at which integrals along trajectories are not smooth.
-struct VelocityMap {
-  double begin, length;
-  bool is_smooth_at_begin, is_smooth_at_end;
-
-  double velocity(double x) const {
-    if (is_smooth_at_begin && is_smooth_at_end) return begin + length * x;
-    if (is_smooth_at_begin) return begin + length * x * (2 - x);
-    if (is_smooth_at_end) return begin + length * x * x;
-    return begin + length * x * x * (3 - 2 * x);
-  }
-  double slope(double x) const {
-    if (is_smooth_at_begin && is_smooth_at_end) return length;
-    if (is_smooth_at_begin) return length * 2 * (1 - x);
-    if (is_smooth_at_end) return length * 2 * x;
-    return length * 6 * x * (1 - x);
-  }
-};
 
 // Divides the interval [low, high] of x at the points where the amplitude density, as a function of
 // the velocity map.velocity(x) after an impulse, is not smooth. The velocity before the impulse is
@@ -146,64 +148,73 @@ std::vector<double> ends_of_smooth_parts(const VelocityMap& map, double low, dou
 
 }  // namespace
 
-RenewalEquation::VelocityQuadrature RenewalEquation::make_velocity_quadrature(double y) const {
-  constexpr unsigned kPoints = 10, kPointsPerSmoothPart = 12;
+std::vector<VelocityPanel> RenewalEquation::divide_velocities(double y, double low,
+                                                              double high) const {
   constexpr double kPanelWidth = 1.5;    // in standard deviations of the amplitude
   constexpr double kLargestSlope = 1.5;  // largest slope of x^2 (3 - 2 x)
-  const problem::ImpulseLaw& law = problem_.impulses.amplitude_law();
-  const double v_max = grid_.domain().v_max;
-  const double low = -v_max + min_amplitude_, high = v_max + max_amplitude_;
+  const double deviation = problem_.impulses.amplitude_law().deviation();
   std::vector<double> ends{low, high};
   for (const double v : find_non_smooth_velocities(y)) {
     if (v > low && v < high) ends.push_back(v);
   }
   std::ranges::sort(ends);
-  const double negligible = 1e-9 * law.deviation();
+  const double negligible = 1e-9 * deviation;
   // Clang 14 does not compile std::ranges::unique() of GCC 12's library.
   ends.erase(
       std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a < negligible; }),
       ends.end());
-
-  const std::vector<double> breakpoints = law.density_breakpoints();
-  VelocityQuadrature rule;
-  std::vector<Eigen::MatrixXd> panel_weights;
+  std::vector<VelocityPanel> panels;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const VelocityMap map{.begin = ends[k],
                           .length = ends[k + 1] - ends[k],
                           .is_smooth_at_begin = k == 0,
                           .is_smooth_at_end = k + 2 == ends.size()};
-    const int panels =
+    const int count =
         std::max(1, static_cast<int>(std::ceil(kLargestSlope * map.length * panel_refinement_ /
-                                               (kPanelWidth * law.deviation()))));
-    for (int panel = 0; panel < panels; ++panel) {
-      const double begin = static_cast<double>(panel) / panels;
-      const double end = static_cast<double>(panel + 1) / panels;
-      const auto points = numerics::composite_gauss_points<kPoints>(begin, end, 1);
-      std::vector<double> nodes;
-      for (const auto& point : points) nodes.push_back(point.at);
-      for (const double x : nodes) rule.velocities.push_back(map.velocity(x));
-      Eigen::MatrixXd& weights =
-          panel_weights.emplace_back(Eigen::MatrixXd::Zero(grid_.v_node_count(), kPoints));
-      for (int j = 0; j < grid_.v_node_count(); ++j) {
-        const double v = grid_.v_node(j);
-        const auto density = [&](double x) {
-          return map.slope(x) * law.density(map.velocity(x) - v);
-        };
-        const std::vector<double> parts = ends_of_smooth_parts(map, begin, end, v, breakpoints);
-        if (parts.size() == 2) {
-          for (std::size_t q = 0; q < kPoints; ++q) {
-            weights(j, static_cast<Eigen::Index>(q)) = points[q].weight * density(nodes[q]);
-          }
-          continue;
+                                               (kPanelWidth * deviation))));
+    for (int n = 0; n < count; ++n) {
+      VelocityPanel& panel = panels.emplace_back(VelocityPanel{
+          map, static_cast<double>(n) / count, static_cast<double>(n + 1) / count, {}, {}});
+      for (const auto& [at, weight] :
+           numerics::composite_gauss_points<VelocityPanel::kPoints>(panel.begin, panel.end, 1)) {
+        panel.nodes.push_back(at);
+        panel.weights.push_back(weight);
+      }
+    }
+  }
+  return panels;
+}
+
+RenewalEquation::VelocityQuadrature RenewalEquation::make_velocity_quadrature(double y) const {
+  constexpr unsigned kPoints = VelocityPanel::kPoints, kPointsPerSmoothPart = 12;
+  const problem::ImpulseLaw& law = problem_.impulses.amplitude_law();
+  const std::vector<double> breakpoints = law.density_breakpoints();
+  const auto [low, high] = velocity_range();
+  VelocityQuadrature rule;
+  std::vector<Eigen::MatrixXd> panel_weights;
+  for (const auto& [map, begin, end, nodes, gauss_weights] : divide_velocities(y, low, high)) {
+    for (const double x : nodes) rule.velocities.push_back(map.velocity(x));
+    Eigen::MatrixXd& weights =
+        panel_weights.emplace_back(Eigen::MatrixXd::Zero(grid_.v_node_count(), kPoints));
+    for (int j = 0; j < grid_.v_node_count(); ++j) {
+      const double v = grid_.v_node(j);
+      const auto density = [&, &of = map](double x) {
+        return of.slope(x) * law.density(of.velocity(x) - v);
+      };
+      const std::vector<double> parts = ends_of_smooth_parts(map, begin, end, v, breakpoints);
+      if (parts.size() == 2) {
+        for (std::size_t q = 0; q < kPoints; ++q) {
+          weights(j, static_cast<Eigen::Index>(q)) = gauss_weights[q] * density(nodes[q]);
         }
-        const numerics::QuadratureRule rule_of_parts =
-            numerics::composite_gauss_rule<kPointsPerSmoothPart>(parts);
-        for (Eigen::Index m = 0; m < rule_of_parts.size(); ++m) {
-          const double x = rule_of_parts.points[static_cast<std::size_t>(m)];
-          const std::vector<double> lagrange = numerics::lagrange_weights(nodes, x);
-          weights.row(j) += rule_of_parts.weights(m) * density(x) *
-                            Eigen::Map<const Eigen::RowVectorXd>(lagrange.data(), kPoints);
-        }
+        continue;
+      }
+      const numerics::QuadratureRule rule_of_parts =
+          numerics::composite_gauss_rule<kPointsPerSmoothPart>(parts);
+      for (Eigen::Index m = 0; m < rule_of_parts.size(); ++m) {
+        const double x = rule_of_parts.points[static_cast<std::size_t>(m)];
+        const std::vector<double> lagrange = numerics::lagrange_weights(nodes, x);
+        weights.row(j) += rule_of_parts.weights(m) * density(x) *
+                          Eigen::Map<const Eigen::RowVectorXd>(lagrange.data(), kPoints);
       }
     }
   }
@@ -215,12 +226,6 @@ RenewalEquation::VelocityQuadrature RenewalEquation::make_velocity_quadrature(do
   return rule;
 }
 
-// Computes the linear forms f -> int_0^te w(t) f(X_t) dt of several weights w along a trajectory.
-// If the trajectory does not pass the barrier, the state remains the last state of the trajectory
-// until t = infinity.
-// @param[out] node_weights coefficients of the values of f at the nodes of the grid, one matrix of
-// shape (nodes in y, nodes in v) for each weight; the matrices are in consecutive columns
-// @param[out] integrals_of_one value of each linear form for f = 1
 void RenewalEquation::integrate_along_trajectory(
     const UnforcedTrajectory& trajectory, const std::vector<TimeWeight>& weights,
     Eigen::Ref<Eigen::MatrixXd> node_weights, Eigen::Ref<Eigen::VectorXd> integrals_of_one) const {

@@ -10,14 +10,17 @@
 
 namespace fpkcheck::backward {
 
-/// Tensor product of Chebyshev nodes in sqrt(barrier - y) and in v, for the interpolation of
-/// functions on the phase plane below a barrier. Outside the domain of the grid an interpolated
+/// Tensor product of Chebyshev nodes in sqrt(|barrier - y|) and in v, for the interpolation of
+/// functions on the phase plane below a barrier, or above the barrier. Outside the domain of the grid an interpolated
 /// function is constant along y and along v.
 class ChebyshevGrid {
  public:
-  /// Rectangle y_low <= y <= barrier, |v| <= v_max of the phase plane.
+  /// Rectangle |v| <= v_max of the phase plane between the barrier and the displacement y_end, which
+  /// is below or above the barrier.
   struct Domain {
-    double y_low, barrier, v_max;
+    double y_end, barrier, v_max;
+
+    double side() const { return y_end < barrier ? 1 : -1; }  ///< sign of barrier - y
   };
   ChebyshevGrid(const Domain& domain, int y_node_count, int v_node_count);
 
@@ -27,7 +30,7 @@ class ChebyshevGrid {
   Eigen::Index node_count() const { return y_interpolation_.size() * v_interpolation_.size(); }
   const Domain& domain() const { return domain_; }
   double y_node(int i) const {
-    return domain_.barrier - y_interpolation_.nodes(i) * y_interpolation_.nodes(i);
+    return domain_.barrier - domain_.side() * y_interpolation_.nodes(i) * y_interpolation_.nodes(i);
   }
   double v_node(int j) const { return v_interpolation_.nodes(j); }
   /// Returns the index of the node (y_node(i), v_node(j)) in a vector of the values of a function
@@ -50,7 +53,7 @@ class ChebyshevGrid {
     void evaluate_lagrange_polynomials(double x, Eigen::Ref<Eigen::VectorXd> values) const;
   };
   Domain domain_;
-  BarycentricInterpolation y_interpolation_;  // in the coordinate sqrt(barrier - y)
+  BarycentricInterpolation y_interpolation_;  // in the coordinate sqrt(|barrier - y|)
   BarycentricInterpolation v_interpolation_;
 };
 
@@ -58,6 +61,24 @@ class ChebyshevGrid {
 struct TimeWeight {
   double decay_rate;
   int time_power = 0;
+};
+
+/// Map v(x) from x in [0, 1] to an interval of velocities. The slope v'(x) is 0 at the ends of the
+/// interval at which integrals along trajectories are not smooth.
+struct VelocityMap {
+  double begin, length;
+  bool is_smooth_at_begin, is_smooth_at_end;
+
+  double velocity(double x) const;
+  double slope(double x) const;
+};
+
+/// Interval [begin, end] of x with the Gauss points in x, as nodes of the interpolation in x.
+struct VelocityPanel {
+  static constexpr unsigned kPoints = 10;
+  VelocityMap map;
+  double begin, end;
+  std::vector<double> nodes, weights;  ///< points and weights of the Gauss rule
 };
 
 /// Discretisation of the operator A, the mean over an impulse Y of the integral of a function f
@@ -78,9 +99,11 @@ class RenewalEquation {
   /// integrate_from_state(), which limits the durations of the trajectories
   /// @param panel_refinement factor by which the panels of the quadrature rules in time and in
   /// velocity are shorter than with the factor 1
+  /// @param barrier_kind whether the trajectories on which integrals are not smooth end at the
+  /// barrier
   /// @pre the impulses have an amplitude law with a density, and no factor
   RenewalEquation(const problem::Problem& problem, const ChebyshevGrid& grid, double min_decay_rate,
-                  double panel_refinement);
+                  double panel_refinement, BarrierKind barrier_kind = BarrierKind::absorbing);
 
   /// The discretised operator A of one weight function.
   struct MotionIntegralOperator {
@@ -98,19 +121,37 @@ class RenewalEquation {
   };
   MotionIntegral integrate_from_state(const PhaseState& start, const TimeWeight& weight) const;
 
- private:
-  // Quadrature rule for the mean over an impulse of a function g of the velocity. For each node v_j
-  // of the grid, E g(v_j + Y) = sum_q weights(j, q) g(velocities[q]).
+  /// Quadrature rule for the mean over an impulse of a function g of the velocity. For each node
+  /// v_j of the grid, E g(v_j + Y) = sum_q weights(j, q) g(velocities[q]).
   struct VelocityQuadrature {
     std::vector<double> velocities;
     Eigen::MatrixXd weights;
   };
   VelocityQuadrature make_velocity_quadrature(double y) const;
-  std::vector<double> find_non_smooth_velocities(double y) const;
+
+  /// Divides an interval of velocities into panels in which integrals along the trajectory from
+  /// (y, v) are smooth functions of v.
+  std::vector<VelocityPanel> divide_velocities(double y, double low, double high) const;
+
+  /// Computes the linear forms f -> int_0^te w(t) f(X_t) dt of several weights w along a
+  /// trajectory. If the trajectory does not pass the barrier, the state remains the last state of
+  /// the trajectory until t = infinity.
+  /// @param[out] node_weights coefficients of the values of f at the nodes of the grid, one matrix
+  /// of shape (nodes in y, nodes in v) for each weight; the matrices are in consecutive columns
+  /// @param[out] integrals_of_one value of each linear form for f = 1
   void integrate_along_trajectory(const UnforcedTrajectory& trajectory,
                                   const std::vector<TimeWeight>& weights,
                                   Eigen::Ref<Eigen::MatrixXd> node_weights,
                                   Eigen::Ref<Eigen::VectorXd> integrals_of_one) const;
+
+  const ChebyshevGrid& grid() const { return grid_; }
+  const UnforcedMotionSolver& motion_solver() const { return motion_solver_; }
+  double max_duration() const { return max_duration_; }
+  /// Returns the range of velocities after an impulse at a node.
+  std::array<double, 2> velocity_range() const;
+
+ private:
+  std::vector<double> find_non_smooth_velocities(double y) const;
 
   problem::Problem problem_;
   ChebyshevGrid grid_;

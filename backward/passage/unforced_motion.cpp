@@ -34,9 +34,11 @@ std::array<std::complex<double>, 2> roots_of_parabola(double value, double slope
 }  // namespace
 
 UnforcedMotionSolver::UnforcedMotionSolver(const problem::System& system, double barrier,
-                                           double velocity_scale, double panel_refinement)
+                                           double velocity_scale, double panel_refinement,
+                                           BarrierKind barrier_kind)
     : system_(system),
       barrier_(barrier),
+      barrier_kind_(barrier_kind),
       velocity_scale_(velocity_scale),
       panel_refinement_(panel_refinement) {
   assert(!system.left_wall() || system.left_wall()->position < barrier);
@@ -201,14 +203,33 @@ bool UnforcedMotionSolver::is_at_rest(const PhaseState& state) const {
              : a == 0;
 }
 
+// Returns the time in a panel at which the displacement is y, by Newton's method.
+// @param guess approximate time, as a fraction of the duration of the panel
+// @pre y is monotone in the panel and takes the value y
+double UnforcedMotionSolver::find_time_at(const TaylorPanel& panel, double y, double guess) {
+  constexpr int kMaxSteps = 8;
+  constexpr double kTolerance = 1e-14;
+  double time = guess * panel.duration;
+  for (int n = 0; n < kMaxSteps; ++n) {
+    const PhaseState state = panel.state_at(time);
+    const double step = (y - state.y) / state.v;
+    time += step;
+    if (!(time >= 0 && time <= panel.duration)) break;
+    if (std::abs(step) <= kTolerance * panel.duration) return time;
+  }
+  return numerics::bracketed_root([&](double part) { return panel.state_at(part).y - y; }, 0,
+                                  panel.duration);
+}
+
 // Appends the quadrature nodes of a panel that begins at the given time. Near the barrier the
-// integrands are smooth functions of s = sqrt(barrier - y), and the nodes are those of a Gauss rule
+// integrands are smooth functions of s = sqrt(|barrier - y|), and the nodes are those of a Gauss rule
 // in s.
 void UnforcedMotionSolver::append_quadrature_nodes(const PhaseState& start,
                                                    const TaylorPanel& panel, double time,
                                                    std::vector<TrajectoryNode>& nodes) const {
-  const double s0 = std::sqrt(barrier_ - start.y);
-  const double s1 = std::sqrt(barrier_ - panel.end_state.y);
+  const double side = start.y + panel.end_state.y < 2 * barrier_ ? 1 : -1;  // below, above
+  const double s0 = std::sqrt(side * (barrier_ - start.y));
+  const double s1 = std::sqrt(side * (barrier_ - panel.end_state.y));
   // While s changes little, a Gauss rule in time has the same accuracy.
   constexpr double kSmallChange = 1.2;
   if (!panel.is_smooth_in_square_root || std::max(s0, s1) < kSmallChange * std::min(s0, s1)) {
@@ -220,16 +241,15 @@ void UnforcedMotionSolver::append_quadrature_nodes(const PhaseState& start,
   }
   for (const auto& [at, weight] : unit_gauss_points()) {
     const double s = s0 + (s1 - s0) * at;
-    const double y = barrier_ - s * s;
-    const double t = numerics::bracketed_root(
-        [&](double part) { return panel.state_at(part).y - y; }, 0, panel.duration);
+    const double y = barrier_ - side * s * s;
+    const double t = find_time_at(panel, y, at);
     const PhaseState state = panel.state_at(t);
     nodes.push_back({time + t, std::abs(2 * s * (s1 - s0) * weight / state.v), state});
   }
 }
 
-UnforcedTrajectory UnforcedMotionSolver::compute_trajectory(PhaseState start,
-                                                            double max_duration) const {
+UnforcedTrajectory UnforcedMotionSolver::compute_trajectory(PhaseState start, double max_duration,
+                                                            TrajectoryContent content) const {
   UnforcedTrajectory trajectory;
   PhaseState state = start;
   double time = 0;
@@ -238,7 +258,9 @@ UnforcedTrajectory UnforcedMotionSolver::compute_trajectory(PhaseState start,
   if (wall && state.y <= wall->position && state.v < 0) rebound();
   while (time < max_duration && !is_at_rest(state)) {
     const TaylorPanel panel = compute_next_panel(state, max_duration - time, 1);
-    append_quadrature_nodes(state, panel, time, trajectory.nodes);
+    if (content == TrajectoryContent::quadrature_nodes) {
+      append_quadrature_nodes(state, panel, time, trajectory.nodes);
+    }
     time += panel.duration;
     state = panel.end_state;
     if (panel.end_kind == PanelEnd::barrier_exit) {
@@ -271,7 +293,7 @@ void UnforcedMotionSolver::visit_panels_backward(PhaseState end, double max_dura
     visit(end, panel);
     time -= panel.duration;
     end = panel.end_state;
-    if (panel.end_kind == PanelEnd::barrier_exit) return;
+    if (panel.end_kind == PanelEnd::barrier_exit && barrier_kind_ == BarrierKind::absorbing) return;
   }
 }
 

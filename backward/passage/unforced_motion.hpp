@@ -20,6 +20,12 @@ struct TrajectoryNode {
   PhaseState state;
 };
 
+/// Whether the process ends at the barrier, or continues beyond the barrier.
+enum class BarrierKind { absorbing, permeable };
+
+/// Whether a trajectory contains the nodes of a quadrature rule in time, or its end alone.
+enum class TrajectoryContent { quadrature_nodes, end_only };
+
 /// Trajectory from an initial state until the passage of the barrier, rest or a time limit. The
 /// integral of g(X_t) over the duration is the sum of weight g(state) over all nodes.
 struct UnforcedTrajectory {
@@ -32,7 +38,7 @@ struct UnforcedTrajectory {
 /// Solver of the motion between impulses, y'' + f(y, y') + g(y) = 0 with impacts on the left wall.
 /// The solver divides the time into panels and expands y in a Taylor series in each panel. Panels
 /// end at turning points, at impacts and at the passage of the barrier. Each panel has Gauss points
-/// for integrands that are smooth functions of v and of sqrt(barrier - y).
+/// for integrands that are smooth functions of v and of sqrt(|barrier - y|).
 class UnforcedMotionSolver {
  public:
   /// @pre the force is a polynomial, system.has_polynomial_force()
@@ -40,15 +46,20 @@ class UnforcedMotionSolver {
   /// @param velocity_scale scale on which integrands vary with the velocity; in one panel the
   /// velocity changes by about this scale at most
   /// @param panel_refinement factor by which the panels are shorter than with the factor 1
+  /// @param barrier_kind whether trajectories that are traced backward in time end at the barrier
   UnforcedMotionSolver(const problem::System& system, double barrier, double velocity_scale,
-                       double panel_refinement);
+                       double panel_refinement, BarrierKind barrier_kind = BarrierKind::absorbing);
 
-  /// Computes the trajectory from a state, for at most the duration `max_duration`.
-  UnforcedTrajectory compute_trajectory(PhaseState start, double max_duration) const;
+  /// Computes the trajectory from a state below or above the barrier, until the trajectory reaches
+  /// the barrier, for at most the duration `max_duration`. From a state at the barrier the
+  /// trajectory continues until its next passage.
+  UnforcedTrajectory compute_trajectory(
+      PhaseState start, double max_duration,
+      TrajectoryContent content = TrajectoryContent::quadrature_nodes) const;
 
   /// Traces the trajectory that ends in the state `end` backward in time. Returns the velocities at
-  /// which this trajectory crosses the displacement y. The trace stops at the barrier, after the
-  /// time `max_duration`, and where the speed reaches `max_speed`.
+  /// which this trajectory crosses the displacement y. The trace stops at an absorbing barrier, after
+  /// the time `max_duration`, and where the speed reaches `max_speed`.
   std::vector<double> find_backward_crossing_velocities(PhaseState end, double y,
                                                         double max_duration,
                                                         double max_speed) const;
@@ -82,6 +93,7 @@ class UnforcedMotionSolver {
   // The direction is 1 forward in time, -1 backward in time.
   PanelLimit find_panel_limit(const PhaseState& start, int direction) const;
   TaylorPanel compute_next_panel(const PhaseState& start, double max_duration, int direction) const;
+  static double find_time_at(const TaylorPanel& panel, double y, double guess);
   void append_quadrature_nodes(const PhaseState& start, const TaylorPanel& panel, double time,
                                std::vector<TrajectoryNode>& nodes) const;
   template <class Visitor>
@@ -90,6 +102,7 @@ class UnforcedMotionSolver {
 
   problem::System system_;
   double barrier_;
+  BarrierKind barrier_kind_;
   double velocity_scale_, panel_refinement_;
 };
 

@@ -88,17 +88,6 @@ Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
   return errors;
 }
 
-// Returns ten times up to three mean times, rounded to two digits.
-std::vector<double> automatic_survival_times(double mean_passage_time) {
-  std::vector<double> times;
-  for (int k = 1; k <= 10; ++k) {
-    const double time = 0.3 * k * mean_passage_time,
-                 unit = std::pow(10, std::floor(std::log10(time)) - 1);
-    times.push_back(std::round(time / unit) * unit);
-  }
-  return times;
-}
-
 }  // namespace
 
 Eigen::VectorXd compute_passage_values(ReducedResolvent& model, const PassageStarts& starts,
@@ -144,7 +133,7 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid, const Optio
       passage.reason = coarse.failure;
       return;
     }
-    times = automatic_survival_times(coarse.values(kFromStationary));
+    times = transform::automatic_survival_times(coarse.values(kFromStationary));
   }
   // The map of the finest grid; two threads evaluate the first two grids.
   std::mutex map_mutex;

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 
+#include "backward/passage/reduced_passage_model.hpp"
 #include "backward/passage/renewal_equation.hpp"
+#include "backward/passage/stationary_crossings.hpp"
 #include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
@@ -37,6 +40,68 @@ TEST(ChebyshevPlane, ReproducesPolynomialsInTheSquareRootAndInTheVelocity) {
   EXPECT_NEAR(interpolated(-2, 4), function(-0.5, 3), 1e-11);  // constant outside
 }
 
+TEST(ChebyshevPlane, ReproducesPolynomialsInTheSquareRootAboveTheBarrier) {
+  const ChebyshevGrid grid({2.5, 1.5, 3}, 4, 2);
+  const auto function = [](double y) { return std::pow(y - 1.5, 1.5) - 2 * std::sqrt(y - 1.5); };
+  Eigen::VectorXd values(4), polynomials(4);
+  for (int i = 0; i < 4; ++i) values(i) = function(grid.y_node(i));
+  const auto interpolated = [&](double y) {
+    grid.evaluate_y_polynomials(y, polynomials);
+    return polynomials.dot(values);
+  };
+  EXPECT_NEAR(interpolated(1.7), function(1.7), 1e-11);
+  EXPECT_NEAR(interpolated(3), function(2.5), 1e-11);  // constant outside
+  EXPECT_NEAR(interpolated(1), function(1.5), 1e-11);
+}
+
+// In a Markov chain with three states and the generator L, a basis of three functions makes the
+// model exact: S(., t) = exp(L t) 1.
+TEST(ReducedPassageModel, IsExactForAChainWithAsManyStatesAsFunctions) {
+  const Eigen::Matrix3d generator{{-1.5, 1, 0.2}, {0.4, -2, 1.1}, {0, 0.7, -0.9}};
+  const Eigen::Vector3d one = Eigen::Vector3d::Ones();
+  const Eigen::Matrix<double, 2, 3> functionals{{1, 0, 0}, {0.2, 0.3, 0.5}};
+  const auto transform_at = [&](double shift) -> Eigen::Vector3d {
+    return (shift * Eigen::Matrix3d::Identity() - generator).inverse() * one;
+  };
+  ReducedPassageModel model(3, 2);
+  const Eigen::Vector3d mean = transform_at(0), half_mean_square = -generator.inverse() * mean,
+                        other = transform_at(0.8);
+  model.add({mean, functionals * mean});
+  model.add({half_mean_square, functionals * half_mean_square, 0, 0, true});
+  model.add({other, functionals * other, 0.8});
+  const auto modes = model.compute_modes();
+  constexpr double kTime = 1.7;
+  // exp(L t) by repeated squaring of the Taylor series of degree 3
+  Eigen::Matrix3d survival = generator * kTime / 65536;
+  survival = Eigen::Matrix3d::Identity() + survival + survival * survival / 2 +
+             survival * survival * survival / 6;
+  for (int k = 0; k < 16; ++k) survival = survival * survival;
+  const Eigen::Vector2d exact = functionals * survival * one;
+  const Eigen::Vector2d computed =
+      (modes.coefficients * (kTime * modes.rates).array().exp().matrix()).real();
+  EXPECT_NEAR(computed(0), exact(0), 1e-9);
+  EXPECT_NEAR(computed(1), exact(1), 1e-9);
+}
+
+// With an elastic wall at the equilibrium of a linear force, y is the absolute value of the
+// oscillator without a wall, which crosses b and -b equally often.
+TEST(StationaryCrossings, ElasticWallGivesTheAbsoluteValueOfTheLinearOscillator) {
+  constexpr double kBarrier = 0.5, kNodes = 1.5;
+  const auto compute = [&](const problem::WallParameters& walls, double y_low) {
+    const problem::Problem problem = tests::with_impulses(
+        problem::System({.damping = 0.6, .stiffness = 1}, walls), tests::gaussian_impulses(1, 0.3));
+    const ChebyshevGrid lower({y_low, kBarrier, 3}, static_cast<int>(kNodes * 10), 22),
+        upper({2.6, kBarrier, 3}, static_cast<int>(kNodes * 7), 22);
+    return *compute_stationary_crossings(problem, lower, upper, 0.5, base::Deadline::unlimited());
+  };
+  const StationaryCrossings with_wall = compute({.left = 0, .left_restitution = 1}, 0),
+                            without = compute({.none = true}, -2.6);
+  EXPECT_NEAR(with_wall.rates.sum(), 2 * without.rates.sum(), 1e-3 * with_wall.rates.sum());
+  EXPECT_NEAR(with_wall.probability_below, 2 * without.probability_below - 1, 1e-3);
+  // In the stationary process upcrossings and downcrossings alternate.
+  EXPECT_NEAR(with_wall.upcrossing_rate, with_wall.rates.sum(), 1e-3 * with_wall.rates.sum());
+}
+
 // Without a passage before the time limit the integral of exp(-lambda t) is 1 / lambda, from every
 // state, and that of t exp(-lambda t) is 1 / lambda^2. A uniform law tests the parts of the panels
 // between the jumps of its density.
@@ -64,15 +129,23 @@ TEST(PassageByCharacteristics, HasTheValuesOfAnIndependentComputationInCase1) {
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   EXPECT_NEAR(passage.hazard->value, 0.00945683, 6e-9);
   EXPECT_NEAR(passage.mean_from_point->value, 114.2740, 1e-4);
-  EXPECT_LT(passage.hazard->error, 1e-6 * passage.hazard->value);
-  EXPECT_LT(passage.mean_from_point->error, 1e-6 * passage.mean_from_point->value);
+  EXPECT_LT(passage.hazard->error, 1e-5 * passage.hazard->value);
+  EXPECT_LT(passage.mean_from_point->error, 1e-5 * passage.mean_from_point->value);
+  EXPECT_NEAR(passage.mean_from_stationary->value, 102.1617, 2e-3);
+  EXPECT_NEAR(passage.rice_rate->value, 0.0211775, 2e-5);
+  EXPECT_LT(passage.rice_rate->error, 1e-3 * passage.rice_rate->value);
+  // P(tau > t) ~ C exp(-g t) with the independent value of C
+  ASSERT_EQ(passage.times.size(), 10u);
+  const auto& survival = passage.survival_from_stationary.back();
+  EXPECT_NEAR(survival.value, 0.96522 * std::exp(-0.00945683 * passage.times.back()), 3e-6);
+  EXPECT_LT(survival.error, 1e-5);
 }
 
 TEST(PassageByCharacteristics, StatesAnErrorThatContainsTheChangeToAFinerPlane) {
   const problem::Problem problem =
       tests::make_problem({.damping = 0.3, .restitution = 0.8, .intensity = 0.4});
   const auto solve = [&](double accuracy) {
-    return solve_passage(problem, {.accuracy = accuracy, .max_seconds = kAmpleSeconds}, 1,
+    return solve_passage(problem, {.accuracy = accuracy, .max_seconds = kAmpleSeconds}, 1, {},
                          transform::StartState{0.3, -0.7});
   };
   const Passage coarse = solve(1), fine = solve(1e-4);
@@ -126,7 +199,7 @@ TEST(PassageByCharacteristics, ReboundsAtTheStart) {
   const problem::Problem problem =
       tests::make_problem({.damping = 0.3, .restitution = 0.5, .intensity = 0.4});
   const auto mean = [&](double v) {
-    const Passage passage = solve_passage(problem, {}, 1, transform::StartState{0, v});
+    const Passage passage = solve_passage(problem, {}, 1, {}, transform::StartState{0, v});
     EXPECT_EQ(passage.status, Status::ok) << passage.reason;
     return passage.mean_from_point ? passage.mean_from_point->value : 0;
   };

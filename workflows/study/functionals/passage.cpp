@@ -152,7 +152,7 @@ Passage solve_passage(const problem::Problem& problem, const SelectedMethod& met
                 "energy barrier"};
   }
   if (method.bounds) return backward::bound_passage(problem, *method.bounds, barrier.level, start);
-  return backward::solve_passage(problem, *method.characteristics, barrier.level, start);
+  return backward::solve_passage(problem, *method.characteristics, barrier.level, times, start);
 }
 
 bool is_rice_approximation(const Passage& passage) { return passage.id == "rice"; }
@@ -173,7 +173,7 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
               "times", &PassageOptions::times,
               {"LIST",
                "times of the survival probabilities (default: ten times up to three mean times, from "
-               "the finite volumes)"}),
+               "the first method)"}),
       "largest relative error of finite volumes, characteristics and bounds, for status ok",
       "simulated time of the stationary process (default: until the standard error of the mean is "
       "1 %, at most about 10 s of computing)",
@@ -191,7 +191,7 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
       problem, options, listener,
       [&](const SelectedMethod& method) {
         study.passages.push_back(solve_passage(problem, method, barrier, times, start));
-        // The simulation uses the automatic times of the finite volumes.
+        // Later methods use the automatic times of the first method.
         if (times.empty()) times = study.passages.back().times;
       },
       SelectableMethods::with_characteristics);
