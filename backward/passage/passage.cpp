@@ -141,8 +141,8 @@ ValueWithError estimate_from_grids(double finer, double coarser) {
   return {finer, kErrorFactor * std::abs(finer - coarser)};
 }
 
-// Computes the crossings of the barrier in the stationary process until the relative error of their
-// rate is below `tolerance`. The result is empty if the error is larger when the deadline passes, or
+// Computes the crossings of the barrier in the stationary process until the relative errors of their
+// rate and of the probability below the barrier are below `tolerance`. The result is empty if the error is larger when the deadline passes, or
 // with the largest number of nodes.
 std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passage, double tolerance,
                                                     const base::Deadline& deadline) {
@@ -177,8 +177,13 @@ std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passag
     if (!crossings || !crossings->rates.allFinite()) return std::nullopt;
     seconds_of_last_grid = stopwatch.seconds();
     if (last) {
-      const auto [rate, error] = estimate_from_grids(crossings->rates.sum(), last->rates.sum());
-      if (error <= tolerance * rate) return StationaryLaws{*crossings, *last};
+      const auto is_accurate = [&](double finer, double coarser) {
+        return estimate_from_grids(finer, coarser).error <= tolerance * finer;
+      };
+      if (is_accurate(crossings->rates.sum(), last->rates.sum()) &&
+          is_accurate(crossings->probability_below, last->probability_below)) {
+        return StationaryLaws{*crossings, *last};
+      }
     }
     last = std::move(crossings);
   }
