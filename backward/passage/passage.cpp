@@ -141,9 +141,9 @@ ValueWithError estimate_from_grids(double finer, double coarser) {
   return {finer, kErrorFactor * std::abs(finer - coarser)};
 }
 
-// Computes the crossings of the barrier in the stationary process until the relative errors of their
-// rate and of the probability below the barrier are below `tolerance`. The result is empty if the error is larger when the deadline passes, or
-// with the largest number of nodes.
+// Computes the crossings of the barrier in the stationary process until the relative errors of
+// their rate and of the probability below the barrier are below `tolerance`. The result is empty if
+// the error is larger when the deadline passes, or with the largest number of nodes.
 std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passage, double tolerance,
                                                     const base::Deadline& deadline) {
   if (passage.problem.system.right_wall()) return std::nullopt;
@@ -242,8 +242,8 @@ class PassageSolverOnGrid {
     }
     return values;
   }
-  // Adds the solution u of L u = shift u - source to the reduced model, given the means of u over an
-  // impulse at the nodes. Returns the functionals of u.
+  // Adds the solution u of L u = shift u - source to the reduced model, given the means of u over
+  // an impulse at the nodes. Returns the functionals of u.
   Functionals add_to_model(const Eigen::VectorXd& node_values, double shift, double source) {
     const Functionals values = evaluate([&](const PhaseState& state) {
       const auto integral = equation_.integrate_from_state(state, {rate_ + shift});
@@ -265,9 +265,9 @@ class PassageSolverOnGrid {
 };
 
 // Returns the survival probabilities from the initial state, then from a stationary law. A stay
-// below the barrier has the length l. With the rate nu of downcrossings the stationary start has the
-// survival probability E(l - t)^+ / E l, which is the integral of nu P(l > t) from t to infinity,
-// divided by its value for t = 0.
+// below the barrier has the length l. With the rate nu of downcrossings the stationary start has
+// the survival probability E(l - t)^+ / E l, which is the integral of nu P(l > t) from t to
+// infinity, divided by its value for t = 0.
 PassageValues PassageSolverOnGrid::survival_probabilities(const std::vector<double>& times,
                                                           PassageFunctionalIndex law) const {
   const auto n = static_cast<Eigen::Index>(times.size());

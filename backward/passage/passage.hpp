@@ -14,9 +14,9 @@ struct PassageCollocationOptions {
   double max_seconds = 10;  ///< time limit in seconds (wall clock)
 };
 
-/// Computes the first passage of y above a barrier, by collocation of the renewal equation along the
-/// motion between impulses (RenewalEquation). The mean time T(y, v) to the passage from the state
-/// (y, v) satisfies
+/// Computes the first passage of y above a barrier, by collocation of the renewal equation along
+/// the motion between impulses (RenewalEquation). The mean time T(y, v) to the passage from the
+/// state (y, v) satisfies
 ///
 ///     T(y, v) = int_0^te exp(-lambda t) (1 + lambda h(X_t)) dt,   h(y, v) = E T(y, v + Y),
 ///
@@ -28,9 +28,9 @@ struct PassageCollocationOptions {
 /// operator of RenewalEquation with the weight w(t) = exp(-(lambda - g) t). A ReducedPassageModel
 /// gives the survival probabilities, and StationaryCrossings give the values of the stationary
 /// start. The values of the stationary start are absent if there is a right wall, or if the error
-/// of the stationary law is above half of the accuracy within half of the time limit. The error estimate of a value is four times its
-/// difference from the value on the previous, coarser grid, plus, for survival probabilities, the
-/// change by the last shifts of the reduced model.
+/// of the stationary law is above half of the accuracy within half of the time limit. The error
+/// estimate of a value is four times its difference from the value on the previous, coarser grid,
+/// plus, for survival probabilities, the change by the last shifts of the reduced model.
 /// @param times times of the survival probabilities; if empty, those of
 /// transform::automatic_survival_times() at which the errors are below the accuracy
 /// @param start initial state of Passage::mean_from_point; if empty, the initial state is at rest

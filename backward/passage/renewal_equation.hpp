@@ -11,12 +11,12 @@
 namespace fpkcheck::backward {
 
 /// Tensor product of Chebyshev nodes in sqrt(|barrier - y|) and in v, for the interpolation of
-/// functions on the phase plane below a barrier, or above the barrier. Outside the domain of the grid an interpolated
-/// function is constant along y and along v.
+/// functions on the phase plane below a barrier, or above the barrier. Outside the domain of the
+/// grid an interpolated function is constant along y and along v.
 class ChebyshevGrid {
  public:
-  /// Rectangle |v| <= v_max of the phase plane between the barrier and the displacement y_end, which
-  /// is below or above the barrier.
+  /// Rectangle |v| <= v_max of the phase plane between the barrier and the displacement y_end,
+  /// which is below or above the barrier.
   struct Domain {
     double y_end, barrier, v_max;
 

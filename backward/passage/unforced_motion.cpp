@@ -222,8 +222,8 @@ double UnforcedMotionSolver::find_time_at(const TaylorPanel& panel, double y, do
 }
 
 // Appends the quadrature nodes of a panel that begins at the given time. Near the barrier the
-// integrands are smooth functions of s = sqrt(|barrier - y|), and the nodes are those of a Gauss rule
-// in s.
+// integrands are smooth functions of s = sqrt(|barrier - y|), and the nodes are those of a Gauss
+// rule in s.
 void UnforcedMotionSolver::append_quadrature_nodes(const PhaseState& start,
                                                    const TaylorPanel& panel, double time,
                                                    std::vector<TrajectoryNode>& nodes) const {

@@ -58,8 +58,8 @@ class UnforcedMotionSolver {
       TrajectoryContent content = TrajectoryContent::quadrature_nodes) const;
 
   /// Traces the trajectory that ends in the state `end` backward in time. Returns the velocities at
-  /// which this trajectory crosses the displacement y. The trace stops at an absorbing barrier, after
-  /// the time `max_duration`, and where the speed reaches `max_speed`.
+  /// which this trajectory crosses the displacement y. The trace stops at an absorbing barrier,
+  /// after the time `max_duration`, and where the speed reaches `max_speed`.
   std::vector<double> find_backward_crossing_velocities(PhaseState end, double y,
                                                         double max_duration,
                                                         double max_speed) const;
